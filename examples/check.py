@@ -13,9 +13,9 @@ SAYS = {
     "the loudest thud: 17\n",
     "brick_breaker": "0 bricks and 5 lives left after 97.5 s, score 400\n"
     "hash 90dcbe4902922b84\n",
-    "car": "place 1: car 3 after 31.78 s\n"
-    "place 2: car 2 after 32.45 s\n"
-    "place 3: car 1 after 33.30 s\n"
+    "car": "place 1: car 3 after 31.80 s\n"
+    "place 2: car 2 after 32.47 s\n"
+    "place 3: car 1 after 33.32 s\n"
     "hash 8cbc73fd3844de11\n",
     "platformer": "8 of 8 coins in 14.25 s; the crate is at 4.60\n"
     "hash 21fb8160407b5347\n",

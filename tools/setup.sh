@@ -132,6 +132,11 @@ links_fuzzer() {
         clang-16 -fsanitize=fuzzer,address,undefined -x c - -o /dev/null
 }
 
+links_sanitizers() {
+    echo 'int main(void) { return 0; }' |
+        clang-16 -fsanitize=address,undefined -x c - -o /dev/null
+}
+
 need_fuzz() {
     need_native
     need_demo
@@ -147,7 +152,8 @@ need_test() {
     need_demo
     need "Ninja" ninja-build have ninja
     need "clang-format 16" clang-format-16 have clang-format-16
-    need "clang" "clang-16|clang" have_any clang-16 clang
+    need "clang 16" clang-16 have clang-16
+    need "the sanitizers of clang 16" libclang-rt-16-dev links_sanitizers
     need "cmocka's headers" libcmocka-dev has_header cmocka.h
     need "Python 3" python3 have python3
     need "Chromium" "chromium|chromium-browser" \

@@ -2,7 +2,7 @@
 # Sourced by ./run.
 # shellcheck shell=sh
 
-TEST_PARTS="native clang sanitizers wasm page baseline"
+TEST_PARTS="native sanitizers wasm page baseline"
 # Seconds between two lines about the progress of the parts.
 TEST_WORD_EVERY=30
 
@@ -13,20 +13,19 @@ usage: ./run test [--full] [PART...]
 Builds and tests everything, or only the parts that are named:
 
   native      the library, the examples and the tools, by the system's compiler
-  clang       the engine once more, compiled by clang: golden hashes, tests that compare bits, random
-              cases and guarantees; long ones run one of 7 of their cases and settings
-  sanitizers  all tests of the engine under the address and undefined-behaviour sanitizers; long
-              ones run one of 7 of their cases, too. All cases: cmake -DTHUD_TEST_SHARE=1
+  sanitizers  all tests of the engine once more, compiled by clang with the address and
+              undefined-behaviour sanitizers: the same golden hashes and bits as by the system's
+              compiler. Long ones run one of 7 of their cases; all cases: cmake -DTHUD_TEST_SHARE=1
   wasm        the engine as WebAssembly, in Node; the package in bundlers and other runtimes
   page        the page in Chromium and Firefox
   baseline    the comparison with Box2D
 
   --full      gives every pair of shapes 10^6 random cases instead of hundreds to thousands, and
               tries each guarantee (docs/guarantees.md) on every combination of settings instead
-              of some twenty, runs the tests under clang's memory sanitizer, and those of threads
-              and the kept inputs of ./run fuzz under its thread sanitizer, and measures anew what
-              the generated pages in docs/ say, more than an hour; belongs to native. With the
-              part clang: all tests under clang
+              of some twenty, runs the tests of clang's release build, those of the memory
+              sanitizer, and those of threads and the kept inputs of ./run fuzz under the thread
+              sanitizer, and measures anew what the generated pages in docs/ say, more than an
+              hour; belongs to native
 
 Two lanes run side by side: wasm, page and baseline, of which the page often waits, and all others,
 which give way to them. What a part prints is in build/test/PART.log and shown as it ends.
@@ -66,6 +65,7 @@ test_native() {
     ctest --preset release --parallel "$jobs"
     [ "$full" = no ] || {
         test_all_cases
+        test_clang
         test_memory
         test_threads
         test_pages_at_length
@@ -125,34 +125,15 @@ test_pages_at_length() {
     python3 -B tests/pages/check_pages.py fresh --long "$@"
 }
 
-# What clang's code may change: the bits of scenes, compared with those of gcc and of other settings,
-# geometry pair by pair, random cases, guarantees. Where these hold, other tests would find the same
-# figures and behaviour once more; --full runs them all the same, and ./run matrix compares the
-# results of scenes and queries of a dozen builds by clang.
-CLANG_TESTS="test_golden test_determinism test_float_mode test_workers test_snapshot test_rollback
-    test_islands_bits test_broadphases_random test_direct_random test_impacts_random
-    test_internal_edges_random test_islands_random test_joints_random test_lists_random
-    test_sensors_random test_snapshot_random test_terrain_contacts_random test_sparse
-    test_circles_approach test_ground_closest test_ground_contacts test_ground_impact test_minkowski
-    test_pairs_closest test_pairs_collision test_pairs_contacts test_pairs_impact test_volumes
-    test_guarantees"
-
-# The lists are split into their words on purpose.
-# shellcheck disable=SC2046,SC2086
+# clang's release build. What it may change that gcc's does not is found without --full, too: the
+# sanitizers' build is clang's, with the same golden hashes, and the WebAssembly modules are clang's
+# optimised code, with the native hashes of all scenes.
 test_clang() {
     clang=$(command -v clang-16 || command -v clang)
-    configure release-clang --preset release -DTHUD_WERROR=ON -DTHUD_TEST_SHARE=7 \
+    build release-clang --preset release -DTHUD_WERROR=ON -DTHUD_TEST_SHARE=7 \
         -DCMAKE_C_COMPILER="$clang"
-    # The tests of the page compare with what thud-run says here, too.
-    if [ "$full" = no ]; then
-        set -- --tests-regex "^($(echo $CLANG_TESTS | tr ' ' '|'))(_[0-9])?\$"
-        cmake --build build/release-clang --parallel "$jobs" --target thud-run $CLANG_TESTS
-    else
-        set -- --label-exclude '^(once|not_clang)$'
-        cmake --build build/release-clang --parallel "$jobs"
-    fi
     ctest --test-dir build/release-clang --no-tests=error --output-on-failure --timeout 600 \
-        --parallel "$jobs" "$@"
+        --parallel "$jobs" --label-exclude '^(once|not_clang)$'
 }
 
 test_sanitizers() {
@@ -270,7 +251,7 @@ test_everything() {
     (
         # This lane has a lower priority, so that the browsers of the other lane get processor time.
         renice -n 5 -p "$(exec sh -c 'echo "$PPID"')" >/dev/null 2>&1 || :
-        run_lane native clang sanitizers
+        run_lane native sanitizers
     ) &
     ticks=0
     while [ -n "$waiting" ]; do

@@ -8,7 +8,8 @@
 
 /* Reports a problem of a layer. */
 static void complain(const level_reader *r, const level_layer *layer, const char *what) {
-    level_problem_add(r->report, LEVEL_SKIP, 0, "layer '%.40s': %s", layer->name, what);
+    level_problem_add(r->report, LEVEL_SKIP, LEVEL_NO_OBJECT, "layer '%.40s': %s", layer->name,
+                      what);
 }
 
 static bool is_cell(double value) {
@@ -65,8 +66,8 @@ static bool from_base64(const level_reader *r, const level_layer *layer, const c
                  (uint32_t)bytes[4 * i + 2] << 16 | (uint32_t)bytes[4 * i + 3] << 24;
     free(bytes);
     if (why)
-        level_problem_add(r->report, LEVEL_SKIP, 0, "layer '%.40s': its tiles %s", layer->name,
-                          why);
+        level_problem_add(r->report, LEVEL_SKIP, LEVEL_NO_OBJECT, "layer '%.40s': its tiles %s",
+                          layer->name, why);
     return !why;
 }
 
@@ -89,14 +90,14 @@ static bool read_numbers(const level_reader *r, const level_layer *layer, const 
         return false;
     }
     if (seen != count) {
-        level_problem_add(r->report, LEVEL_SKIP, 0,
+        level_problem_add(r->report, LEVEL_SKIP, LEVEL_NO_OBJECT,
                           "layer '%.40s': %zu tiles do not fill its %zu columns and %zu rows",
                           layer->name, seen, width, height);
         return false;
     }
     if (malformed > 0)
-        level_problem_add(r->report, LEVEL_SKIP, 0, "layer '%.40s': %d cells are no tile numbers",
-                          layer->name, malformed);
+        level_problem_add(r->report, LEVEL_SKIP, LEVEL_NO_OBJECT,
+                          "layer '%.40s': %d cells are no tile numbers", layer->name, malformed);
     return true;
 }
 

@@ -1,5 +1,6 @@
-/* file.c: reads a map from a file, and the files that it refers to. */
-#define _POSIX_C_SOURCE 200809L
+/* file.c: access to files for the level reader, which makes a scene of a level's map: reads the
+ * map, and the files that it refers to. */
+#define _POSIX_C_SOURCE 200809L /* S_ISREG */
 
 #include "reader.h"
 
@@ -8,22 +9,21 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* Max size in bytes of a file that is read. A map can name any file as its tileset, also one that
- * never ends, as /dev/zero. Chosen. */
-enum { LARGEST_FILE = 1 << 28 };
+/* Max size of a file that is read, bytes. Chosen, far above the size of any real map. */
+enum { FILE_BYTES_MAX = 1 << 28 };
 
-/* Reads a file into memory from malloc. Null if it cannot be read, is no regular file or is too
- * large. */
+/* Reads a file into memory from malloc, without a zero at its end. Null if it cannot be read, is no
+ * regular file or is too large. A map can name any file as its tileset, also one that never ends,
+ * as ../../dev/zero, or a named pipe, which blocks the program that opens it; so the kind of file
+ * is asked for before it is opened. */
 static char *read_whole(const char *path, size_t *length) {
-    FILE *file = fopen(path, "rb");
     struct stat about;
-    char *text = NULL;
+    if (stat(path, &about) != 0 || !S_ISREG(about.st_mode) || about.st_size > FILE_BYTES_MAX)
+        return NULL;
+    FILE *file = fopen(path, "rb");
     if (!file)
         return NULL;
-    bool usual =
-        fstat(fileno(file), &about) == 0 && S_ISREG(about.st_mode) && about.st_size <= LARGEST_FILE;
-    if (usual)
-        text = malloc((size_t)about.st_size + 1);
+    char *text = malloc((size_t)about.st_size + 1); /* + 1: malloc(0) may be null */
     if (text) {
         *length = fread(text, 1, (size_t)about.st_size, file);
         if (ferror(file)) {
@@ -35,7 +35,7 @@ static char *read_whole(const char *path, size_t *length) {
     return text;
 }
 
-/* The part of a path after the last slash. */
+/* The part of a path after the last slash or backslash. */
 static const char *last_part(const char *path) {
     const char *base = path;
     for (const char *p = path; *p; p++)
@@ -67,19 +67,19 @@ static void name_of(const char *path, char *name, size_t size) {
     snprintf(name, size, "%.*s", (int)(length < size ? length : size - 1), base);
 }
 
-bool level_read_file(const char *path, bool skip, scene *s, level_report *report) {
+bool level_read_file(const char *path, bool skip_unsupported, scene *s, level_report *report) {
     scene_init(s);
     *report = (level_report){0};
     size_t length = 0;
     char *text = read_whole(path, &length);
     if (!text) {
-        level_problem_add(report, LEVEL_FATAL, 0, "the file cannot be read");
+        level_problem_add(report, LEVEL_FATAL, LEVEL_NO_OBJECT, "the file cannot be read");
         return false;
     }
-    char name[128];
+    char name[128]; /* a longer one is cut. Chosen */
     name_of(path, name, sizeof name);
     level_opener opener = {.open = open_beside, .context = (void *)(uintptr_t)path};
-    bool read = level_read_with(name, text, length, &opener, skip, s, report);
+    bool read = level_read_with(name, text, length, &opener, skip_unsupported, s, report);
     free(text);
     return read;
 }

@@ -8,9 +8,9 @@
 #include <string.h>
 
 /* Max of lengths, of a frame's coordinates (length scales) and of motor speeds (length scales or
- * radians a second): the engine's 1e6 (THUD_JOINT_LENGTH_MAX, THUD_JOINT_SPIN_MAX), with a margin
- * for rounding to float. SHORTEST: min length of a distance, length scales. The others are
- * THUD_JOINT_TURN_MAX, radians, and THUD_JOINT_FORCE_MAX. */
+ * radians a second): the engine's 1e6 (THUD_JOINT_LENGTH_MAX, THUD_JOINT_ANGULAR_SPEED_MAX), with a
+ * margin for rounding to float. SHORTEST: min length of a distance, length scales. The others are
+ * THUD_JOINT_ANGLE_MAX, radians, and THUD_JOINT_FORCE_MAX. */
 static const double LONGEST = 999999;
 static const double SHORTEST = 1e-6;
 static const double LARGEST_TURN = 3.1415927;

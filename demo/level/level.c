@@ -19,8 +19,8 @@ static void read_layer(level_reader *r, const level_layer *parent, const cJSON *
     if (strcmp(kind, "imagelayer") == 0)
         return;
     if (layer.chain.count > LEVEL_DEEPEST) {
-        level_problem_add(r->report, LEVEL_SKIP, 0, "layer '%.40s': too deep inside groups",
-                          layer.name);
+        level_problem_add(r->report, LEVEL_SKIP, LEVEL_NO_OBJECT,
+                          "layer '%.40s': too deep inside groups", layer.name);
         return;
     }
     layer.chain.links[layer.chain.count++] = json;
@@ -42,14 +42,15 @@ static void read_layer(level_reader *r, const level_layer *parent, const cJSON *
     else if (strcmp(kind, "group") == 0)
         read_layers(r, &layer);
     else
-        level_problem_add(r->report, LEVEL_SKIP, 0, "layer '%.40s': its type '%.20s' is not known",
-                          layer.name, kind);
+        level_problem_add(r->report, LEVEL_SKIP, LEVEL_NO_OBJECT,
+                          "layer '%.40s': its type '%.20s' is not known", layer.name, kind);
 }
 
 static void read_layers(level_reader *r, const level_layer *parent) {
     const cJSON *layers = level_field(parent->json, "layers");
     if (!cJSON_IsArray(layers)) {
-        level_problem_add(r->report, LEVEL_SKIP, 0, "'%.40s' has no list of layers", parent->name);
+        level_problem_add(r->report, LEVEL_SKIP, LEVEL_NO_OBJECT, "'%.40s' has no list of layers",
+                          parent->name);
         return;
     }
     const cJSON *json;
@@ -114,12 +115,12 @@ static void read_map(level_reader *r, const cJSON *json, const char *name) {
     const cJSON *type = level_field(json, "type");
     const cJSON *orientation = level_field(json, "orientation");
     if (!cJSON_IsString(type) || strcmp(type->valuestring, "map") != 0) {
-        level_problem_add(r->report, LEVEL_FATAL, 0,
+        level_problem_add(r->report, LEVEL_FATAL, LEVEL_NO_OBJECT,
                           "this is not a Tiled map: no \"type\": \"map\"");
         return;
     }
     if (cJSON_IsString(orientation) && strcmp(orientation->valuestring, "orthogonal") != 0) {
-        level_problem_add(r->report, LEVEL_FATAL, 0,
+        level_problem_add(r->report, LEVEL_FATAL, LEVEL_NO_OBJECT,
                           "the map is %.20s; only orthogonal maps are read",
                           orientation->valuestring);
         return;
@@ -128,7 +129,8 @@ static void read_map(level_reader *r, const cJSON *json, const char *name) {
     r->s->failed = !level_list_tilesets(&r->tilesets, level_field(json, "tilesets"), "");
     level_note_unknown(r->report, json, 0, "map", LEVEL_ANY_JOINT);
     if (!read_map_values(r, &map, name)) {
-        level_problem_add(r->report, LEVEL_FATAL, 0, "the map's own values cannot be used");
+        level_problem_add(r->report, LEVEL_FATAL, LEVEL_NO_OBJECT,
+                          "the map's own values cannot be used");
         return;
     }
     read_layers(r, &map);
@@ -160,35 +162,35 @@ static void read_document(level_library *library, const cJSON *json, const char 
     scene_free(s);
     level_report_free(report);
     level_library_forget_reports(library);
-    level_problem_add(report, LEVEL_NOTE, 0,
+    level_problem_add(report, LEVEL_NOTE, LEVEL_NO_OBJECT,
                       "nothing in this map says what collides, so every tile does: 'solid' says it "
                       "for a layer, a tileset, a tile or a tile object");
     read_once(library, json, name, true, s, report);
 }
 
 bool level_read_with(const char *name, const char *text, size_t length, const level_opener *opener,
-                     bool skip, scene *s, level_report *report) {
+                     bool skip_unsupported, scene *s, level_report *report) {
     scene_init(s);
     *report = (level_report){0};
     char trouble[120];
     cJSON *json = level_document(text, length, trouble, sizeof trouble);
     level_library *library = level_library_create(opener);
     if (!json)
-        level_problem_add(report, LEVEL_FATAL, 0, "%s", trouble);
+        level_problem_add(report, LEVEL_FATAL, LEVEL_NO_OBJECT, "%s", trouble);
     else if (library)
         read_document(library, json, name, s, report);
     if (s->failed || !library)
-        level_problem_add(report, LEVEL_FATAL, 0, "out of memory");
+        level_problem_add(report, LEVEL_FATAL, LEVEL_NO_OBJECT, "out of memory");
     cJSON_Delete(json);
     level_library_free(library);
-    if (report->fatal > 0 || (report->skipped > 0 && !skip)) {
+    if (report->fatal > 0 || (report->skipped > 0 && !skip_unsupported)) {
         scene_free(s);
         return false;
     }
     return true;
 }
 
-bool level_read(const char *name, const char *text, size_t length, bool skip, scene *s,
+bool level_read(const char *name, const char *text, size_t length, bool skip_unsupported, scene *s,
                 level_report *report) {
-    return level_read_with(name, text, length, NULL, skip, s, report);
+    return level_read_with(name, text, length, NULL, skip_unsupported, s, report);
 }

@@ -56,9 +56,12 @@ typedef enum level_severity {
     LEVEL_FATAL /* the file cannot be used at all */
 } level_severity;
 
+/* Instead of the id of an object, which is at least 1. */
+enum { LEVEL_NO_OBJECT = 0 };
+
 typedef struct level_problem {
     level_severity severity;
-    uint32_t object; /* id of the object; 0: the problem is about a layer or the map */
+    uint32_t object; /* its id; LEVEL_NO_OBJECT: the problem is about a layer or the map */
     char text[200];  /* what is wrong and where; names the object or layer */
 } level_problem;
 
@@ -87,17 +90,17 @@ typedef struct level_opener {
 /* Reads a map of `length` bytes into *s and its problems into *report; both are initialised here
  * and freed by the caller. `name` becomes the scene's name. A null `opener` means a map that refers
  * to no files. False, and *s is empty, if a problem is fatal, or if something has to be left out
- * and `skip` is false. */
+ * and `skip_unsupported` is false. */
 bool level_read_with(const char *name, const char *text, size_t length, const level_opener *opener,
-                     bool skip, scene *s, level_report *report);
+                     bool skip_unsupported, scene *s, level_report *report);
 
 /* The same for a map that refers to no files. */
-bool level_read(const char *name, const char *text, size_t length, bool skip, scene *s,
+bool level_read(const char *name, const char *text, size_t length, bool skip_unsupported, scene *s,
                 level_report *report);
 
 /* The same for a file, and the files that it refers to by their paths from its folder. The scene's
  * name is the file's, without folder and suffix. */
-bool level_read_file(const char *path, bool skip, scene *s, level_report *report);
+bool level_read_file(const char *path, bool skip_unsupported, scene *s, level_report *report);
 
 /* The rotation `degrees` reduced to [-180, 180), which is returned, and its cosine and sine, with
  * the same bits in every language with IEEE doubles:

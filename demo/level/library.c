@@ -120,7 +120,7 @@ const cJSON *level_library_open(level_library *library, level_report *report, co
     char joined[LONGEST_PATH];
     *path = "";
     if (!join(from, source, joined)) {
-        level_problem_add(report, LEVEL_SKIP, 0,
+        level_problem_add(report, LEVEL_SKIP, LEVEL_NO_OBJECT,
                           "%s '%.60s': only files by a path from the map's folder are read", type,
                           source);
         return NULL;
@@ -129,7 +129,7 @@ const cJSON *level_library_open(level_library *library, level_report *report, co
     if (!f) {
         f = calloc(1, sizeof *f + strlen(joined) + 1);
         if (!f) {
-            level_problem_add(report, LEVEL_FATAL, 0, "out of memory");
+            level_problem_add(report, LEVEL_FATAL, LEVEL_NO_OBJECT, "out of memory");
             return NULL;
         }
         strcpy(f->path, joined);
@@ -137,12 +137,13 @@ const cJSON *level_library_open(level_library *library, level_report *report, co
         library->files = f;
         load(library, f, type);
     } else if (f->json && strcmp(level_field_text(f->json, "type", ""), type) != 0) {
-        level_problem_add(report, LEVEL_SKIP, 0, "'%.80s' is no %s", joined, type);
+        level_problem_add(report, LEVEL_SKIP, LEVEL_NO_OBJECT, "'%.80s' is no %s", joined, type);
         return NULL;
     }
     if (!f->json && !f->reported) {
         f->reported = true;
-        level_problem_add(report, LEVEL_SKIP, 0, "%s '%.80s': %s", type, joined, f->trouble);
+        level_problem_add(report, LEVEL_SKIP, LEVEL_NO_OBJECT, "%s '%.80s': %s", type, joined,
+                          f->trouble);
     }
     *path = f->path;
     return f->json;

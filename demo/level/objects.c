@@ -237,8 +237,8 @@ static level_solid read_thing(level_reader *r, level_values *v, const thing *o,
 static level_solid read_object(level_reader *r, const level_layer *layer, const cJSON *object) {
     const cJSON *id = level_field(object, "id");
     if (!cJSON_IsNumber(id) || !(id->valuedouble >= 1 && id->valuedouble <= UINT32_MAX)) {
-        level_problem_add(r->report, LEVEL_SKIP, 0, "layer '%.40s': an object has no valid id",
-                          layer->name);
+        level_problem_add(r->report, LEVEL_SKIP, LEVEL_NO_OBJECT,
+                          "layer '%.40s': an object has no valid id", layer->name);
         return LEVEL_OPEN;
     }
     level_chain chain = layer->chain;
@@ -259,8 +259,8 @@ static level_solid read_object(level_reader *r, const level_layer *layer, const 
 void level_read_objects(level_reader *r, const level_layer *layer) {
     const cJSON *objects = level_field(layer->json, "objects");
     if (!cJSON_IsArray(objects)) {
-        level_problem_add(r->report, LEVEL_SKIP, 0, "layer '%.40s': has no list of objects",
-                          layer->name);
+        level_problem_add(r->report, LEVEL_SKIP, LEVEL_NO_OBJECT,
+                          "layer '%.40s': has no list of objects", layer->name);
         return;
     }
     int unmarked = 0;
@@ -269,7 +269,7 @@ void level_read_objects(level_reader *r, const level_layer *layer) {
         unmarked += read_object(r, layer, object) == LEVEL_UNMARKED;
     r->unmarked += unmarked;
     if (unmarked > 0)
-        level_problem_add(r->report, LEVEL_NOTE, 0,
+        level_problem_add(r->report, LEVEL_NOTE, LEVEL_NO_OBJECT,
                           "layer '%.40s': of %d tile objects nothing says that they are solid",
                           layer->name, unmarked);
 }

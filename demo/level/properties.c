@@ -192,8 +192,8 @@ void level_note_unknown(level_report *report, const cJSON *json, uint32_t object
             level_problem_add(report, LEVEL_NOTE, object, "property '%.40s' has no meaning here",
                               name);
         else
-            level_problem_add(report, LEVEL_NOTE, 0, "%.60s: property '%.40s' has no meaning here",
-                              where, name);
+            level_problem_add(report, LEVEL_NOTE, LEVEL_NO_OBJECT,
+                              "%.60s: property '%.40s' has no meaning here", where, name);
     }
 }
 

@@ -185,7 +185,7 @@ static void report_ungrounded(const level_reader *r, const level_layer *layer,
     for (uint32_t i = 0; i < kinds->size; i++)
         ungrounded += kinds->slots[i].ungrounded;
     if (ungrounded > 0)
-        level_problem_add(r->report, LEVEL_SKIP, 0,
+        level_problem_add(r->report, LEVEL_SKIP, LEVEL_NO_OBJECT,
                           "layer '%.40s': the polygons of %d tiles are no ground: all below them, "
                           "down to the map's lower edge, would have to be solid",
                           layer->name, ungrounded);
@@ -221,12 +221,12 @@ static void read_cells(level_reader *r, const level_layer *layer, const level_ce
     report_ungrounded(r, layer, kinds);
     r->unmarked += unmarked;
     if (unknown > 0)
-        level_problem_add(r->report, LEVEL_SKIP, 0,
+        level_problem_add(r->report, LEVEL_SKIP, LEVEL_NO_OBJECT,
                           "layer '%.40s': %d tiles belong to no tileset that can be used",
                           layer->name, unknown);
     if (used > 0 && colliding == 0 && unknown < used)
-        level_problem_add(r->report, LEVEL_NOTE, 0, "layer '%.40s': none of its %d tiles is solid",
-                          layer->name, used);
+        level_problem_add(r->report, LEVEL_NOTE, LEVEL_NO_OBJECT,
+                          "layer '%.40s': none of its %d tiles is solid", layer->name, used);
 }
 
 void level_read_tiles(level_reader *r, const level_layer *layer) {

@@ -100,7 +100,8 @@ level_tile level_find_tile(const level_reader *r, const level_tilesets *tilesets
     tile.keeps_aspect =
         strcmp(level_field_text(tile.tileset, "fillmode", ""), "preserve-aspect-fit") == 0;
     if (tile.tileset && (tile.width == 0 || tile.height == 0)) {
-        level_problem_add(r->report, LEVEL_SKIP, 0, "tileset '%.40s': tile %g has no size",
+        level_problem_add(r->report, LEVEL_SKIP, LEVEL_NO_OBJECT,
+                          "tileset '%.40s': tile %g has no size",
                           level_field_text(tile.tileset, "name", ""), number - best->first);
         tile.tileset = NULL;
     }

@@ -40,8 +40,8 @@ void character_start(character *c, session *s) {
     if (!c->present)
         return;
     double unit = from->length_scale;
-    c->mover = thud_default_mover((thud_shape_instance){
-        .kind = THUD_AABB, .c = 1, .hx = HALF_WIDTH * unit, .hy = HALF_HEIGHT * unit});
+    c->mover = thud_default_mover((thud_geometry){
+        .kind = THUD_SHAPE_AABB, .c = 1, .hx = HALF_WIDTH * unit, .hy = HALF_HEIGHT * unit});
     c->mover.push_force = PUSH * unit * unit * unit;
     c->mover.pass = thud_mover_passes_one_way;
     c->one_way.categories = ONE_WAY_CATEGORY;
@@ -52,7 +52,7 @@ void character_start(character *c, session *s) {
     /* A kinematic body at the character's place, with which other moving bodies collide. */
     thud_body_def body = thud_default_body_def();
     thud_shape_def shape = thud_default_shape_def();
-    body.kind = THUD_KINEMATIC;
+    body.kind = THUD_BODY_KINEMATIC;
     body.position = c->before;
     thud_vec2 zero = {0, 0}, half = {(float)c->mover.shape.hx, (float)c->mover.shape.hy};
     if (thud_body_create(s->world, &body, &c->mover.body) != THUD_OK ||
@@ -97,26 +97,28 @@ static void jump(character *c, float unit, double dt) {
 static void turn_lift(thud_world *world, thud_body_id lift, thud_shape_id id, double dt) {
     thud_body_state body;
     thud_shape_state shape;
-    if (thud_body_get(world, lift, &body) != THUD_OK ||
-        thud_shape_get(world, id, &shape) != THUD_OK)
+    if (thud_body_get_state(world, lift, &body) != THUD_OK ||
+        thud_shape_get_state(world, id, &shape) != THUD_OK)
         return;
-    thud_shape_instance placed = {.kind = shape.kind,
-                                  .c = 1,
-                                  .hx = (double)shape.half_extents.x,
-                                  .hy = (double)shape.half_extents.y};
+    thud_geometry placed = {.kind = shape.kind,
+                            .c = 1,
+                            .hx = (double)shape.half_extents.x,
+                            .hy = (double)shape.half_extents.y};
     thud_query_filter filter = thud_default_query_filter();
     thud_ray_hit hits[16];
     int count = 0;
     filter.sensors = true;
     double ahead_x = 2 * dt * (double)body.velocity.x, ahead_y = 2 * dt * (double)body.velocity.y;
-    thud_world_cast_shape_all(world, body.position, &placed, ahead_x, ahead_y, &filter, hits, 16,
-                              &count);
+    thud_world_cast_shape_all(world,
+                              &(thud_shape_cast){body.position, placed, ahead_x, ahead_y, &filter},
+                              hits, 16, &count);
     for (int i = 0; i < count && i < 16; i++) {
         thud_shape_state met;
         thud_body_state other;
         bool ahead = (double)hits[i].normal.x * ahead_x + (double)hits[i].normal.y * ahead_y < 0;
-        if (ahead && thud_shape_get(world, hits[i].shape, &met) == THUD_OK &&
-            thud_body_get(world, met.body, &other) == THUD_OK && other.kind == THUD_STATIC) {
+        if (ahead && thud_shape_get_state(world, hits[i].shape, &met) == THUD_OK &&
+            thud_body_get_state(world, met.body, &other) == THUD_OK &&
+            other.kind == THUD_BODY_STATIC) {
             thud_vec2 back = {-body.velocity.x, -body.velocity.y};
             thud_body_set_velocity(world, lift, back, 0);
             return;
@@ -129,7 +131,8 @@ static void turn_lifts(session *s, double dt) {
     for (int i = 0; i < s->body_count; i++) {
         const session_body *body = &s->bodies[i];
         const session_shape *shape = &s->shapes[body->first_shape];
-        if (body->kind == THUD_KINEMATIC && body->shape_count == 1 && shape->kind == THUD_AABB)
+        if (body->kind == THUD_BODY_KINEMATIC && body->shape_count == 1 &&
+            shape->kind == THUD_SHAPE_AABB)
             turn_lift(s->world, body->id, shape->id, dt);
     }
 }

@@ -22,8 +22,8 @@ static void dig(session *s, thud_pos at, bool mound) {
     int lines = 0;
     for (int i = 0; i < s->shape_count; i++) {
         thud_terrain terrain;
-        if (s->shapes[i].kind != THUD_TERRAIN ||
-            thud_shape_terrain(s->world, s->shapes[i].id, &terrain) != THUD_OK ||
+        if (s->shapes[i].kind != THUD_SHAPE_TERRAIN ||
+            thud_shape_get_terrain(s->world, s->shapes[i].id, &terrain) != THUD_OK ||
             terrain.kind == THUD_TERRAIN_FLAT)
             continue;
         lines++;

@@ -16,18 +16,18 @@ static const float CALM = 20; /* rad/s^2: max angular deceleration of a held bod
 /* Creates the pin and the joint. False if the world refuses. */
 static bool add_joint(grab *g, session *s, const thud_body_state *body) {
     thud_body_def pin = thud_default_body_def();
-    thud_joint_def def = thud_default_joint_def(THUD_TARGET);
+    thud_joint_def def = thud_default_joint_def(THUD_JOINT_TARGET);
     pin.position = g->from;
     if (thud_body_create(s->world, &pin, &g->pin) != THUD_OK)
         return false;
     float gravity = (float)fmax(hypot(s->scene.gravity_x, s->scene.gravity_y),
                                 GRAVITY_LEAST * s->scene.length_scale);
-    for (int i = THUD_ALONG; i <= THUD_ACROSS; i++) {
+    for (int i = THUD_DIRECTION_ALONG; i <= THUD_DIRECTION_ACROSS; i++) {
         def.drive[i].frequency = FREQUENCY;
         def.drive[i].damping = DAMPING;
         def.drive[i].spring_force = WEIGHTS * gravity * body->mass;
     }
-    def.drive[THUD_TURN].motor_force = CALM * body->inertia;
+    def.drive[THUD_DIRECTION_TURN].motor_force = CALM * body->inertia;
     def.body_a = g->pin;
     def.body_b = g->body;
     def.frame_b.position = g->local;
@@ -42,8 +42,8 @@ bool grab_start(grab *g, session *s, thud_pos at, double margin) {
     thud_body_id id;
     thud_body_state body;
     grab_end(g, s);
-    if (!session_pick(s, at, margin, THUD_DYNAMIC, &id) ||
-        thud_body_get(s->world, id, &body) != THUD_OK)
+    if (!session_pick(s, at, margin, THUD_BODY_DYNAMIC, &id) ||
+        thud_body_get_state(s->world, id, &body) != THUD_OK)
         return false;
     float dx = (float)(at.x - body.position.x), dy = (float)(at.y - body.position.y);
     thud_vec2 local = {body.cosine * dx + body.sine * dy, body.cosine * dy - body.sine * dx};
@@ -74,7 +74,7 @@ void grab_end(grab *g, session *s) {
 
 bool grab_anchor(const grab *g, const session *s, thud_pos *out) {
     thud_body_state body;
-    if (!g->held || thud_body_get(s->world, g->body, &body) != THUD_OK)
+    if (!g->held || thud_body_get_state(s->world, g->body, &body) != THUD_OK)
         return false;
     const thud_vec2 *p = &g->local;
     *out = (thud_pos){body.position.x + body.cosine * p->x - body.sine * p->y,

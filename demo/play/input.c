@@ -118,7 +118,7 @@ static void explode_here(viewer *v) {
 static void remove_here(viewer *v) {
     thud_body_id body;
     if (!over_panel(v) &&
-        session_pick(&v->session, pointer_place(v), pick_margin(v), THUD_DYNAMIC, &body))
+        session_pick(&v->session, pointer_place(v), pick_margin(v), THUD_BODY_DYNAMIC, &body))
         session_remove(&v->session, body);
 }
 
@@ -201,10 +201,10 @@ static void repeat_key(viewer *v, SDL_Keycode key, bool shift) {
         viewer_change_speed(v, 1);
         break;
     case SDLK_c:
-        spawn_here(v, THUD_CIRCLE, shift);
+        spawn_here(v, THUD_SHAPE_CIRCLE, shift);
         break;
     case SDLK_b:
-        spawn_here(v, THUD_OBB, shift);
+        spawn_here(v, THUD_SHAPE_OBB, shift);
         break;
     case SDLK_g:
         dig_here(v, shift);

@@ -11,14 +11,14 @@ static uint32_t kind(int index) {
 }
 
 /* How the chosen pair of kinds interacts now. */
-static thud_meeting meeting_of(const session *s) {
+static thud_rule_kind meeting_of(const session *s) {
     thud_rule rule;
     thud_result result =
-        thud_world_rule(s->world, kind(s->pair[0]), kind(s->pair[1]), &rule, NULL, NULL);
-    return result == THUD_OK ? rule.meeting : THUD_COLLIDE;
+        thud_world_get_rule(s->world, kind(s->pair[0]), kind(s->pair[1]), &rule, NULL, NULL);
+    return result == THUD_OK ? rule.kind : THUD_RULE_COLLIDE;
 }
 
-static void tell(session *s, thud_meeting meeting) {
+static void tell(session *s, thud_rule_kind meeting) {
     static const char *const words[] = {"collide", "ignore each other", "meet one way"};
     snprintf(s->message, sizeof s->message, "Kinds %d and %d %s.", s->pair[0] + 1, s->pair[1] + 1,
              words[meeting]);
@@ -47,9 +47,9 @@ void session_next_meeting(session *s) {
     if (!s->world || s->scene.kinds == 0)
         return;
     uint32_t first = kind(s->pair[0]), second = kind(s->pair[1]);
-    int choices = first == second ? THUD_ONE_WAY : THUD_MEETING_COUNT;
-    thud_meeting next = (thud_meeting)((meeting_of(s) + 1) % choices);
+    int choices = first == second ? THUD_RULE_ONE_WAY : THUD_RULE_KIND_COUNT;
+    thud_rule_kind next = (thud_rule_kind)((meeting_of(s) + 1) % choices);
     forget_rules(&s->scene.fields, first, second);
-    scene_add_rule(&s->scene, first, second, (scene_meeting)next);
+    scene_add_rule(&s->scene, first, second, (scene_rule_kind)next);
     tell(s, next);
 }

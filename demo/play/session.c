@@ -66,7 +66,7 @@ static bool grow(void **block, int *capacity, int wanted, size_t size) {
 
 /* Max distance of a shape's points from the body's origin; an upper bound. */
 static float shape_reach(const session_shape *shape) {
-    if (shape->kind == THUD_TERRAIN)
+    if (shape->kind == THUD_SHAPE_TERRAIN)
         return INFINITY;
     return hypotf(shape->offset.x, shape->offset.y) + hypotf(shape->half.x, shape->half.y);
 }
@@ -74,7 +74,7 @@ static float shape_reach(const session_shape *shape) {
 /* Appends a body and its shapes to the lists for drawing. False if memory runs out. */
 static bool list_body(session *s, thud_body_id id) {
     thud_body_state body;
-    if (thud_body_get(s->world, id, &body) != THUD_OK ||
+    if (thud_body_get_state(s->world, id, &body) != THUD_OK ||
         !grow((void **)&s->bodies, &s->body_capacity, s->body_count + 1, sizeof *s->bodies) ||
         !grow((void **)&s->shapes, &s->shape_capacity, s->shape_count + body.shape_count,
               sizeof *s->shapes))
@@ -83,11 +83,11 @@ static bool list_body(session *s, thud_body_id id) {
     if (!ids)
         return false;
     int count = 0;
-    thud_body_shapes(s->world, id, ids, body.shape_count, &count);
+    thud_body_get_shapes(s->world, id, ids, body.shape_count, &count);
     session_body entry = {.id = id, .kind = body.kind, .first_shape = s->shape_count};
     for (int i = 0; i < count; i++) {
         thud_shape_state shape;
-        if (thud_shape_get(s->world, ids[i], &shape) != THUD_OK)
+        if (thud_shape_get_state(s->world, ids[i], &shape) != THUD_OK)
             continue;
         session_shape *listed = &s->shapes[s->shape_count++];
         *listed = (session_shape){ids[i],
@@ -126,7 +126,7 @@ static bool list_joints(session *s) {
         snprintf(s->message, sizeof s->message, "Out of memory while listing the joints.");
         return false;
     }
-    s->joint_count = thud_world_joints(s->world, s->joints, s->scene.joint_count);
+    thud_world_get_joints(s->world, s->joints, s->scene.joint_count, &s->joint_count);
     return true;
 }
 
@@ -179,7 +179,7 @@ static bool is_listed(const session *s, thud_body_id id) {
 
 /* After a step in which bodies broke: removes them from the list, and adds their pieces. */
 static void list_pieces(session *s) {
-    int kept = 0, count = 0, bodies = (int)thud_world_stats(s->world).bodies;
+    int kept = 0, count = 0, bodies = (int)thud_stats_of(s->world).bodies;
     if (s->scene.fields.breaks == 0 || bodies == s->body_count)
         return;
     for (int i = 0; i < s->body_count; i++)
@@ -187,7 +187,7 @@ static void list_pieces(session *s) {
             s->bodies[kept++] = s->bodies[i];
     s->body_count = kept;
     thud_body_id *ids = malloc((size_t)bodies * sizeof *ids + 1);
-    bool listed = ids && thud_world_bodies(s->world, ids, bodies, &count) == THUD_OK;
+    bool listed = ids && thud_world_get_bodies(s->world, ids, bodies, &count) == THUD_OK;
     for (int i = 0; i < count && listed; i++)
         listed = is_listed(s, ids[i]) || list_body(s, ids[i]);
     free(ids);
@@ -200,7 +200,7 @@ static void run_step(session *s) {
     if (scene_step_thud(&s->scene.fields, s->world) != THUD_OK)
         return;
     list_pieces(s);
-    thud_stats stats = thud_world_stats(s->world);
+    thud_stats stats = thud_stats_of(s->world);
     s->missed.held += stats.held_bodies;
     s->missed.seconds += stats.held_seconds;
     s->missed.fast += stats.unbisectable;
@@ -222,7 +222,7 @@ static void advance(session *s, double elapsed, int steps_max) {
 void session_advance(session *s, double elapsed) {
     if (s->paused || !s->world)
         return;
-    double step_seconds = thud_world_stats(s->world).step_seconds;
+    double step_seconds = thud_stats_of(s->world).step_seconds;
     int steps_max = STEPS_PER_FRAME;
     if (step_seconds * STEPS_PER_FRAME > STEPPING_BUDGET)
         steps_max = (int)fmax(1, STEPPING_BUDGET / step_seconds);
@@ -249,22 +249,22 @@ void session_spawn(session *s, thud_shape_kind kind, thud_pos at, float size) {
     thud_body_def body = thud_default_body_def();
     thud_shape_def shape = thud_default_shape_def();
     thud_body_id id;
-    body.kind = THUD_DYNAMIC;
+    body.kind = THUD_BODY_DYNAMIC;
     body.position = at;
     if (thud_body_create(s->world, &body, &id) != THUD_OK)
         return;
     thud_vec2 center = {0, 0};
     thud_result made = THUD_ERROR_INVALID;
     switch (kind) {
-    case THUD_CIRCLE:
+    case THUD_SHAPE_CIRCLE:
         made = thud_shape_create_circle(s->world, id, &shape, center, half, NULL);
         break;
-    case THUD_AABB:
-    case THUD_OBB:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
         made =
             thud_shape_create_obb(s->world, id, &shape, center, (thud_vec2){half, half}, 0, NULL);
         break;
-    case THUD_TERRAIN: /* cannot be added by a user */
+    case THUD_SHAPE_TERRAIN: /* cannot be added by a user */
         break;
     }
     if (made != THUD_OK || !list_body(s, id))
@@ -287,7 +287,7 @@ void session_explode(session *s, thud_pos at) {
     explosion.impulse = (float)(BLAST_SPEED * unit * unit);
     s->message[0] = '\0';
     if (thud_world_explode(s->world, &explosion, NULL) == THUD_OK) {
-        s->blasts[s->next_blast] = (session_blast){at, (double)thud_world_stats(s->world).steps};
+        s->blasts[s->next_blast] = (session_blast){at, (double)thud_stats_of(s->world).steps};
         s->next_blast = (s->next_blast + 1) % SESSION_BLASTS;
     }
 }
@@ -306,8 +306,9 @@ static bool pick_nearest(thud_shape_id id, void *context) {
     picking *p = context;
     thud_shape_state shape;
     thud_body_state body;
-    if (thud_shape_get(p->session->world, id, &shape) != THUD_OK ||
-        thud_body_get(p->session->world, shape.body, &body) != THUD_OK || body.kind != p->kind)
+    if (thud_shape_get_state(p->session->world, id, &shape) != THUD_OK ||
+        thud_body_get_state(p->session->world, shape.body, &body) != THUD_OK ||
+        body.kind != p->kind)
         return true;
     double distance = hypot(body.center.x - p->at.x, body.center.y - p->at.y);
     if (!p->found || distance < p->distance) {
@@ -322,8 +323,8 @@ bool session_pick(session *s, thud_pos at, double margin, thud_body_kind kind, t
     if (!s->world)
         return false;
     picking p = {.session = s, .at = at, .kind = kind};
-    thud_shape_instance spot = {.kind = THUD_CIRCLE, .c = 1, .hx = margin};
-    thud_world_overlap_shape(s->world, at, &spot, NULL, pick_nearest, &p);
+    thud_geometry spot = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = margin};
+    thud_world_overlap_shape(s->world, at, spot, NULL, pick_nearest, &p);
     if (p.found)
         *out = p.body;
     return p.found;

@@ -59,7 +59,7 @@ struct session {
     bool paused;
     double speed;     /* world seconds per real second */
     double time_step; /* of the world, s */
-    double alpha;     /* interpolation for thud_world_poses, [0, 1] */
+    double alpha;     /* interpolation for thud_world_get_poses, [0, 1] */
     session_missed missed;
     session_blast blasts[SESSION_BLASTS];
     int next_blast;              /* index of the oldest in `blasts` */

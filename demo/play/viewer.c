@@ -127,7 +127,7 @@ void viewer_layout(viewer *v) {
 static void record_timings(viewer *v, uint64_t steps_before) {
     if (!v->session.world)
         return;
-    thud_stats stats = thud_world_stats(v->session.world);
+    thud_stats stats = thud_stats_of(v->session.world);
     if (stats.steps != steps_before)
         timings_add(&v->timings, &stats);
 }
@@ -145,14 +145,14 @@ static void follow_character(viewer *v, double elapsed) {
 }
 
 void viewer_advance(viewer *v, double elapsed) {
-    uint64_t before = v->session.world ? thud_world_stats(v->session.world).steps : 0;
+    uint64_t before = v->session.world ? thud_stats_of(v->session.world).steps : 0;
     session_advance(&v->session, elapsed);
     follow_character(v, elapsed);
     record_timings(v, before);
 }
 
 void viewer_step_once(viewer *v) {
-    uint64_t before = v->session.world ? thud_world_stats(v->session.world).steps : 0;
+    uint64_t before = v->session.world ? thud_stats_of(v->session.world).steps : 0;
     session_step(&v->session);
     record_timings(v, before);
 }

@@ -144,15 +144,15 @@ static bool run(thud_world *world, const scene *s, const run_options *options, r
             return false;
         }
         o->steps++;
-        o->stats = thud_world_stats(world);
+        o->stats = thud_stats_of(world);
         o->seconds += o->stats.step_seconds;
         if (o->stats.step_seconds > o->worst_seconds)
             o->worst_seconds = o->stats.step_seconds;
         for (int i = 0; i < THUD_STAGE_COUNT; i++)
             o->stage_seconds[i] += o->stats.stage_seconds[i];
-        keep_worst(&o->worst, thud_world_error(world), o->steps == 1);
-        o->quarantined += thud_world_events(world).quarantined_count;
-        o->measure = thud_world_measure(world);
+        keep_worst(&o->worst, thud_step_error_of(world), o->steps == 1);
+        o->quarantined += thud_events_of(world).quarantined_count;
+        o->measure = thud_measure_of(world);
         if (o->measure.penetration_max > o->penetration_max)
             o->penetration_max = o->measure.penetration_max;
         if (terminal)
@@ -160,7 +160,7 @@ static bool run(thud_world *world, const scene *s, const run_options *options, r
     }
     if (last_shown > 0)
         fprintf(stderr, "\r%30s\r", "");
-    o->hash = thud_world_hash(world);
+    o->hash = thud_hash_of(world);
     return true;
 }
 

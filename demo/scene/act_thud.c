@@ -47,8 +47,8 @@ static thud_result explode(const scene_fields *fields, thud_world *world, double
 static thud_result act_on(const scene_fields *fields, thud_world *world, double step,
                           thud_body_id id) {
     thud_body_state body;
-    thud_result result = thud_body_get(world, id, &body);
-    if (result != THUD_OK || body.kind != THUD_DYNAMIC || !body.awake)
+    thud_result result = thud_body_get_state(world, id, &body);
+    if (result != THUD_OK || body.kind != THUD_BODY_DYNAMIC || !body.awake)
         return result;
     if (fields->water_density > 0) {
         thud_water water = thud_default_water();
@@ -75,11 +75,11 @@ static bool pair_has(const thud_world *world, uint32_t first, uint32_t second,
                      const thud_rule *rule) {
     thud_rule old;
     bool is_set, reversed;
-    return thud_world_rule(world, first, second, &old, &is_set, &reversed) == THUD_OK && is_set &&
-           (!reversed || rule->meeting != THUD_ONE_WAY) && old.meeting == rule->meeting &&
+    return thud_world_get_rule(world, first, second, &old, &is_set, &reversed) == THUD_OK &&
+           is_set && (!reversed || rule->kind != THUD_RULE_ONE_WAY) && old.kind == rule->kind &&
            same(old.friction, rule->friction) && same(old.restitution, rule->restitution) &&
            same(old.surface_speed, rule->surface_speed) &&
-           same(old.most_impulse, rule->most_impulse);
+           same(old.event_impulse, rule->event_impulse);
 }
 
 /* Whether all pairs of the kinds `first` and `second` have this rule. A rule that the world has is
@@ -95,11 +95,11 @@ static bool is_there(const thud_world *world, uint32_t first, uint32_t second,
 
 static thud_result set_rule(thud_world *world, const scene_rule *from) {
     thud_rule rule = thud_default_rule();
-    rule.meeting = (thud_meeting)from->meeting;
+    rule.kind = (thud_rule_kind)from->kind;
     rule.friction = (float)from->friction;
     rule.restitution = (float)from->restitution;
     rule.surface_speed = (float)from->surface_speed;
-    rule.most_impulse = (float)from->most_impulse;
+    rule.event_impulse = (float)from->event_impulse;
     if (is_there(world, from->first, from->second, &rule))
         return THUD_OK;
     return thud_world_set_rule(world, from->first, from->second, &rule);
@@ -118,7 +118,7 @@ static bool replaced(const scene_fields *fields, int index, double step) {
 }
 
 thud_result scene_rule_thud(const scene_fields *fields, thud_world *world) {
-    double step = fields->rule_count > 0 ? (double)thud_world_stats(world).steps : 0;
+    double step = fields->rule_count > 0 ? (double)thud_stats_of(world).steps : 0;
     thud_result result = THUD_OK;
     for (int i = 0; i < fields->rule_count && result == THUD_OK; i++)
         if (fields->rules[i].step <= step && !replaced(fields, i, step))
@@ -127,16 +127,16 @@ thud_result scene_rule_thud(const scene_fields *fields, thud_world *world) {
 }
 
 thud_result scene_step_thud(const scene_fields *fields, thud_world *world) {
-    double step = (double)thud_world_stats(world).steps;
+    double step = (double)thud_stats_of(world).steps;
     thud_result result = scene_rule_thud(fields, world);
     if (result == THUD_OK)
         result = explode(fields, world, step);
     int slots = 0;
     if (fields->water_density > 0 || fields->air_density > 0)
-        thud_world_slots(world, &slots, NULL);
+        thud_world_get_slot_counts(world, &slots, NULL);
     for (int i = 0; i < slots && result == THUD_OK; i++) {
         thud_body_id id;
-        if (thud_world_body_at(world, i, &id) == THUD_OK && id.index1 != 0)
+        if (thud_world_get_body_at(world, i, &id) == THUD_OK && id.index1 != 0)
             result = act_on(fields, world, step, id);
     }
     if (result == THUD_OK)

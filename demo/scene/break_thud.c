@@ -9,12 +9,12 @@ static thud_result add_piece(const scene_fields *fields, thud_world *world, thud
                              const thud_body_state *body, const thud_shape_state *box,
                              thud_vec2 place) {
     thud_body_def def = thud_default_body_def();
-    def.kind = THUD_DYNAMIC;
+    def.kind = THUD_BODY_DYNAMIC;
     def.angle = body->angle;
     def.angular_velocity = body->angular_velocity;
-    thud_result result = thud_body_world_point(world, whole, place, &def.position);
+    thud_result result = thud_body_get_world_point(world, whole, place, &def.position);
     if (result == THUD_OK)
-        result = thud_body_velocity_at(world, whole, def.position, &def.velocity);
+        result = thud_body_get_velocity_at(world, whole, def.position, &def.velocity);
     thud_body_id piece;
     if (result == THUD_OK)
         result = thud_body_create(world, &def, &piece);
@@ -33,8 +33,9 @@ static thud_result add_piece(const scene_fields *fields, thud_world *world, thud
 static thud_result break_shape(const scene_fields *fields, thud_world *world, thud_shape_id id) {
     thud_shape_state box;
     thud_body_state body;
-    if (!thud_shape_is_valid(world, id) || thud_shape_get(world, id, &box) != THUD_OK ||
-        box.filter.category != fields->breaks || thud_body_get(world, box.body, &body) != THUD_OK)
+    if (!thud_shape_is_valid(world, id) || thud_shape_get_state(world, id, &box) != THUD_OK ||
+        box.filter.category != fields->breaks ||
+        thud_body_get_state(world, box.body, &body) != THUD_OK)
         return THUD_OK;
     thud_result result = THUD_OK;
     for (int i = 0; i < 4 && result == THUD_OK; i++) {
@@ -48,7 +49,7 @@ static thud_result break_shape(const scene_fields *fields, thud_world *world, th
 thud_result scene_break_thud(const scene_fields *fields, thud_world *world) {
     int count = 0;
     const thud_impulse_event *events =
-        fields->breaks != 0 ? thud_world_impulses(world, &count) : NULL;
+        fields->breaks != 0 ? thud_impulse_events_of(world, &count) : NULL;
     thud_result result = THUD_OK;
     for (int i = 0; i < count && result == THUD_OK; i++) {
         result = break_shape(fields, world, events[i].shape_a);

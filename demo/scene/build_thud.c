@@ -13,9 +13,9 @@ static thud_vec2 vec2(double x, double y) {
 }
 
 static thud_body_kind body_kind(scene_body_kind kind) {
-    return kind == SCENE_STATIC      ? THUD_STATIC
-           : kind == SCENE_KINEMATIC ? THUD_KINEMATIC
-                                     : THUD_DYNAMIC;
+    return kind == SCENE_STATIC      ? THUD_BODY_STATIC
+           : kind == SCENE_KINEMATIC ? THUD_BODY_KINEMATIC
+                                     : THUD_BODY_DYNAMIC;
 }
 
 static thud_result add_terrain(thud_world *world, thud_body_id body, const thud_shape_def *def,

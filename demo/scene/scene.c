@@ -237,7 +237,7 @@ void scene_add_blast(scene *s, scene_blast blast) {
         s->failed = true;
 }
 
-scene_rule *scene_add_rule(scene *s, uint32_t first, uint32_t second, scene_meeting meeting) {
+scene_rule *scene_add_rule(scene *s, uint32_t first, uint32_t second, scene_rule_kind meeting) {
     scene_rule *rule = &s->spare_rule;
     if (s->fields.rule_count < SCENE_RULES_MAX)
         rule = &s->fields.rules[s->fields.rule_count++];
@@ -245,11 +245,11 @@ scene_rule *scene_add_rule(scene *s, uint32_t first, uint32_t second, scene_meet
         s->failed = true;
     *rule = (scene_rule){.first = first,
                          .second = second,
-                         .meeting = meeting,
+                         .kind = meeting,
                          .friction = NAN,
                          .restitution = NAN,
                          .surface_speed = NAN,
-                         .most_impulse = INFINITY};
+                         .event_impulse = INFINITY};
     return rule;
 }
 

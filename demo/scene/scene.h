@@ -127,7 +127,7 @@ typedef struct scene_blast {
 
 enum { SCENE_BLASTS_MAX = 4 };
 
-typedef enum scene_meeting { SCENE_COLLIDE = 0, SCENE_IGNORE, SCENE_ONE_WAY } scene_meeting;
+typedef enum scene_rule_kind { SCENE_COLLIDE = 0, SCENE_IGNORE, SCENE_ONE_WAY } scene_rule_kind;
 
 /* The collision rule of two kinds of shapes, see thud_rules.h. From its `step` on a rule replaces
  * the earlier ones of the list with the same `first` and `second`; rules that differ in these have
@@ -135,11 +135,11 @@ typedef enum scene_meeting { SCENE_COLLIDE = 0, SCENE_IGNORE, SCENE_ONE_WAY } sc
 typedef struct scene_rule {
     int step;               /* the number of steps before it takes effect; 0: from the start */
     uint32_t first, second; /* kinds: bits as in scene_shape.category */
-    scene_meeting meeting;  /* one-way: solid from above, passed from below */
+    scene_rule_kind kind;   /* one-way: solid from above, passed from below */
     double friction, restitution;
     double surface_speed; /* m/s, clockwise */
-    double most_impulse; /* kg m/s in a step, beyond which a contact makes an impulse event; default
-                            infinite */
+    double event_impulse; /* kg m/s in a step, beyond which a contact makes an impulse event;
+                            default infinite */
 } scene_rule;
 
 enum { SCENE_RULES_MAX = 16 };
@@ -235,7 +235,7 @@ scene_joint *scene_tie_gear(scene *s, int first, int second, double ratio);
 void scene_add_blast(scene *s, scene_blast blast);
 /* Adds a rule from the first step on; the caller sets through the pointer what is not default.
  * Beyond SCENE_RULES_MAX s->failed is set. */
-scene_rule *scene_add_rule(scene *s, uint32_t first, uint32_t second, scene_meeting meeting);
+scene_rule *scene_add_rule(scene *s, uint32_t first, uint32_t second, scene_rule_kind meeting);
 /* Whether the scene has water, wind, explosions or rules, which are not built in other engines. */
 bool scene_has_fields(const scene *s);
 

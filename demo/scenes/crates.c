@@ -36,7 +36,7 @@ static void fill(scene *s, int size) {
     for (int i = 0; i < weights; i++)
         scene_dynamic_circle(s, first + APART * EVERY * i + 0.3, LOWEST + HIGHER * (i % 6), RADIUS)
             ->look = 2;
-    scene_add_rule(s, CRATE, ANY | CRATE | PIECE, SCENE_COLLIDE)->most_impulse = MOST;
+    scene_add_rule(s, CRATE, ANY | CRATE | PIECE, SCENE_COLLIDE)->event_impulse = MOST;
     s->fields.breaks = CRATE;
     s->fields.pieces = PIECE;
     s->camera_y = 5;

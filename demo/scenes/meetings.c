@@ -18,7 +18,7 @@ static uint32_t kind(int index) {
     return 2u << index;
 }
 
-static void change(scene *s, int step, int first, int second, scene_meeting meeting) {
+static void change(scene *s, int step, int first, int second, scene_rule_kind meeting) {
     scene_add_rule(s, kind(first), kind(second), meeting)->step = step;
 }
 

@@ -37,7 +37,7 @@ static void outline(const thud_minkowski *sum, sum_picture *out) {
     }
 }
 
-bool sum_picture_of(const thud_shape_instance *a, const thud_shape_instance *b, sum_picture *out) {
+bool sum_picture_of(const thud_geometry *a, const thud_geometry *b, sum_picture *out) {
     thud_minkowski sum;
     double distance, nx, ny, x = b->x - a->x, y = b->y - a->y;
     if (thud_minkowski_sum(a, b, &sum) != THUD_OK ||

@@ -5,7 +5,7 @@
 #include <thud/thud_minkowski.h>
 
 /* Lines of the arc at a vertex, and max number of points of the outline. */
-enum { SUM_ARC = 12, SUM_OUTLINE_MAX = THUD_MINKOWSKI_MAX * (SUM_ARC + 1) };
+enum { SUM_ARC = 12, SUM_OUTLINE_MAX = THUD_MINKOWSKI_VERTICES_MAX * (SUM_ARC + 1) };
 
 /* Positions are relative to the centre of the first shape. */
 typedef struct sum_picture {
@@ -17,6 +17,6 @@ typedef struct sum_picture {
 } sum_picture;
 
 /* Computes the sum of two shapes. False if a shape is a terrain or out of range. */
-bool sum_picture_of(const thud_shape_instance *a, const thud_shape_instance *b, sum_picture *out);
+bool sum_picture_of(const thud_geometry *a, const thud_geometry *b, sum_picture *out);
 
 #endif

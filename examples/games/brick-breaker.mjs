@@ -37,19 +37,19 @@ while (left > 0 && balls > 0) {
     world.setTarget(paddle, [x + clamp(ballX - aside - x, 0.2), -9]);
     world.step();
 
-    for (const { a: brick } of world.meetings(BRICK, BALL)) {
+    for (const { a: brick } of world.eventPairs(BRICK, BALL)) {
       if (--left % 3 === 0) addDisc(CAPSULE, PADDLE | PIT, world.positionOf(brick.body), [0, -4]);
       world.destroy(brick.body);
     }
-    for (const { a: capsule, b: paddle } of world.meetings(CAPSULE, PADDLE)) {
+    for (const { a: capsule, b: paddle } of world.eventPairs(CAPSULE, PADDLE)) {
       world.destroy(capsule.body);
       world.setHalfExtents(paddle.shape, 1 + 0.25 * ++caught, 0.3);
     }
     // The ball leaves at an angle that grows with its distance from the paddle's middle.
     const angle = Math.atan(ballX - x);
-    for (const { b } of world.meetings(PADDLE, BALL))
+    for (const { b } of world.eventPairs(PADDLE, BALL))
       world.setVelocity(b.body, [SPEED * Math.sin(angle), SPEED * Math.cos(angle)]);
-    for (const { b: lost } of world.meetings(PIT, BALL | CAPSULE)) world.destroy(lost.body);
+    for (const { b: lost } of world.eventPairs(PIT, BALL | CAPSULE)) world.destroy(lost.body);
   }
   if (!world.isValid(ball)) balls--;
 }

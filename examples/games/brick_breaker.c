@@ -25,7 +25,7 @@ static thud_body_id add_box(game *g, thud_body_kind kind, uint32_t category, dou
 
 /* Adds a new ball. */
 static void serve(game *g) {
-    thud_body_options ball = {.kind = THUD_DYNAMIC,
+    thud_body_options ball = {.kind = THUD_BODY_DYNAMIC,
                               .velocity = {3, -12},
                               .weightless = true,
                               .detection = &thud_detection_swept,
@@ -36,14 +36,14 @@ static void serve(game *g) {
 }
 
 static void set_up(game *g) {
-    add_box(g, THUD_STATIC, WALL, -11, 12, 1, 14);
-    add_box(g, THUD_STATIC, WALL, 11, 12, 1, 14);
-    add_box(g, THUD_STATIC, WALL, 0, 25, 10, 1);
-    add_box(g, THUD_STATIC, FLOOR, 0, -3, 12, 1);
+    add_box(g, THUD_BODY_STATIC, WALL, -11, 12, 1, 14);
+    add_box(g, THUD_BODY_STATIC, WALL, 11, 12, 1, 14);
+    add_box(g, THUD_BODY_STATIC, WALL, 0, 25, 10, 1);
+    add_box(g, THUD_BODY_STATIC, FLOOR, 0, -3, 12, 1);
     for (int i = 0; i < BRICKS; i++)
-        add_box(g, THUD_STATIC, BRICK, 2.4 * (i % COLUMNS) - 8.4, 16 + 1.2 * (i / COLUMNS), 1.1,
-                0.5);
-    g->paddle = add_box(g, THUD_KINEMATIC, PADDLE, 0, 1, g->half_width, 0.3);
+        add_box(g, THUD_BODY_STATIC, BRICK, 2.4 * (i % COLUMNS) - 8.4, 16 + 1.2 * (i / COLUMNS),
+                1.1, 0.5);
+    g->paddle = add_box(g, THUD_BODY_KINEMATIC, PADDLE, 0, 1, g->half_width, 0.3);
     serve(g);
 }
 
@@ -69,22 +69,22 @@ static void send_back(game *g) {
 /* Runs a step, and applies the rules to the shapes that met. */
 static void play(game *g) {
     thud_world_step(g->world);
-    for (thud_met m = {0}; thud_world_next_meeting(g->world, PADDLE, BALL, &m);)
+    for (thud_event_pair m = {0}; thud_world_next_event_pair(g->world, PADDLE, BALL, &m);)
         send_back(g);
-    for (thud_met m = {0}; thud_world_next_meeting(g->world, BRICK, BALL, &m);) {
+    for (thud_event_pair m = {0}; thud_world_next_event_pair(g->world, BRICK, BALL, &m);) {
         thud_pos at = thud_position_of(g->world, m.a.body);
         thud_body_destroy(g->world, m.a.body);
         g->score += 10;
         if (--g->bricks % 5 == 0)
-            add_box(g, THUD_DYNAMIC, GIFT, at.x, at.y, 0.5, 0.5);
+            add_box(g, THUD_BODY_DYNAMIC, GIFT, at.x, at.y, 0.5, 0.5);
     }
-    for (thud_met m = {0}; thud_world_next_meeting(g->world, PADDLE, GIFT, &m);) {
+    for (thud_event_pair m = {0}; thud_world_next_event_pair(g->world, PADDLE, GIFT, &m);) {
         g->score += 50;
         g->half_width += 0.25f;
         thud_shape_set_half_extents(g->world, m.shape_a, (thud_vec2){g->half_width, 0.3f});
         thud_body_destroy(g->world, m.b.body);
     }
-    for (thud_met m = {0}; thud_world_next_meeting(g->world, FLOOR, BALL | GIFT, &m);)
+    for (thud_event_pair m = {0}; thud_world_next_event_pair(g->world, FLOOR, BALL | GIFT, &m);)
         thud_body_destroy(g->world, m.b.body);
     if (!thud_body_is_valid(g->world, g->ball) && --g->lives > 0)
         serve(g);
@@ -103,7 +103,7 @@ int main(void) {
     }
     printf("%d bricks and %d lives left after %.1f s, score %d\n", g.bricks, g.lives,
            g.steps / 60.0, g.score);
-    printf("hash %016llx\n", (unsigned long long)thud_world_hash(g.world));
+    printf("hash %016llx\n", (unsigned long long)thud_hash_of(g.world));
     thud_world_destroy(g.world);
     return g.bricks > 0;
 }

@@ -49,7 +49,7 @@ const ranking = [];
 while (ranking.length < racers.length && world.stats().steps < 3600) {
   racers.forEach(drive);
   world.step();
-  for (const { a: gate, b: car } of world.meetings(GATE, CAR)) {
+  for (const { a: gate, b: car } of world.eventPairs(GATE, CAR)) {
     const racer = racers[car.bodyData];
     if (gate.shapeData !== racer.passed % GATES.length) continue;
     if (racer.passed++ !== LAPS * GATES.length) continue;

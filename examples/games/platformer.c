@@ -24,14 +24,14 @@ static void lay_level(thud_world *world) {
     thud_body_make(world, thud_aabb_at(34, 4, 1.5, 0.1), &plank);
     for (int i = 0; i < COINS; i++)
         thud_body_make(world, thud_circle_at(coins[i].x, coins[i].y, 0.2), &coin);
-    one_way.meeting = THUD_ONE_WAY;
+    one_way.kind = THUD_RULE_ONE_WAY;
     thud_world_set_rule(world, PLANK, CRATE, &one_way);
 }
 
 int main(void) {
     thud_world *world = thud_world_make((thud_vec2){0, -10}, &thud_quality_default);
-    thud_body_options lift = {.kind = THUD_KINEMATIC}, plank = {lift.kind, .category = PLANK};
-    thud_body_options heavy = {.kind = THUD_DYNAMIC, .category = CRATE};
+    thud_body_options lift = {.kind = THUD_BODY_KINEMATIC}, plank = {lift.kind, .category = PLANK};
+    thud_body_options heavy = {.kind = THUD_BODY_DYNAMIC, .category = CRATE};
     thud_body_id lifts[2] = {thud_body_make(world, thud_aabb_at(22, 0.2, 1.4, 0.1), &plank),
                              thud_body_make(world, thud_aabb_at(34, 0.2, 1, 0.1), &lift)};
     thud_body_id crate = thud_body_make(world, thud_aabb_at(34, 0.8, 0.5, 0.5), &heavy);
@@ -59,7 +59,7 @@ int main(void) {
     }
     printf("%d of %d coins in %.2f s; the crate is at %.2f\n", next, COINS, steps / 60.0,
            thud_position_of(world, crate).y);
-    printf("hash %016llx\n", (unsigned long long)thud_world_hash(world));
+    printf("hash %016llx\n", (unsigned long long)thud_hash_of(world));
     thud_world_destroy(world);
     return next < COINS;
 }

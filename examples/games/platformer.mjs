@@ -39,7 +39,7 @@ while (!won && world.stats().steps < 3600) {
   const leaps = x > 9.5 && x < 12.5;
   const rides = x > 22 && x < 22.5 && y < 4.4; // on the lift
   const { sensors } = hero.walk({ speed: climbs || rides ? 0 : 5, jump: climbs || leaps ? 9 : 0 });
-  for (const { body, category } of sensors.map((sensor) => world.shapeState(sensor))) {
+  for (const { body, category } of sensors.map((sensor) => world.shapeStateOf(sensor))) {
     won ||= category === FLAG;
     if (category === COIN) coins++;
     world.destroy(body);

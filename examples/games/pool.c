@@ -17,7 +17,7 @@ typedef struct game {
 } game;
 
 static void add_ball(game *g, int i, double x, double y) {
-    thud_body_options ball = {.kind = THUD_DYNAMIC, .category = BALL, .user_data = i};
+    thud_body_options ball = {.kind = THUD_BODY_DYNAMIC, .category = BALL, .user_data = i};
     ball.detection = &thud_detection_swept; /* the break is fast */
     ball.friction = 0.05f;
     ball.restitution = 0.95f;
@@ -45,7 +45,9 @@ static bool is_free(const game *g, thud_body_id ball, double dx, double dy) {
     thud_query_filter others = {.category = ~0u, .mask = BALL, .ignore = ball};
     thud_pos from = thud_position_of(g->world, ball);
     bool hit = true;
-    thud_world_cast_circle(g->world, from, 0.49, dx, dy, &others, &hit, NULL);
+    thud_world_cast_shape(g->world,
+                          &(thud_shape_cast){from, thud_circle_at(0, 0, 0.49), dx, dy, &others},
+                          &hit, NULL);
     return !hit;
 }
 
@@ -79,12 +81,12 @@ static void play(game *g) {
     thud_body_set_velocity(g->world, g->ball[CUE], aim(g), 0);
     do {
         thud_world_step(g->world);
-        for (thud_met m = {0}; thud_world_next_meeting(g->world, POCKET, BALL, &m);) {
+        for (thud_event_pair m = {0}; thud_world_next_event_pair(g->world, POCKET, BALL, &m);) {
             thud_body_destroy(g->world, m.b.body);
             int *count = m.b.body_data == CUE ? g->fouls : g->potted;
             count[g->player]++;
         }
-    } while (thud_world_stats(g->world).awake_bodies > 0);
+    } while (thud_stats_of(g->world).awake_bodies > 0);
     bool foul = !thud_body_is_valid(g->world, g->ball[CUE]);
     if (foul)
         add_ball(g, CUE, -11, 0);
@@ -99,7 +101,7 @@ int main(void) {
         play(&g);
     printf("%d to %d balls in %d shots, %d and %d fouls\n", g.potted[0], g.potted[1], g.shots,
            g.fouls[0], g.fouls[1]);
-    printf("hash %016llx\n", (unsigned long long)thud_world_hash(g.world));
+    printf("hash %016llx\n", (unsigned long long)thud_hash_of(g.world));
     thud_world_destroy(g.world);
     return g.shots == SHOTS;
 }

@@ -29,7 +29,7 @@ function shoot(velocity) {
   world.setVelocity(cue, velocity);
   do {
     world.step();
-    for (const { b: sunk } of world.meetings(POCKET, CUE | BALL)) {
+    for (const { b: sunk } of world.eventPairs(POCKET, CUE | BALL)) {
       points += sunk.category === BALL ? 1 : -1;
       if (sunk.category === CUE) world.setTransform(cue, [-0.6, 0]);
       else world.destroy(sunk.body);

@@ -20,7 +20,7 @@ typedef struct peer {
 
 /* Begins a round: puts two new wrestlers at their places. */
 static void line_up(peer *p) {
-    thud_body_options disc = {.kind = THUD_DYNAMIC, .linear_damping = 1, .restitution = 0.8f};
+    thud_body_options disc = {.kind = THUD_BODY_DYNAMIC, .linear_damping = 1, .restitution = 0.8f};
     for (int i = 0; i < 2; i++) {
         thud_body_destroy(p->world, p->wrestler[i]);
         p->wrestler[i] = thud_body_make(p->world, thud_circle_at(4 * i - 2, 0.1 * i, 0.5), &disc);
@@ -92,13 +92,13 @@ int main(void) {
                 thud_rollback_input(peers[me].rollback, !me, then, inputs[!me][then]);
             thud_rollback_advance(peers[me].rollback, NULL);
             int known = now < LATEST ? 0 : now - LATEST + 1;
-            thud_rollback_at(peers[me].rollback, known, &hash[me], &sure);
+            thud_rollback_get_state(peers[me].rollback, known, &hash[me], &sure);
         }
         unlike += hash[0] != hash[1];
     }
     printf("%d to %d rounds in %d steps\n", sure.wins[0], sure.wins[1], now);
     for (int me = 0; me < 2; me++) {
-        printf("%d steps played again\n", (int)thud_rollback_get(peers[me].rollback).replayed);
+        printf("%d steps played again\n", (int)thud_progress_of(peers[me].rollback).replayed);
         thud_rollback_destroy(peers[me].rollback);
         thud_world_destroy(peers[me].world);
     }

@@ -30,7 +30,7 @@ function createPeer() {
 
   const step = (inputs, score) => {
     inputs.forEach((held, player) => {
-      world.applyForce(strikers[player], [80 * ((held % 3) - 1), 80 * (Math.floor(held / 3) - 1)]);
+      world.applyCenterForce(strikers[player], [80 * ((held % 3) - 1), 80 * (Math.floor(held / 3) - 1)]);
     });
     world.step();
     const [x] = world.positionOf(puck);

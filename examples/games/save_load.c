@@ -14,12 +14,12 @@ typedef struct game {
 } game;
 
 static void set_up(game *g) {
-    thud_body_options crate = {.kind = THUD_DYNAMIC, .category = CRATE},
+    thud_body_options crate = {.kind = THUD_BODY_DYNAMIC, .category = CRATE},
                       floor = {.sensor = true, .category = FLOOR};
     thud_body_make(g->world, thud_aabb_at(12, 2, 2, 0.5), NULL);
     thud_body_make(g->world, thud_aabb_at(0, -3, 100, 1), &floor);
     for (; g->left < CRATES; g->left++) {
-        thud_shape_instance box = thud_obb_at(11 + g->left % 3, 3 + g->left / 3, 0.45, 0.5, 0);
+        thud_geometry box = thud_obb_at(11 + g->left % 3, 3 + g->left / 3, 0.45, 0.5, 0);
         g->crates[g->left] = thud_body_make(g->world, box, &crate);
     }
 }
@@ -32,7 +32,7 @@ static void throw_ball(game *g) {
         if (thud_body_is_valid(g->world, g->crates[i]) && at.y > target.y)
             target = at;
     }
-    thud_body_options ball = {.kind = THUD_DYNAMIC,
+    thud_body_options ball = {.kind = THUD_BODY_DYNAMIC,
                               .category = BALL,
                               .density = 2,
                               .velocity = {target.x, target.y - 2 + 5}};
@@ -45,9 +45,10 @@ static void play(game *g, int steps) {
         if (g->steps % PAUSE == 0)
             throw_ball(g);
         thud_world_step(g->world);
-        for (thud_met m = {0}; thud_world_next_meeting(g->world, FLOOR, CRATE, &m); g->left--)
+        for (thud_event_pair m = {0}; thud_world_next_event_pair(g->world, FLOOR, CRATE, &m);
+             g->left--)
             thud_body_destroy(g->world, m.b.body);
-        for (thud_met m = {0}; thud_world_next_meeting(g->world, FLOOR, BALL, &m);)
+        for (thud_event_pair m = {0}; thud_world_next_event_pair(g->world, FLOOR, BALL, &m);)
             thud_body_destroy(g->world, m.b.body);
     }
 }
@@ -55,7 +56,7 @@ static void play(game *g, int steps) {
 /* Plays a game to its end, prints the result, and returns the world's hash. */
 static uint64_t finish(game *g) {
     play(g, PAUSE * BALLS);
-    uint64_t hash = thud_world_hash(g->world);
+    uint64_t hash = thud_hash_of(g->world);
     printf("%d crates left after %d steps, hash %016llx\n", g->left, g->steps,
            (unsigned long long)hash);
     thud_world_destroy(g->world);

@@ -4,6 +4,8 @@
 #include "engine.h"
 #include "misuse_thud.h"
 
+#include <thud/thud_testing.h>
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,7 +32,7 @@ static void *create(const scene *s, const engine_settings *settings) {
     def.detection = settings->detection;
     def.time_step = settings->time_step;
     def.sleeping = settings->sleeping;
-    def.baseline_simd = settings->baseline_simd;
+    thud_world_def_set_baseline_simd(&def, settings->baseline_simd);
     def.log = print_log;
     if (scene_build_thud(s, &def, &own->world, own->bodies, NULL) != THUD_OK) {
         free(own);
@@ -58,7 +60,7 @@ static void read_bodies(void *state, engine_body *bodies) {
     own_world *own = state;
     for (int i = 0; i < own->body_count; i++) {
         thud_body_state body;
-        if (thud_body_get(own->world, own->bodies[i], &body) != THUD_OK || body.quarantined) {
+        if (thud_body_get_state(own->world, own->bodies[i], &body) != THUD_OK || body.quarantined) {
             bodies[i] = (engine_body){.x = NAN, .y = NAN};
             continue;
         }
@@ -79,19 +81,19 @@ static void read_bodies(void *state, engine_body *bodies) {
 
 static uint64_t bytes(void *state) {
     own_world *own = state;
-    return thud_world_stats(own->world).bytes;
+    return thud_stats_of(own->world).bytes;
 }
 
 static engine_events events(void *state) {
     own_world *own = state;
-    thud_events e = thud_world_events(own->world);
+    thud_events e = thud_events_of(own->world);
     return (engine_events){e.begin_count, e.end_count, e.hit_count, e.sensor_begin_count,
                            e.sensor_end_count};
 }
 
 static uint64_t allocations(void *state) {
     own_world *own = state;
-    return thud_world_stats(own->world).step_allocations;
+    return thud_stats_of(own->world).step_allocations;
 }
 
 static bool set_time_step(void *state, double seconds) {
@@ -102,7 +104,7 @@ static bool set_time_step(void *state, double seconds) {
 static void read_pose(void *state, int body, double x, double y, float out[4]) {
     own_world *own = state;
     int count;
-    const thud_pose *poses = thud_world_poses(own->world, (thud_pos){x, y}, 1, &count);
+    const thud_pose *poses = thud_poses_of(own->world, (thud_pos){x, y}, 1, &count);
     uint32_t slot = own->bodies[body].index1 - 1;
     thud_pose pose = (thud_pose){NAN, NAN, NAN, NAN};
     if (poses && slot < (uint32_t)count)
@@ -117,7 +119,7 @@ static bool renew(void *state, const scene *s, int body) {
     const scene_shape *circle = &s->shapes[from->first_shape];
     thud_body_def def = thud_default_body_def();
     thud_shape_def shape = thud_default_shape_def();
-    def.kind = THUD_DYNAMIC;
+    def.kind = THUD_BODY_DYNAMIC;
     def.position = (thud_pos){from->x, from->y};
     return thud_body_destroy(own->world, own->bodies[body]) == THUD_OK &&
            thud_body_create(own->world, &def, &own->bodies[body]) == THUD_OK &&

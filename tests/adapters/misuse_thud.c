@@ -11,7 +11,7 @@ static thud_result add_circle(thud_world *w, thud_body_id body, float radius, fl
 
 static thud_result create_at(thud_world *w, double x) {
     thud_body_def def = thud_default_body_def();
-    def.kind = THUD_DYNAMIC;
+    def.kind = THUD_BODY_DYNAMIC;
     def.position = (thud_pos){x, x};
     return thud_body_create(w, &def, NULL);
 }
@@ -20,7 +20,7 @@ static thud_result create_at(thud_world *w, double x) {
 static thud_result push_gone(thud_world *w) {
     thud_body_def def = thud_default_body_def();
     thud_body_id gone;
-    def.kind = THUD_DYNAMIC;
+    def.kind = THUD_BODY_DYNAMIC;
     thud_result made = thud_body_create(w, &def, &gone);
     if (made == THUD_OK)
         made = thud_body_destroy(w, gone);
@@ -45,10 +45,10 @@ bool misuse_thud(thud_world *w, thud_body_id body, misuse call, double x) {
         got = thud_body_set_velocity(w, body, (thud_vec2){0, 0}, f);
         break;
     case MISUSE_FORCE:
-        got = thud_body_apply_force(w, body, (thud_vec2){f, f}, 0);
+        got = thud_body_apply_center_force(w, body, (thud_vec2){f, f});
         break;
     case MISUSE_TORQUE:
-        got = thud_body_apply_force(w, body, (thud_vec2){0, 0}, f);
+        got = thud_body_apply_torque(w, body, f);
         break;
     case MISUSE_IMPULSE:
         got = thud_body_apply_impulse(w, body, (thud_vec2){f, f}, here);
@@ -75,7 +75,7 @@ bool misuse_thud(thud_world *w, thud_body_id body, misuse call, double x) {
         got = thud_world_set_time_step(w, x);
         break;
     case MISUSE_RAY:
-        got = thud_world_cast_ray(w, (thud_pos){x, x}, 1, 0, NULL, NULL, NULL);
+        got = thud_world_cast_ray(w, &(thud_ray){(thud_pos){x, x}, 1, 0, NULL}, NULL, NULL);
         break;
     case MISUSE_GONE:
         got = push_gone(w);

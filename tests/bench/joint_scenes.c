@@ -1,5 +1,7 @@
-/* joint_scenes.c: scenes of joints for measurements only, made of the scenes of tests/measure that
- * the envelope and the trade-off use too. */
+/* joint_scenes.c: scenes of joints that only the benchmark (thud-bench) runs; the demo page does
+ * not have them. The functions that fill them (tests/measure/tied_scenes.h) are shared with
+ * thud-envelope, which runs scenes near a limit (docs/stability.md), and thud-tradeoff, which plots
+ * time per step against error (docs/tradeoff.md). */
 #include "plan.h"
 
 #include "tied_scenes.h"
@@ -7,7 +9,8 @@
 const scene_info bench_chains = {
     .name = "swinging_chains",
     .title = "Swinging chains",
-    .about = "Chains of 50 links with a ball of ten links' mass swing from level.",
+    .about = "Chains of 50 links, each with a ball of ten times a link's mass at its free end, "
+             "are let go from the horizontal.",
     .size_means = "chains",
     .default_size = 20,
     .min_size = 1,
@@ -26,11 +29,11 @@ const scene_info bench_bridges = {
     .fill = fill_bridges,
 };
 
-const scene_info bench_heap = {
+const scene_info bench_ragdoll_heap = {
     .name = "ragdoll_heap",
     .title = "Heap of ragdolls",
-    .about = "Figures of 11 bodies and 10 hinges with limits fall into a pit.",
-    .size_means = "figures",
+    .about = "Ragdolls of 11 bodies and 10 hinges with limits fall into a pit.",
+    .size_means = "ragdolls",
     .default_size = 50,
     .min_size = 1,
     .max_size = 2000,

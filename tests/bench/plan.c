@@ -71,8 +71,8 @@ bench_plan bench_plan_quick(bench_plan plan) {
 }
 
 const scene_info *bench_scene(const char *name) {
-    const scene_info *own[] = {&bench_rubble,  &bench_overlapping, &bench_chains,
-                               &bench_bridges, &bench_heap,        &bench_boxed_bridge};
+    const scene_info *own[] = {&bench_rubble,  &bench_overlapping,  &bench_chains,
+                               &bench_bridges, &bench_ragdoll_heap, &bench_boxed_bridge};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++)
         if (strcmp(own[i]->name, name) == 0)
             return own[i];

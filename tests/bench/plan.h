@@ -32,7 +32,7 @@ bench_plan bench_plan_quick(bench_plan plan);
 const scene_info *bench_scene(const char *name);
 
 /* Scenes of this benchmark alone, in extra_scenes.c and joint_scenes.c. */
-extern const scene_info bench_rubble, bench_overlapping, bench_chains, bench_bridges, bench_heap,
-    bench_boxed_bridge;
+extern const scene_info bench_rubble, bench_overlapping, bench_chains, bench_bridges,
+    bench_ragdoll_heap, bench_boxed_bridge;
 
 #endif

@@ -9,24 +9,24 @@ uint64_t fuzz_calls_made;
 
 /* ---- the caller's floating-point mode ---- */
 
-#if defined(TD_MODE_OWN)
+#if defined(TD_FLOAT_MODE_OWN)
 static void take_mode(const fuzz_session *s) {
 #if defined(__SSE2__)
-    static const td_mode modes[] = {0x1f80u | 0x8040u, 0x1f80u | 0x4000u, 0x1f80u | 0x2000u,
-                                    0x1f80u | 0x6000u | 0x8040u};
+    static const td_float_mode modes[] = {0x1f80u | 0x8040u, 0x1f80u | 0x4000u, 0x1f80u | 0x2000u,
+                                          0x1f80u | 0x6000u | 0x8040u};
 #else
-    static const td_mode modes[] = {1u << 24, 1u << 22, 2u << 22, 3u << 22 | 1u << 24};
+    static const td_float_mode modes[] = {1u << 24, 1u << 22, 2u << 22, 3u << 22 | 1u << 24};
 #endif
     if (s->twin == TWIN_FLOAT_MODE && s->second) {
-        td_mode mode = modes[s->script[0] % 4];
-        TD_MODE_SET(mode);
+        td_float_mode mode = modes[s->script[0] % 4];
+        TD_FLOAT_MODE_SET(mode);
     }
 }
 
 static void leave_mode(const fuzz_session *s) {
     if (s->twin == TWIN_FLOAT_MODE && s->second) {
-        td_mode mode = TD_MODE_OWN;
-        TD_MODE_SET(mode);
+        td_float_mode mode = TD_FLOAT_MODE_OWN;
+        TD_FLOAT_MODE_SET(mode);
     }
 }
 #else
@@ -55,29 +55,30 @@ static long allowed(fuzz_session *s) {
 
 /* The world's snapshot is taken before each 8th call, and compared if that call is refused. Chosen,
  * for speed. */
-enum { IMAGE_EVERY = 8 };
+enum { SNAPSHOT_EVERY = 8 };
 
-/* Writes a snapshot of the world into one half of the image. Returns its bytes; 0 if it cannot be
- * taken. */
-static size_t take_image(fuzz_session *s, bool after) {
+/* Writes a snapshot of the world into one half of s->call_snapshots: the first before a call, the
+ * second `after` it. Returns its bytes; 0 if it cannot be taken. */
+static size_t take_call_snapshot(fuzz_session *s, bool after) {
     size_t bytes = 0;
-    if (thud_world_snapshot_size(s->world, &bytes) != THUD_OK) {
+    if (thud_world_get_snapshot_size(s->world, &bytes) != THUD_OK) {
         return 0;
     }
-    if (2 * bytes > s->image_room && !after) {
-        s->image_room = 2 * bytes;
-        s->image = realloc(s->image, s->image_room);
+    if (2 * bytes > s->call_snapshots_room && !after) {
+        s->call_snapshots_room = 2 * bytes;
+        s->call_snapshots = realloc(s->call_snapshots, s->call_snapshots_room);
     }
-    size_t half = s->image_room / 2;
-    bool taken = bytes <= half && thud_world_snapshot(s->world, s->image + (after ? half : 0), half,
-                                                      NULL) == THUD_OK;
+    size_t half = s->call_snapshots_room / 2;
+    char *out = s->call_snapshots + (after ? half : 0);
+    bool taken = bytes <= half && thud_world_snapshot(s->world, out, half, NULL) == THUD_OK;
     return taken ? bytes : 0;
 }
 
 /* Fails if the world's snapshot differs from that before the call. */
-static void compare_images(fuzz_session *s, const session_call *call) {
-    if (call->image && (take_image(s, true) != call->image ||
-                        memcmp(s->image, s->image + s->image_room / 2, call->image) != 0)) {
+static void compare_call_snapshots(fuzz_session *s, const session_call *call) {
+    size_t half = s->call_snapshots_room / 2, bytes = call->snapshot_bytes;
+    if (bytes && (take_call_snapshot(s, true) != bytes ||
+                  memcmp(s->call_snapshots, s->call_snapshots + half, bytes) != 0)) {
         fuzz_fail(s, "%s: %s, and yet a snapshot of the world has changed", call->text,
                   thud_result_text(s->result));
     }
@@ -88,10 +89,11 @@ void call_begin(fuzz_session *s, const char *text) {
     fuzz_calls_made++;
     call->again = call->text == text && call->again;
     call->text = text;
-    call->image = s->depth == 0 && fuzz_calls_made % IMAGE_EVERY == 0 ? take_image(s, false) : 0;
+    bool snapshot = s->depth == 0 && fuzz_calls_made % SNAPSHOT_EVERY == 0;
+    call->snapshot_bytes = snapshot ? take_call_snapshot(s, false) : 0;
     call->told = s->told;
-    call->hash = thud_world_hash(s->world);
-    call->stats = thud_world_stats(s->world);
+    call->hash = thud_hash_of(s->world);
+    call->stats = thud_stats_of(s->world);
     call->outer = s->memory_allowed;
     s->memory_allowed = call->again ? -1 : allowed(s);
     take_mode(s);
@@ -105,15 +107,15 @@ static void check_refusal(fuzz_session *s, const session_call *call) {
     if (s->result == THUD_ERROR_MEMORY) {
         return; /* waiting edits may have been applied; the twins are compared instead */
     }
-    thud_stats stats = thud_world_stats(s->world);
-    if (thud_world_hash(s->world) != call->hash || stats.steps != call->stats.steps ||
+    thud_stats stats = thud_stats_of(s->world);
+    if (thud_hash_of(s->world) != call->hash || stats.steps != call->stats.steps ||
         stats.bodies != call->stats.bodies || stats.shapes != call->stats.shapes ||
         stats.awake_bodies != call->stats.awake_bodies || stats.contacts != call->stats.contacts ||
         stats.pairs != call->stats.pairs) {
         fuzz_fail(s, "%s: %s, and yet the world has changed", call->text,
                   thud_result_text(s->result));
     }
-    compare_images(s, call);
+    compare_call_snapshots(s, call);
 }
 
 /* Checks a call's result. True if the call ran out of memory for the first time: it is then made

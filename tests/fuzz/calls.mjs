@@ -175,17 +175,18 @@ export const CALLS = {
   createTerrain: (s) => s.keep(s.shapes, s.world.createTerrain(s.body(), s.line())),
   destroy: (s) => s.world.destroy(s.pick([s.body(), s.shape(), s.joint()])),
   isValid: (s) => s.world.isValid(s.pick([s.body(), s.shape(), s.joint()])),
-  bodyState: (s) => s.world.bodyState(s.body()),
-  shapeState: (s) => s.world.shapeState(s.shape()),
+  bodyStateOf: (s) => s.world.bodyStateOf(s.body()),
+  shapeStateOf: (s) => s.world.shapeStateOf(s.shape()),
   shapesOf: (s) => s.world.shapesOf(s.body()),
   contactsOf: (s) => s.world.contactsOf(s.body()),
   setTransform: (s) => s.world.setTransform(s.body(), s.place(), s.below(2) ? 0 : s.number(-9, 9)),
   setVelocity: (s) => s.world.setVelocity(s.body(), s.vector(), s.number(-9, 9)),
   applyImpulse: (s) => s.world.applyImpulse(s.body(), s.vector(), s.place()),
-  applyForce: (s) => s.world.applyForce(s.body(), s.vector(), s.number(-9, 9)),
+  applyCenterForce: (s) => s.world.applyCenterForce(s.body(), s.vector()),
+  applyTorque: (s) => s.world.applyTorque(s.body(), s.number(-9, 9)),
   setAwake: (s) => s.world.setAwake(s.body(), s.below(2) === 0),
   setEnabled: (s) => s.world.setEnabled(s.body(), s.below(2) === 0),
-  terrain: (s) => s.world.terrain(s.shape()),
+  terrainOf: (s) => s.world.terrainOf(s.shape()),
   setHeights: (s) => s.world.setHeights(s.shape(), s.below(9) - 1, [s.number(-1, 1)]),
   dig: (s) => s.world.dig(s.shape(), s.place(), s.number(0.1, 2)),
   raise: (s) => s.world.raise(s.shape(), s.number(-9, 9), s.number(0.1, 2), s.number(-1, 1)),
@@ -212,7 +213,7 @@ export const CALLS = {
   },
   stats: (s) => s.world.stats(),
   bisectionLimit: (s) => s.world.bisectionLimit(),
-  error: (s) => s.world.error(),
+  stepError: (s) => s.world.stepError(),
   measure: (s) => s.world.measure(),
   hash: (s) => s.world.hash(),
   shapeTable: (s) => {
@@ -221,7 +222,7 @@ export const CALLS = {
   shapeTableAwake: (s) => {
     s.world.shapeTableAwake();
   },
-  debugDraw: (s) => s.world.debugDraw({ lower: s.place(), upper: s.place(), contacts: true }),
+  draw: (s) => s.world.draw({ lower: s.place(), upper: s.place(), contacts: true }),
   setGravity: (s) => s.world.setGravity(s.vector()),
   setTimeStep: (s) => s.world.setTimeStep(s.number(0.001, 0.05)),
   setQuality: (s) => s.world.setQuality(s.pick(["draft", "default", "high", { substeps: 2 }])),
@@ -304,7 +305,7 @@ export function play(engine, seed) {
       const told = CALLS[name](s);
       // Until the next step a velocity need not be finite: impulses may add up to infinity.
       unseen = name === "applyImpulse" || (unseen && name !== "step");
-      if (!unseen || name !== "bodyState") checkFinite(told, name);
+      if (!unseen || name !== "bodyStateOf") checkFinite(told, name);
     } catch (error) {
       if (!(error instanceof thud.ThudError) || !error.message)
         throw new Error(`seed ${seed}, call ${i}, ${name}: ${error}`, { cause: error });

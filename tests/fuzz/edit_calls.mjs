@@ -31,7 +31,7 @@ export const EDIT_CALLS = {
     const mass = { mass: s.number(0.1, 9), inertia: s.number(0, 9), center };
     s.world.setMass(s.body(), s.below(4) === 0 ? null : s.options(mass));
   },
-  applyForceAt: (s) => s.world.applyForceAt(s.body(), s.vector(), s.place()),
+  applyForce: (s) => s.world.applyForce(s.body(), s.vector(), s.place()),
   applyCenterImpulse: (s) => s.world.applyCenterImpulse(s.body(), s.vector()),
   applyAngularImpulse: (s) => s.world.applyAngularImpulse(s.body(), s.number(-9, 9)),
   setTarget: (s) => s.world.setTarget(s.body(), s.place(), s.number(-4, 4)),
@@ -58,14 +58,14 @@ export const EDIT_CALLS = {
     return s.world.applyTyre(s.body(), s.options(tyre));
   },
   setRule: (s) => {
-    const meeting = s.pick(["collide", "ignore", "oneWay", "oneWay", "none"]);
-    const rule = { meeting, solidSide: s.vector(), friction: s.number(0, 2), mostImpulse: s.number(0, 2) };
+    const kind = s.pick(["collide", "ignore", "oneWay", "oneWay", "none"]);
+    const rule = { kind, solidSide: s.vector(), friction: s.number(0, 2), eventImpulse: s.number(0, 2) };
     s.world.setRule(s.below(9), 1 + s.below(9), s.below(4) === 0 ? null : s.options(rule));
   },
   rule: (s) => s.world.rule(1 << s.below(4), 1 << s.below(4)),
   useRules: (s) => s.world.useRules(),
-  impulses: (s) => s.world.impulses(),
-  impulseView: (s) => s.world.impulseView(),
+  impulseEvents: (s) => s.world.impulseEvents(),
+  impulseEventView: (s) => s.world.impulseEventView(),
   setListeners: (s) => {
     s.after = null; // listeners and the pair filter are not part of a snapshot
     const veto = s.number(0, 3), friction = s.number(0, 2);
@@ -91,21 +91,23 @@ export const EDIT_CALLS = {
     const number = s.world.spawn(s.options({ kind: s.pick(["static", "dynamic"]), position: s.place() }));
     s.world.destroy(number, "body");
   },
-  castRayInto: (s) => s.world.castRayInto(s.place(), s.vector(), []),
-  readMotion: (s) => s.world.readMotion(s.body(), []),
+  castRayInto: (s) => s.world.castRayInto(s.place(), s.vector(), s.pick([null, s.filter()]), []),
+  motionOf: (s) => {
+    s.world.motionOf(s.body(), []);
+  },
   positionOf: (s) => s.world.positionOf(s.body()),
   rotationOf: (s) => s.world.rotationOf(s.body()),
   velocityOf: (s) => s.world.velocityOf(s.body()),
   userDataOf: (s) => s.world.userDataOf(s.pick([s.body(), s.shape()])),
   bodyOf: (s) => s.world.bodyOf(s.shape()),
-  settings: (s) => s.world.settings(),
+  stepSettings: (s) => s.world.stepSettings(),
   bodies: (s) => s.world.bodies(),
   awakeBodies: (s) => s.world.awakeBodies(),
   shapes: (s) => s.world.shapes(),
   movedBodies: (s) => s.world.movedBodies(),
-  bodyAtSlot: (s) => s.world.bodyAtSlot(s.number(-2, 50)),
-  shapeAtSlot: (s) => s.world.shapeAtSlot(s.number(-2, 50)),
-  overlapsOf: (s) => s.world.overlapsOf(s.shape()),
+  bodyAt: (s) => s.world.bodyAt(s.number(-2, 50)),
+  shapeAt: (s) => s.world.shapeAt(s.number(-2, 50)),
+  sensorOverlapsOf: (s) => s.world.sensorOverlapsOf(s.shape()),
   castRays: (s) => s.world.castRays([...s.place(), ...s.vector(), ...s.place(), ...s.vector()], s.filter()),
   castRayEach: (s) => {
     const [first, second, told] = [s.number(-1, 1), s.number(-1, 1), []];
@@ -122,17 +124,17 @@ export const EDIT_CALLS = {
     }, s.filter());
     return told;
   },
-  castRayAt: (s) => s.world.castRayAt(s.shape(), s.place(), s.vector()),
+  shapeCastRay: (s) => s.world.shapeCastRay(s.shape(), s.place(), s.vector()),
   containsPoint: (s) => s.world.containsPoint(s.shape(), s.place()),
   closestPointOf: (s) => s.world.closestPointOf(s.shape(), s.place()),
   boundsOf: (s) => s.world.boundsOf(s.shape()),
   eventViews: (s) => {
     s.world.eventViews();
   },
-  contactView: (s) => {
-    s.world.contactView(s.body());
+  contactViewOf: (s) => {
+    s.world.contactViewOf(s.body());
   },
-  meetings: (s) => [...s.world.meetings(s.below(16), s.pick([3, 9, s.number(0, 9)]))],
+  eventPairs: (s) => [...s.world.eventPairs(s.below(16), s.pick([3, 9, s.number(0, 9)]))],
   whatIf: (s) => {
     const hash = s.world.hash();
     const there = s.world.whatIf(() => {
@@ -145,7 +147,7 @@ export const EDIT_CALLS = {
   Rollback: (s) => {
     const body = s.body();
     const play = ([push]) => {
-      s.world.applyForce(body, [push, 0]);
+      s.world.applyCenterForce(body, [push, 0]);
       s.world.step();
     };
     const given = { idle: [0], step: play, depth: 1 + s.below(9) };

@@ -48,9 +48,9 @@ function optionsOf(s) {
 
 export const JOINT_CALLS = {
   createJoint: (s) => s.keep(s.joints, s.world.createJoint(s.options(optionsOf(s)))),
-  jointState: (s) => s.world.jointState(s.joint()),
-  jointOptions: (s) => {
-    const options = s.world.jointOptions(s.joint());
+  jointStateOf: (s) => s.world.jointStateOf(s.joint()),
+  jointOptionsOf: (s) => {
+    const options = s.world.jointOptionsOf(s.joint());
     s.keep(s.joints, s.world.createJoint(options));
     return options;
   },

@@ -126,6 +126,7 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(rollback),
     PLAYS(advance_with),
     PLAYS(linkage),
+    PLAYS(joint_at),
     PLAYS(log),
 };
 

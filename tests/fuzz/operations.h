@@ -53,7 +53,7 @@ fuzz_operation play_shape_ray, play_minkowski, play_bisectable, play_sincos;
 fuzz_operation play_volume_fit, play_volume_points, play_volume_merge, play_volume_tests;
 /* operations_joints.c */
 fuzz_operation play_joint, play_joint_destroy, play_joint_edit, play_joint_get, play_joint_frame,
-    play_joint_breaking, play_joint_lists, play_linkage;
+    play_joint_breaking, play_joint_lists, play_linkage, play_joint_at;
 /* operations_edits.c */
 fuzz_operation play_shape_edit, play_body_edit, play_push, play_points, play_reads;
 fuzz_operation play_events, play_locks;

@@ -33,10 +33,10 @@ static void create_whole_body(fuzz_session *s, const thud_body_def *def) {
     thud_body_shape shapes[3] = {0};
     thud_shape_id made[3] = {0};
     thud_body_id body = {0, 0};
-    int room = SESSION_SHAPES_MOST - COUNTED(thud_world_stats(s->world)).shapes;
+    int room = SESSION_WORLD_SHAPES_MAX - COUNTED(thud_stats_of(s->world)).shapes;
     int count = next_choice(&s->bytes, 4);
     for (int i = 0; i < count; i++) {
-        shapes[i].shape = pick_instance(s, false);
+        shapes[i].shape = pick_geometry(s);
     }
     count = count <= room ? count : 0;
     TRY(s, thud_body_create_with_shapes(s->world, def, shapes, count, &body, made));
@@ -51,13 +51,15 @@ static void create_whole_body(fuzz_session *s, const thud_body_def *def) {
 static thud_body_def body_def(fuzz_session *s) {
     thud_body_def def = COUNTED(thud_default_body_def());
     unsigned byte = next_byte(&s->bytes);
-    static const thud_body_kind kinds[] = {THUD_DYNAMIC, THUD_DYNAMIC, THUD_STATIC, THUD_KINEMATIC};
+    static const thud_body_kind kinds[] = {THUD_BODY_DYNAMIC, THUD_BODY_DYNAMIC, THUD_BODY_STATIC,
+                                           THUD_BODY_KINEMATIC};
     def.kind = kinds[byte % 4];
     def.position = pick_place(s);
     def.angle = byte & 4 ? pick_angle(s) : 0;
     def.fixed_rotation = (byte & 24) == 24;
     def.may_sleep = (byte & 96) != 96;
-    def.velocity = byte & 128 && def.kind != THUD_STATIC ? pick_velocity(s) : (thud_vec2){0, 0};
+    def.velocity =
+        byte & 128 && def.kind != THUD_BODY_STATIC ? pick_velocity(s) : (thud_vec2){0, 0};
     return def;
 }
 
@@ -108,7 +110,7 @@ void play_body_get(fuzz_session *s) {
     thud_body_id body = pick_body(s);
     thud_body_state state;
     memset(&state, CALL_FILL, sizeof state);
-    TRY(s, thud_body_get(s->world, body, &state));
+    TRY(s, thud_body_get_state(s->world, body, &state));
     if (s->result != THUD_OK) {
         call_untouched(s, &state, sizeof state);
         return;
@@ -144,7 +146,8 @@ void play_force(fuzz_session *s) {
     thud_vec2 force = pick_velocity(s);
     float torque = next_float(&s->bytes, -64, 0.5);
     force.x *= 16;
-    TRY(s, thud_body_apply_force(s->world, body, force, torque));
+    TRY(s, thud_body_apply_center_force(s->world, body, force));
+    TRY(s, thud_body_apply_torque(s->world, body, torque));
 }
 
 void play_awake(fuzz_session *s) {
@@ -171,7 +174,7 @@ void play_body_shapes(fuzz_session *s) {
     thud_shape_id shapes[ROOM];
     int capacity = next_count(&s->bytes, ROOM), count = -7;
     capacity = capacity > ROOM ? ROOM : capacity;
-    TRY(s, thud_body_shapes(s->world, body, shapes, capacity, &count));
+    TRY(s, thud_body_get_shapes(s->world, body, shapes, capacity, &count));
     if (s->result != THUD_OK) {
         return;
     }
@@ -190,7 +193,7 @@ void play_body_contacts(fuzz_session *s) {
     thud_manifold contacts[ROOM];
     int capacity = next_count(&s->bytes, ROOM), count = -7;
     capacity = capacity > ROOM ? ROOM : capacity;
-    TRY(s, thud_body_contacts(s->world, body, contacts, capacity, &count));
+    TRY(s, thud_body_get_contacts(s->world, body, contacts, capacity, &count));
     if (s->result != THUD_OK) {
         return;
     }
@@ -217,7 +220,7 @@ void play_body_volume(fuzz_session *s) {
     thud_pos origin = pick_place(s);
     thud_volume volume;
     memset(&volume, CALL_FILL, sizeof volume);
-    TRY(s, thud_body_volume(s->world, body, kind, origin, &volume));
+    TRY(s, thud_body_get_volume(s->world, body, kind, origin, &volume));
     if (s->result != THUD_OK) {
         call_untouched(s, &volume, sizeof volume);
     } else if (COUNTED(thud_volume_check(&volume)) != THUD_OK) {
@@ -227,13 +230,13 @@ void play_body_volume(fuzz_session *s) {
 
 /* thud_body_make with options, each of which is the default in half of the cases. */
 void play_make(fuzz_session *s) {
-    thud_shape_instance at = pick_instance(s, true);
+    thud_geometry at = pick_centred_geometry(s);
     thud_pos place = pick_place(s);
     at.x = place.x;
     at.y = place.y;
     unsigned kinds = next_byte(&s->bytes), flags = next_byte(&s->bytes);
     thud_body_options o = {.kind = (thud_body_kind)(kinds % 4), .user_data = kinds};
-    o.velocity = o.kind != THUD_STATIC ? pick_velocity(s) : o.velocity;
+    o.velocity = o.kind != THUD_BODY_STATIC ? pick_velocity(s) : o.velocity;
     o.detection = pick_detection(s, kinds / 4);
     o.weightless = flags & 1;
     o.fixed_rotation = flags & 2;
@@ -243,7 +246,7 @@ void play_make(fuzz_session *s) {
     o.density = flags & 32 ? next_float(&s->bytes, 0, 0.0625) : 0;
     o.restitution = flags & 64 ? next_float(&s->bytes, 0, 0.0078125) : 0;
     o.category = flags & 128 ? 1u << kinds % 4 : 0;
-    bool room = COUNTED(thud_world_stats(s->world)).shapes < SESSION_SHAPES_MOST;
+    bool room = COUNTED(thud_stats_of(s->world)).shapes < SESSION_WORLD_SHAPES_MAX;
     thud_body_id made = {0, 0};
     if (room) {
         TRY(s, (made = thud_body_make(s->world, at, &o)).index1 ? THUD_OK : s->heard);

@@ -64,7 +64,7 @@ void play_events(fuzz_session *s) {
     bool events = next_choice(&s->bytes, 2) == 0;
     thud_shape_state state;
     TRY(s, thud_shape_set_events(s->world, shape, events));
-    if (s->result == THUD_OK && thud_shape_get(s->world, shape, &state) == THUD_OK &&
+    if (s->result == THUD_OK && thud_shape_get_state(s->world, shape, &state) == THUD_OK &&
         state.events != events) {
         fuzz_fail(s, "events of shape %u are %d and were set %d", shape.index1, state.events,
                   events);
@@ -77,7 +77,7 @@ void play_locks(fuzz_session *s) {
     bool x = false, y = false;
     TRY(s, thud_body_set_locks(s->world, body, axes & 1, axes & 2));
     bool set = s->result == THUD_OK;
-    TRY(s, thud_body_locks(s->world, body, &x, &y));
+    TRY(s, thud_body_get_locks(s->world, body, &x, &y));
     if (set && (x != (axes & 1) || y != axes >> 1)) {
         fuzz_fail(s, "locks of body %u are %d, %d and were set %d", body.index1, x, y, axes);
     }
@@ -133,7 +133,7 @@ void play_push(fuzz_session *s) {
     thud_pos place = pick_place(s);
     float turn = next_float(&s->bytes, -16, 0.125);
     if (which == 0) {
-        TRY(s, thud_body_apply_force_at(s->world, body, push, place));
+        TRY(s, thud_body_apply_force(s->world, body, push, place));
     } else if (which == 1) {
         TRY(s, thud_body_apply_center_impulse(s->world, body, push));
     } else if (which == 2) {
@@ -148,11 +148,11 @@ void play_points(fuzz_session *s) {
     thud_body_id body = pick_body(s);
     thud_pos place = pick_place(s), out = {0, 0};
     thud_vec2 vector = pick_velocity(s), told = {0, 0};
-    TRY(s, thud_body_velocity_at(s->world, body, place, &told));
-    TRY(s, thud_body_world_point(s->world, body, vector, &out));
-    TRY(s, thud_body_local_point(s->world, body, place, &told));
-    TRY(s, thud_body_world_vector(s->world, body, vector, &told));
-    TRY(s, thud_body_local_vector(s->world, body, vector, &told));
+    TRY(s, thud_body_get_velocity_at(s->world, body, place, &told));
+    TRY(s, thud_body_get_world_point(s->world, body, vector, &out));
+    TRY(s, thud_body_get_local_point(s->world, body, place, &told));
+    TRY(s, thud_body_get_world_vector(s->world, body, vector, &told));
+    TRY(s, thud_body_get_local_vector(s->world, body, vector, &told));
 }
 
 void play_reads(fuzz_session *s) {
@@ -164,13 +164,13 @@ void play_reads(fuzz_session *s) {
     float c, sine, turn;
     uint64_t data = 0;
     thud_step_settings settings;
-    TRY(s, thud_body_position(s->world, body, &place));
-    TRY(s, thud_body_rotation(s->world, body, &angle, &c, &sine));
-    TRY(s, thud_body_velocity(s->world, body, &velocity, &turn));
-    TRY(s, thud_body_user_data(s->world, body, &data));
-    TRY(s, thud_shape_user_data(s->world, shape, &data));
-    TRY(s, thud_shape_body(s->world, shape, &owner));
-    TRY(s, thud_world_step_settings(s->world, &settings));
+    TRY(s, thud_body_get_position(s->world, body, &place));
+    TRY(s, thud_body_get_rotation(s->world, body, &angle, &c, &sine));
+    TRY(s, thud_body_get_velocity(s->world, body, &velocity, &turn));
+    TRY(s, thud_body_get_user_data(s->world, body, &data));
+    TRY(s, thud_shape_get_user_data(s->world, shape, &data));
+    TRY(s, thud_shape_get_body(s->world, shape, &owner));
+    TRY(s, thud_world_get_step_settings(s->world, &settings));
     note_number(s, angle);
     note_bits(s, data + owner.index1 + (uint64_t)settings.substeps);
     note_bits(s, (uint64_t)COUNTED(thud_version()));

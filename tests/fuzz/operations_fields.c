@@ -64,7 +64,7 @@ void play_grip(fuzz_session *s) {
 }
 
 void play_below(fuzz_session *s) {
-    thud_shape_instance shape = pick_instance(s, false);
+    thud_geometry shape = pick_geometry(s);
     struct {
         double area;
         thud_pos centroid;
@@ -73,15 +73,17 @@ void play_below(fuzz_session *s) {
     thud_vec2 normal = {next_float(&s->bytes, -1, 0.0078125), 0};
     normal.y = normal.x * normal.x <= 1 ? sqrtf(1 - normal.x * normal.x) : normal.x;
     PURE(s, out,
-         thud_shape_below(&shape, x, y, (double)normal.x, (double)normal.y, &out.area,
-                          &out.centroid.x, &out.centroid.y));
+         thud_geometry_area_below(&shape,
+                                  (thud_half_plane){x, y, (double)normal.x, (double)normal.y},
+                                  &out.area, &out.centroid.x, &out.centroid.y));
     if (s->result != THUD_OK) {
         return;
     }
     note_number(s, out.area);
     note_number(s, out.centroid.x);
     note_number(s, out.centroid.y);
-    double most = shape.kind == THUD_CIRCLE ? 3.15 * shape.hx * shape.hx : 4 * shape.hx * shape.hy;
+    double most =
+        shape.kind == THUD_SHAPE_CIRCLE ? 3.15 * shape.hx * shape.hx : 4 * shape.hx * shape.hy;
     if (!(out.area >= 0 && out.area <= 1.001 * most)) {
         fuzz_fail(s, "%g of %g is below a line", out.area, most);
     }

@@ -2,7 +2,9 @@
 #include "driven.h"
 #include "operations.h"
 
+#include <math.h>
 #include <thud/thud_joint.h>
+#include <thud/thud_joint_at.h>
 
 static thud_joint_id pick_joint(fuzz_session *s) {
     unsigned byte = next_byte(&s->bytes);
@@ -12,7 +14,7 @@ static thud_joint_id pick_joint(fuzz_session *s) {
 
 /* A drive that is valid in most cases; fields that the bytes do not set have their default. */
 static thud_drive pick_drive(fuzz_session *s) {
-    thud_drive drive = thud_default_joint_def(THUD_WELD).drive[THUD_ALONG];
+    thud_drive drive = thud_default_joint_def(THUD_JOINT_WELD).drive[THUD_DIRECTION_ALONG];
     unsigned byte = next_byte(&s->bytes);
     drive.limited = byte & 1;
     drive.lower = byte & 2 ? 0 : next_float(&s->bytes, -3, 0.015625);
@@ -52,7 +54,7 @@ void play_joint(fuzz_session *s) {
     def.frame_a = pick_frame(s);
     def.frame_b = pick_frame(s);
     def.collide_connected = next_choice(&s->bytes, 2);
-    def.disabled = next_choice(&s->bytes, 8) == 7;
+    def.enabled = next_choice(&s->bytes, 8) != 7;
     def.length = pick_size(s);
     def.drive[next_choice(&s->bytes, THUD_DIRECTION_COUNT)] = pick_drive(s);
     for (int i = 0; i < THUD_DIRECTION_COUNT && !s->bytes.hostile; i++) {
@@ -60,7 +62,7 @@ void play_joint(fuzz_session *s) {
             def.drive[i] = (thud_drive){0};
         }
     }
-    if (def.kind == THUD_GEAR) {
+    if (def.kind == THUD_JOINT_GEAR) {
         def.gear[0] = pick_joint(s);
         def.gear[1] = pick_joint(s);
         def.ratio = next_float(&s->bytes, -4, 0.0625);
@@ -88,8 +90,8 @@ typedef struct linkage {
 } linkage;
 
 static linkage pick_linkage(fuzz_session *s) {
-    static const thud_joint_kind kinds[] = {THUD_HINGE, THUD_DISTANCE, THUD_WELD, THUD_SLIDER,
-                                            THUD_WHEEL};
+    static const thud_joint_kind kinds[] = {THUD_JOINT_HINGE, THUD_JOINT_DISTANCE, THUD_JOINT_WELD,
+                                            THUD_JOINT_SLIDER, THUD_JOINT_WHEEL};
     static const float frequencies[] = {0, 1, 20, 200, 1000, THUD_JOINT_FREQUENCY_MAX};
     linkage l = {.form = (linkage_form)next_choice(&s->bytes, LINKAGE_FORMS)};
     l.kind = kinds[next_choice(&s->bytes, sizeof kinds / sizeof *kinds)];
@@ -112,7 +114,7 @@ static void add_links(fuzz_session *s, linkage *l) {
         thud_body_def def = thud_default_body_def();
         thud_shape_id made = {0, 0};
         thud_vec2 zero = {0, 0};
-        def.kind = i == 0 && flags & 4 ? THUD_STATIC : THUD_DYNAMIC;
+        def.kind = i == 0 && flags & 4 ? THUD_BODY_STATIC : THUD_BODY_DYNAMIC;
         def.position = (thud_pos){place.x + l->at[i].x * s->unit, place.y + l->at[i].y * s->unit};
         TRY(s, thud_body_create(s->world, &def, &l->bodies[i]));
         note_bits(s, l->bodies[i].index1);
@@ -133,21 +135,21 @@ static void tie_links(fuzz_session *s, const linkage *l, int a, int b) {
     double x = (l->at[b].x - l->at[a].x) * s->unit, y = (l->at[b].y - l->at[a].y) * s->unit;
     def.body_a = l->bodies[a];
     def.body_b = l->bodies[b];
-    if (l->kind == THUD_DISTANCE) {
+    if (l->kind == THUD_JOINT_DISTANCE) {
         def.length = (float)sqrt(x * x + y * y);
-        def.drive[THUD_ALONG].target = def.length;
+        def.drive[THUD_DIRECTION_ALONG].target = def.length;
     } else {
         def.frame_a.position = (thud_vec2){(float)(0.5 * x), (float)(0.5 * y)};
         def.frame_b.position = (thud_vec2){(float)(-0.5 * x), (float)(-0.5 * y)};
     }
-    def.drive[l->kind == THUD_WELD ? THUD_TURN : THUD_ALONG].frequency =
-        l->kind == THUD_HINGE ? 0 : l->frequency;
+    def.drive[l->kind == THUD_JOINT_WELD ? THUD_DIRECTION_TURN : THUD_DIRECTION_ALONG].frequency =
+        l->kind == THUD_JOINT_HINGE ? 0 : l->frequency;
     make_joint(s, &def);
 }
 
 void play_linkage(fuzz_session *s) {
     linkage l = pick_linkage(s);
-    if (s->depth || COUNTED(thud_world_stats(s->world)).shapes + l.count > SESSION_SHAPES_MOST) {
+    if (s->depth || COUNTED(thud_stats_of(s->world)).shapes + l.count > SESSION_WORLD_SHAPES_MAX) {
         return;
     }
     add_links(s, &l);
@@ -160,6 +162,41 @@ void play_linkage(fuzz_session *s) {
     if (l.form == LOOP && l.count > 2) {
         tie_links(s, &l, l.count - 1, 0);
     }
+}
+
+/* ---- joints at places in the world ---- */
+
+void play_joint_at(fuzz_session *s) {
+    thud_body_id a = pick_body(s), b = pick_body(s);
+    thud_pos from = pick_place(s), to = pick_place(s);
+    double angle = pick_angle(s);
+    thud_vec2 axis = {(float)cos(angle), (float)sin(angle)};
+    thud_joint_def def = COUNTED(thud_hinge_at(s->world, a, b, from));
+    switch (next_choice(&s->bytes, 7)) {
+    case 1:
+        def = COUNTED(thud_weld_at(s->world, a, b, from));
+        break;
+    case 2:
+        def = COUNTED(thud_slider_at(s->world, a, b, from, axis));
+        break;
+    case 3:
+        def = COUNTED(thud_wheel_at(s->world, a, b, from, axis));
+        break;
+    case 4:
+        def = COUNTED(thud_target_at(s->world, a, b, from));
+        break;
+    case 5:
+        def = COUNTED(thud_rod_at(s->world, a, b, from, to));
+        break;
+    case 6:
+        def = COUNTED(thud_rope_at(s->world, a, b, from, to, pick_size(s)));
+        break;
+    default:
+        break;
+    }
+    thud_joint_id joint = COUNTED(thud_joint_make(s->world, def));
+    note_bits(s, joint.index1);
+    s->now.joints[s->now.next_joint++ % SESSION_JOINTS] = joint;
 }
 
 void play_joint_destroy(fuzz_session *s) {
@@ -214,7 +251,7 @@ void play_joint_get(fuzz_session *s) {
     thud_joint_id joint = pick_joint(s);
     thud_joint_state state;
     memset(&state, CALL_FILL, sizeof state);
-    TRY(s, thud_joint_get(s->world, joint, &state));
+    TRY(s, thud_joint_get_state(s->world, joint, &state));
     if (s->result != THUD_OK) {
         call_untouched(s, &state, sizeof state);
         return;
@@ -252,18 +289,19 @@ void play_joint_lists(fuzz_session *s) {
     thud_joint_id list[ROOM];
     int room = (int)next_choice(&s->bytes, ROOM + 1), broken = 0;
     thud_body_id body = pick_body(s);
-    int all = COUNTED(thud_world_joints(s->world, room ? list : NULL, room));
+    int all = 0, of_body = 0;
+    TRY(s, thud_world_get_joints(s->world, room ? list : NULL, room, &all));
     for (int i = 0; i < all && i < room; i++) {
         note_bits(s, list[i].index1);
     }
-    int of_body = COUNTED(thud_body_joints(s->world, body, list, room));
+    TRY(s, thud_body_get_joints(s->world, body, list, room, &of_body));
     for (int i = 0; i < of_body && i < room; i++) {
         note_bits(s, list[i].index1);
     }
     if (of_body > all) {
         fuzz_fail(s, "a body has %d joints, and its world %d", of_body, all);
     }
-    const thud_joint_event *events = COUNTED(thud_world_joint_events(s->world, &broken));
+    const thud_joint_event *events = COUNTED(thud_joint_events_of(s->world, &broken));
     for (int i = 0; i < broken; i++) {
         note_bits(s, events[i].joint.index1 + events[i].broken);
     }

@@ -72,7 +72,7 @@ void play_line_sample(fuzz_session *s) {
 void play_line_shape(fuzz_session *s) {
     ground g;
     pick_ground(s, &g);
-    thud_shape_instance shape = pick_instance(s, false);
+    thud_geometry shape = pick_geometry(s);
     double margin = fabs(pick_coordinate(s)) / 4;
     thud_closest closest;
     thud_contacts contacts;
@@ -96,7 +96,7 @@ void play_line_shape(fuzz_session *s) {
 void play_line_impact(fuzz_session *s) {
     ground g;
     pick_ground(s, &g);
-    thud_shape_instance shape = pick_instance(s, false);
+    thud_geometry shape = pick_geometry(s);
     thud_motion motion = pick_motion(s);
     struct {
         bool hit;
@@ -120,7 +120,8 @@ void play_line_ray(fuzz_session *s) {
     thud_pos along = {pick_coordinate(s), pick_coordinate(s)};
     double at, nx, ny;
     s->calls[s->depth].text = "thud_terrain_cast_ray";
-    if (COUNTED(thud_terrain_cast_ray(&g.line, from.x, from.y, along.x, along.y, &at, &nx, &ny))) {
+    if (COUNTED(thud_terrain_cast_ray(&g.line, (thud_segment){from.x, from.y, along.x, along.y},
+                                      &at, &nx, &ny))) {
         normal_of(s, &g, nx, ny);
         if (g.valid && !(at >= 0 && at <= 1)) {
             fuzz_fail(s, "thud_terrain_cast_ray: %g", at);

@@ -50,18 +50,18 @@ void play_lists(fuzz_session *s) {
     thud_body_id bodies[ROOM];
     thud_shape_id shapes[ROOM];
     int capacity = pick_room(s), all = -7, awake = -7, count = -7;
-    TRY(s, thud_world_bodies(s->world, capacity ? bodies : NULL, capacity, &all));
+    TRY(s, thud_world_get_bodies(s->world, capacity ? bodies : NULL, capacity, &all));
     if (s->result == THUD_OK) {
         check_bodies(s, bodies, all, capacity);
     }
-    TRY(s, thud_world_awake_bodies(s->world, bodies, capacity, &awake));
+    TRY(s, thud_world_get_awake_bodies(s->world, bodies, capacity, &awake));
     if (s->result == THUD_OK) {
         check_bodies(s, bodies, awake, capacity);
     }
     if (awake > all) {
         fuzz_fail(s, "%d bodies are awake, and there are %d", awake, all);
     }
-    TRY(s, thud_world_shapes(s->world, shapes, capacity, &count));
+    TRY(s, thud_world_get_shapes(s->world, shapes, capacity, &count));
     if (s->result == THUD_OK) {
         check_shapes(s, shapes, count, capacity);
     }
@@ -71,13 +71,13 @@ void play_slots(fuzz_session *s) {
     int slot = next_count(&s->bytes, SESSION_BODIES), bodies = -7, shapes = -7;
     thud_body_id body = {0, 0};
     thud_shape_id shape = {0, 0};
-    TRY(s, thud_world_slots(s->world, &bodies, &shapes));
-    TRY(s, thud_world_body_at(s->world, slot, &body));
+    TRY(s, thud_world_get_slot_counts(s->world, &bodies, &shapes));
+    TRY(s, thud_world_get_body_at(s->world, slot, &body));
     if ((s->result == THUD_OK) != (slot >= 0 && slot < bodies) ||
         (body.index1 && !COUNTED(thud_body_is_valid(s->world, body)))) {
         fuzz_fail(s, "slot %d of %d: body %u", slot, bodies, body.index1);
     }
-    TRY(s, thud_world_shape_at(s->world, slot, &shape));
+    TRY(s, thud_world_get_shape_at(s->world, slot, &shape));
     if ((s->result == THUD_OK) != (slot >= 0 && slot < shapes) ||
         (shape.index1 && !COUNTED(thud_shape_is_valid(s->world, shape)))) {
         fuzz_fail(s, "slot %d of %d: shape %u", slot, shapes, shape.index1);
@@ -91,12 +91,12 @@ void play_moved(fuzz_session *s) {
     int capacity = pick_room(s), slots = next_count(&s->bytes, SESSION_BODIES);
     int count = -7, left = -7;
     slots = slots > SESSION_BODIES ? SESSION_BODIES : slots;
-    TRY(s, thud_world_moved_bodies(s->world, s->seen, slots, bodies, capacity, &count));
+    TRY(s, thud_world_get_moved_bodies(s->world, s->seen, slots, bodies, capacity, &count));
     if (s->result != THUD_OK) {
         return;
     }
     check_bodies(s, bodies, count, capacity);
-    TRY(s, thud_world_moved_bodies(s->world, s->seen, slots, NULL, 0, &left));
+    TRY(s, thud_world_get_moved_bodies(s->world, s->seen, slots, NULL, 0, &left));
     if (left != (count > capacity ? count - capacity : 0)) {
         fuzz_fail(s, "%d bodies moved, %d were told, %d are left", count, capacity, left);
     }
@@ -105,7 +105,7 @@ void play_moved(fuzz_session *s) {
 void play_sensed(fuzz_session *s) {
     thud_shape_id sensor = pick_shape(s), shapes[ROOM];
     int capacity = pick_room(s), count = -7;
-    TRY(s, thud_sensor_overlaps(s->world, sensor, shapes, capacity, &count));
+    TRY(s, thud_shape_get_sensor_overlaps(s->world, sensor, shapes, capacity, &count));
     if (s->result == THUD_OK) {
         check_shapes(s, shapes, count, capacity);
     }
@@ -123,14 +123,14 @@ static void check_side(fuzz_session *s, thud_shape_id shape, const thud_pair_sid
 /* The sides of two shapes of the session, or of the pair that ended last. */
 void play_sides(fuzz_session *s) {
     thud_shape_id a = pick_shape(s), b = pick_shape(s);
-    thud_events e = COUNTED(thud_world_events(s->world));
+    thud_events e = COUNTED(thud_events_of(s->world));
     if (e.end_count && next_choice(&s->bytes, 2)) {
         a = e.end[e.end_count - 1].shape_a;
         b = e.end[e.end_count - 1].shape_b;
     }
     thud_pair pair;
     memset(&pair, CALL_FILL, sizeof pair);
-    TRY(s, thud_pair_get(s->world, a, b, &pair));
+    TRY(s, thud_world_get_pair(s->world, a, b, &pair));
     if (s->result != THUD_OK) {
         fuzz_fail(s, "a pair is refused: %s", thud_result_text(s->result));
     }
@@ -144,12 +144,12 @@ void play_meetings(fuzz_session *s) {
     enum { MET = 32 };
     uint32_t first = next_byte(&s->bytes), second = next_byte(&s->bytes), told[MET][2];
     bool destroys = next_choice(&s->bytes, 8) == 0;
-    thud_met m = {0};
+    thud_event_pair m = {0};
     int count = 0;
-    while (count < MET && COUNTED(thud_world_next_meeting(s->world, first, second, &m))) {
+    while (count < MET && COUNTED(thud_world_next_event_pair(s->world, first, second, &m))) {
         thud_shape_state a, b;
-        if (COUNTED(thud_shape_get(s->world, m.shape_a, &a)) != THUD_OK ||
-            COUNTED(thud_shape_get(s->world, m.shape_b, &b)) != THUD_OK ||
+        if (COUNTED(thud_shape_get_state(s->world, m.shape_a, &a)) != THUD_OK ||
+            COUNTED(thud_shape_get_state(s->world, m.shape_b, &b)) != THUD_OK ||
             !(a.filter.category & first) || !(b.filter.category & second) ||
             a.body.index1 != m.a.body.index1 || b.body.index1 != m.b.body.index1) {
             fuzz_fail(s, "shapes %u and %u did not meet", m.shape_a.index1, m.shape_b.index1);
@@ -170,7 +170,7 @@ void play_meetings(fuzz_session *s) {
         }
     }
     m.next = -1;
-    if (COUNTED(thud_world_next_meeting(s->world, first, second, &m))) {
+    if (COUNTED(thud_world_next_event_pair(s->world, first, second, &m))) {
         fuzz_fail(s, "a meeting before the first one");
     }
 }

@@ -66,7 +66,7 @@ void play_mover_settings(fuzz_session *s) {
 
 void play_mover_place(fuzz_session *s) {
     thud_pos place = pick_place(s);
-    thud_shape_instance shape = pick_instance(s, true);
+    thud_geometry shape = pick_centred_geometry(s);
     shape.x = place.x;
     shape.y = place.y;
     thud_mover made = COUNTED(thud_default_mover(shape));
@@ -78,7 +78,7 @@ void play_mover_place(fuzz_session *s) {
 
 void play_snapshot(fuzz_session *s) {
     size_t bytes = 0, written = 0;
-    TRY(s, thud_world_snapshot_size(s->world, &bytes));
+    TRY(s, thud_world_get_snapshot_size(s->world, &bytes));
     if (s->result != THUD_OK) {
         return;
     }

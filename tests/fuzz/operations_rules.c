@@ -21,13 +21,13 @@ void play_rule(fuzz_session *s) {
     int a = byte & 3, b = byte >> 2 & 3;
     bool none = byte >> 6 == 3;
     thud_rule rule = thud_default_rule();
-    rule.meeting = (thud_meeting)next_choice(&s->bytes, 4);
+    rule.kind = (thud_rule_kind)next_choice(&s->bytes, 4);
     unsigned wanted = next_byte(&s->bytes);
     rule.solid_side = wanted & 1 ? pick_velocity(s) : rule.solid_side;
     rule.friction = wanted & 2 ? next_float(&s->bytes, 0, 0.0078125) : rule.friction;
     rule.restitution = wanted & 4 ? next_float(&s->bytes, 0, 0.0078125) : rule.restitution;
     rule.surface_speed = wanted & 8 ? pick_speed(s) : rule.surface_speed;
-    rule.most_impulse = wanted & 16 ? next_float(&s->bytes, 0, 0.03125) : rule.most_impulse;
+    rule.event_impulse = wanted & 16 ? next_float(&s->bytes, 0, 0.03125) : rule.event_impulse;
     TRY(s, thud_world_set_rule(s->world, 1u << a, 1u << b, none ? NULL : &rule));
     if (s->result == THUD_OK) {
         s->now.ruled[b][a] = false;
@@ -41,12 +41,12 @@ void play_rule_get(fuzz_session *s) {
     int a = byte & 3, b = byte >> 2 & 3;
     thud_rule rule;
     bool set = false, reversed = false;
-    TRY(s, thud_world_rule(s->world, 1u << a, 1u << b, &rule, &set, &reversed));
+    TRY(s, thud_world_get_rule(s->world, 1u << a, 1u << b, &rule, &set, &reversed));
     bool there = s->now.ruled[a][b] || s->now.ruled[b][a];
     if (s->result != THUD_OK || set != there || reversed != (there && !s->now.ruled[a][b])) {
         fuzz_fail(s, "rule of %d and %d: %d, %d", a, b, set, reversed);
     }
-    note_bits(s, (uint64_t)rule.meeting);
+    note_bits(s, (uint64_t)rule.kind);
 }
 
 void play_filter(fuzz_session *s) {
@@ -57,7 +57,7 @@ void play_filter(fuzz_session *s) {
 
 void play_impulses(fuzz_session *s) {
     int count = -1;
-    const thud_impulse_event *events = COUNTED(thud_world_impulses(s->world, &count));
+    const thud_impulse_event *events = COUNTED(thud_impulse_events_of(s->world, &count));
     for (int i = 0; i < count; i++) {
         if (!(events[i].impulse > 0.0f)) {
             fuzz_fail(s, "impulse %g is told", (double)events[i].impulse);

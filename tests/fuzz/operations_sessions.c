@@ -68,7 +68,7 @@ static thud_result push_and_step(thud_world *world, const uint64_t *inputs, void
 
 static thud_world *make_balls(thud_body_id balls[2]) {
     thud_world *world = COUNTED(thud_world_make((thud_vec2){0, -10}, &thud_quality_default));
-    thud_body_options ball = {.kind = THUD_DYNAMIC};
+    thud_body_options ball = {.kind = THUD_BODY_DYNAMIC};
     thud_body_make(world, thud_aabb_at(0, -1, 20, 1), NULL);
     for (int i = 0; i < 2; i++) {
         balls[i] = thud_body_make(world, thud_circle_at(i, 2, 0.5), &ball);
@@ -94,10 +94,10 @@ void play_rollback(fuzz_session *s) {
         inputs[i][0] = next_byte(&s->bytes) % 7;
         inputs[i][1] = next_byte(&s->bytes) % 7;
     }
-    while (COUNTED(thud_rollback_get(r)).steps < STEPS) {
+    while (COUNTED(thud_progress_of(r)).steps < STEPS) {
         unsigned byte = next_byte(&s->bytes);
         bool made = false;
-        int64_t now = COUNTED(thud_rollback_get(r)).steps;
+        int64_t now = COUNTED(thud_progress_of(r)).steps;
         for (int player = 0; player < 2; player++) {
             int64_t lag = byte >> 4 * player & 7, until = lag < DEPTH ? now - lag : now;
             for (; told[player] <= until; told[player]++) {
@@ -120,8 +120,8 @@ void play_rollback(fuzz_session *s) {
         push_and_step(straight, inputs[i], plain);
     }
     if (COUNTED(thud_rollback_settle(r)) != THUD_OK ||
-        COUNTED(thud_rollback_at(r, STEPS, &hash, copy)) != THUD_OK ||
-        hash != thud_world_hash(straight) || hash != thud_world_hash(world)) {
+        COUNTED(thud_rollback_get_state(r, STEPS, &hash, copy)) != THUD_OK ||
+        hash != thud_hash_of(straight) || hash != thud_hash_of(world)) {
         fuzz_fail(s, "late inputs end elsewhere");
     }
     note_bits(s, hash);

@@ -4,7 +4,7 @@
 
 /* Whether the world has as many shapes as a session may create. */
 static bool full(fuzz_session *s) {
-    return COUNTED(thud_world_stats(s->world)).shapes >= SESSION_SHAPES_MOST;
+    return COUNTED(thud_stats_of(s->world)).shapes >= SESSION_WORLD_SHAPES_MAX;
 }
 
 static thud_shape_def shape_def(fuzz_session *s) {
@@ -125,7 +125,7 @@ void play_shape_get(fuzz_session *s) {
     thud_shape_id shape = pick_shape(s);
     thud_shape_state state;
     memset(&state, CALL_FILL, sizeof state);
-    TRY(s, thud_shape_get(s->world, shape, &state));
+    TRY(s, thud_shape_get_state(s->world, shape, &state));
     if (s->result != THUD_OK) {
         call_untouched(s, &state, sizeof state);
         return;
@@ -145,14 +145,14 @@ void play_shape_get(fuzz_session *s) {
 
 static void check_line(fuzz_session *s, thud_shape_id shape) {
     thud_terrain line;
-    if (COUNTED(thud_shape_terrain(s->world, shape, &line)) != THUD_OK) {
+    if (COUNTED(thud_shape_get_terrain(s->world, shape, &line)) != THUD_OK) {
         return;
     }
     note_bits(s, (uint64_t)line.count);
     if (COUNTED(thud_terrain_check(&line)) != THUD_OK) {
         fuzz_fail(s, "a world's line is none");
     }
-    s->calls[s->depth].text = "thud_shape_terrain";
+    s->calls[s->depth].text = "thud_shape_get_terrain";
     for (int i = 0; i < (line.kind == THUD_TERRAIN_FLAT ? 0 : line.count); i++) {
         note_number(s, line.points[i].y);
     }
@@ -162,7 +162,7 @@ void play_line_of(fuzz_session *s) {
     thud_shape_id shape = pick_shape(s);
     thud_terrain line;
     memset(&line, CALL_FILL, sizeof line);
-    TRY(s, thud_shape_terrain(s->world, shape, &line));
+    TRY(s, thud_shape_get_terrain(s->world, shape, &line));
     if (s->result != THUD_OK) {
         call_untouched(s, &line, sizeof line);
     }

@@ -25,7 +25,7 @@ static void check_around(fuzz_session *s, const thud_volume *volume, const thud_
 
 void play_volume_fit(fuzz_session *s) {
     thud_shape_kind kind = pick_kind(s);
-    thud_shape_instance shape = pick_instance(s, false);
+    thud_geometry shape = pick_geometry(s);
     thud_motion motion = pick_motion(s);
     thud_volume volume;
     PURE(s, volume, thud_volume_around_shape(kind, &shape, &volume));
@@ -64,7 +64,7 @@ void play_volume_points(fuzz_session *s) {
 
 void play_volume_merge(fuzz_session *s) {
     thud_shape_kind kind = pick_kind(s);
-    thud_volume a = pick_instance(s, false), b = pick_instance(s, false), both;
+    thud_volume a = pick_geometry(s), b = pick_geometry(s), both;
     PURE(s, both, thud_volume_merge(kind, &a, &b, &both));
     if (s->result == THUD_OK) {
         check_around(s, &both, &a);
@@ -74,7 +74,7 @@ void play_volume_merge(fuzz_session *s) {
 }
 
 void play_volume_tests(fuzz_session *s) {
-    thud_volume a = pick_instance(s, false), b = pick_instance(s, false);
+    thud_volume a = pick_geometry(s), b = pick_geometry(s);
     bool overlap, other, inside;
     PURE(s, overlap, thud_volumes_overlap(&a, &b, &overlap));
     if (s->result != THUD_OK) {

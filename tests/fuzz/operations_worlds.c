@@ -116,32 +116,32 @@ void play_qualities(fuzz_session *s) {
         quality.contact_damping = next_float(&s->bytes, 0, 0.4);
         quality.detection = pick_detection(s, next_byte(&s->bytes));
         quality.islands = next_choice(&s->bytes, 4) ? &thud_islands_direct : NULL;
-        quality.sag_limit = next_float(&s->bytes, 0, 0.001);
+        quality.overlap_limit = next_float(&s->bytes, 0, 0.001);
         quality.island_limit = next_count(&s->bytes, 100);
         quality.island_work = (int64_t)next_count(&s->bytes, 255) * 50;
-        quality.island_patience = next_count(&s->bytes, 8);
+        quality.island_slow_steps = next_count(&s->bytes, 8);
     }
     TRY(s, thud_world_set_quality(s->world, byte & 32 ? NULL : &quality));
 }
 
 void play_reading(fuzz_session *s) {
     if (!s->depth) {
-        thud_measure m = COUNTED(thud_world_measure(s->world));
-        s->calls[s->depth].text = "thud_world_measure";
+        thud_measure m = COUNTED(thud_measure_of(s->world));
+        s->calls[s->depth].text = "thud_measure_of";
         note_number(s, m.penetration_max);
         note_number(s, m.penetration_mean);
     }
-    COUNTED(thud_world_stats(s->world));
-    COUNTED(thud_world_error(s->world));
-    COUNTED(thud_world_events(s->world));
+    COUNTED(thud_stats_of(s->world));
+    COUNTED(thud_step_error_of(s->world));
+    COUNTED(thud_events_of(s->world));
     if (s->twin != TWIN_SHIFT) {
-        note_bits(s, COUNTED(thud_world_hash(s->world)));
+        note_bits(s, COUNTED(thud_hash_of(s->world)));
     }
 }
 
 void play_limit(fuzz_session *s) {
     double speed = -1;
-    TRY(s, thud_world_bisection_limit(s->world, &speed));
+    TRY(s, thud_world_get_bisection_limit(s->world, &speed));
     if (s->result == THUD_OK && !(speed >= 0)) {
         fuzz_fail(s, "the bisection limit is %g", speed);
     }
@@ -168,11 +168,11 @@ void play_poses(fuzz_session *s) {
     double alpha = next_number(&s->bytes, 0, 1.0 / 240);
     thud_pos origin = pick_place(s);
     int count = -1, told = s->told;
-    const thud_pose *poses = COUNTED(thud_world_poses(s->world, origin, alpha, &count));
+    const thud_pose *poses = COUNTED(thud_poses_of(s->world, origin, alpha, &count));
     if (poses ? count < 0 : count != 0 || s->told == told) {
-        fuzz_fail(s, "thud_world_poses: %d, and %s", count, poses ? "poses" : "none");
+        fuzz_fail(s, "thud_world_get_poses: %d, and %s", count, poses ? "poses" : "none");
     }
-    s->calls[s->depth].text = "thud_world_poses";
+    s->calls[s->depth].text = "thud_world_get_poses";
     for (int i = 0; i < count; i++) {
         if (!isnan(poses[i].x)) {
             note_number(s, (double)(poses[i].c * poses[i].c + poses[i].s * poses[i].s));
@@ -195,7 +195,7 @@ static void see_vector(void *context, thud_vec2 v) {
     see_number(context, (double)v.y);
 }
 
-static void see_circle(thud_vec2 center, float radius, float c, float sine, thud_draw_style style,
+static void see_circle(thud_vec2 center, float radius, float c, float sine, thud_style style,
                        int island, void *context) {
     (void)style, (void)island;
     see_vector(context, center);
@@ -203,7 +203,7 @@ static void see_circle(thud_vec2 center, float radius, float c, float sine, thud
     session_ask(context);
 }
 
-static void see_box(thud_vec2 center, thud_vec2 half, float c, float sine, thud_draw_style style,
+static void see_box(thud_vec2 center, thud_vec2 half, float c, float sine, thud_style style,
                     int island, void *context) {
     (void)style, (void)island;
     see_vector(context, center);
@@ -211,13 +211,13 @@ static void see_box(thud_vec2 center, thud_vec2 half, float c, float sine, thud_
     see_number(context, (double)(c + sine));
 }
 
-static void see_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context) {
+static void see_line(thud_vec2 a, thud_vec2 b, thud_style style, void *context) {
     (void)style;
     see_vector(context, a);
     see_vector(context, b);
 }
 
-static void see_point(thud_vec2 p, thud_draw_style style, void *context) {
+static void see_point(thud_vec2 p, thud_style style, void *context) {
     (void)style;
     see_vector(context, p);
 }
@@ -305,13 +305,13 @@ void play_nulls(fuzz_session *s) {
     wants_null(s, thud_body_destroy(NULL, body));
     wants_null(s, thud_body_set_transform(NULL, body, place, 0));
     wants_null(s, thud_shape_destroy(NULL, shape));
-    wants_null(s, thud_world_cast_ray(NULL, place, 1, 0, NULL, &hit, NULL));
-    wants_null(s, thud_world_snapshot_size(s->world, NULL));
+    wants_null(s, thud_world_cast_ray(NULL, &(thud_ray){place, 1, 0, NULL}, &hit, NULL));
+    wants_null(s, thud_world_get_snapshot_size(s->world, NULL));
     wants_null(s, thud_world_restore(s->world, NULL, 0));
     wants_null(s, thud_mover_move(s->world, NULL, vector, 0.1, NULL));
     COUNTED(thud_world_destroy(NULL));
     if (COUNTED(thud_body_is_valid(NULL, body)) || COUNTED(thud_shape_is_valid(NULL, shape)) ||
-        COUNTED(thud_world_events(NULL)).begin_count || COUNTED(thud_world_stats(NULL)).bodies) {
+        COUNTED(thud_events_of(NULL)).begin_count || COUNTED(thud_stats_of(NULL)).bodies) {
         fuzz_fail(s, "there is something in no world");
     }
 }

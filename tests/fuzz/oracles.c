@@ -1,11 +1,13 @@
-/* oracles.c: see oracles.h. */
+/* oracles.c: checks of a session's world after each step, and at its end; see oracles.h. The note_
+ * functions (calls.h) add a value to the digest in which both twins must agree. */
 #include "oracles.h"
 
 #include "calls.h"
 
 /* ---- events ---- */
 
-static int find(const pair_ledger *l, const thud_contact_event *pair) {
+/* The index of a pair in the ledger; its count if the pair is not open. */
+static int find_pair(const pair_ledger *l, const thud_contact_event *pair) {
     int i = 0;
     while (i < l->count && memcmp(&l->open[i], pair, sizeof *pair) != 0) {
         i++;
@@ -14,8 +16,8 @@ static int find(const pair_ledger *l, const thud_contact_event *pair) {
 }
 
 /* Removes the pair from the ledger; false if it is not open. */
-static bool closes(pair_ledger *l, const thud_contact_event *pair) {
-    int i = find(l, pair);
+static bool close_pair(pair_ledger *l, const thud_contact_event *pair) {
+    int i = find_pair(l, pair);
     if (i == l->count) {
         return false;
     }
@@ -37,18 +39,21 @@ static void check_handles(fuzz_session *s, const thud_contact_event *pair, const
 
 /* Enters a step's events into the ledger. Ends of open pairs are entered first; the other ends must
  * be of pairs that begin in this step. */
-static void book(fuzz_session *s, pair_ledger *l, const char *what, const thud_contact_event *begin,
-                 int begins, const thud_contact_event *end, int ends) {
-    static bool late[SESSION_OPEN];
-    if (begins < 0 || ends < 0 || begins + l->count > SESSION_OPEN || ends > SESSION_OPEN) {
-        fuzz_fail(s, "%d %ss begin and %d end, with %d open", begins, what, ends, l->count);
+static void enter_events(fuzz_session *s, pair_ledger *l, const char *what,
+                         const thud_contact_event *begin, int begins, const thud_contact_event *end,
+                         int ends) {
+    static bool begins_in_step[SESSION_OPEN_PAIRS_MAX]; /* by end: its pair was not open before */
+    if (begins < 0 || ends < 0 || begins + l->count > SESSION_OPEN_PAIRS_MAX ||
+        ends > SESSION_OPEN_PAIRS_MAX) {
+        fuzz_fail(s, "%d %ss begin and %d end, with %d open: more than %d shapes can make", begins,
+                  what, ends, l->count, SESSION_WORLD_SHAPES_MAX);
     }
     for (int i = 0; i < ends; i++) {
-        late[i] = !closes(l, &end[i]);
+        begins_in_step[i] = !close_pair(l, &end[i]);
         note_pair(s, &end[i]);
     }
     for (int i = 0; i < begins; i++) {
-        if (find(l, &begin[i]) < l->count) {
+        if (find_pair(l, &begin[i]) < l->count) {
             fuzz_fail(s, "a %s of shapes %u and %u begins twice", what, begin[i].shape_a.index1,
                       begin[i].shape_b.index1);
         }
@@ -57,14 +62,15 @@ static void book(fuzz_session *s, pair_ledger *l, const char *what, const thud_c
         note_pair(s, &begin[i]);
     }
     for (int i = 0; i < ends; i++) {
-        if (late[i] && !closes(l, &end[i])) {
+        if (begins_in_step[i] && !close_pair(l, &end[i])) {
             fuzz_fail(s, "a %s of shapes %u and %u ends and had not begun", what,
                       end[i].shape_a.index1, end[i].shape_b.index1);
         }
     }
 }
 
-static void check_hits(fuzz_session *s, const thud_events *e) {
+/* Bodies are quarantined where their state became non-finite. */
+static void note_hits_and_quarantined(fuzz_session *s, const thud_events *e) {
     for (int i = 0; i < e->hit_count; i++) {
         const thud_hit_event *hit = &e->hit[i];
         note_bits(s, (uint64_t)hit->shape_a.index1 << 32 | hit->shape_b.index1);
@@ -78,36 +84,47 @@ static void check_hits(fuzz_session *s, const thud_events *e) {
 }
 
 static void check_events(fuzz_session *s) {
-    thud_events e = thud_world_events(s->world);
-    book(s, &s->now.touches, "contact", e.begin, e.begin_count, e.end, e.end_count);
-    book(s, &s->now.sensed, "sensing", e.sensor_begin, e.sensor_begin_count, e.sensor_end,
-         e.sensor_end_count);
-    check_hits(s, &e);
+    thud_events e = thud_events_of(s->world);
+    enter_events(s, &s->now.touches, "contact", e.begin, e.begin_count, e.end, e.end_count);
+    enter_events(s, &s->now.sensed, "sensing", e.sensor_begin, e.sensor_begin_count, e.sensor_end,
+                 e.sensor_end_count);
+    note_hits_and_quarantined(s, &e);
 }
 
 /* ---- bodies and statistics ---- */
 
+/* Names the call whose values are noted next: the text of a finding says which call gave a value
+ * that is not finite. */
+static void name_call(fuzz_session *s, const char *call) {
+    s->calls[0].text = call;
+}
+
+/* Slack of a clamped speed, for rounding to float. Chosen. */
+#define SPEED_SLACK 1.00001f
+
 /* After a step x and y of a velocity are within the world's maximum_speed, and the angular velocity
- * within 10^8 rad/s; an impact within the step may leave more. */
+ * is within THUD_ANGULAR_SPEED_MAX. A collision that detection resolves within the step
+ * (thud_stats.impacts) may leave more, since velocities are clamped before it. */
 static void check_speed(const fuzz_session *s, thud_body_id body, const thud_body_state *state) {
-    double most = 1.00001 * (double)s->def.maximum_speed * s->unit;
-    bool held = fabs((double)state->velocity.x) <= most &&
-                fabs((double)state->velocity.y) <= most &&
-                fabsf(state->angular_velocity) <= 1.00001e8f;
-    if (!held && state->kind == THUD_DYNAMIC && state->awake &&
-        thud_world_stats(s->world).impacts == 0) {
+    double max = (double)SPEED_SLACK * (double)s->def.maximum_speed * s->unit;
+    bool within = fabs((double)state->velocity.x) <= max &&
+                  fabs((double)state->velocity.y) <= max &&
+                  fabsf(state->angular_velocity) <= SPEED_SLACK * THUD_ANGULAR_SPEED_MAX;
+    if (!within && state->kind == THUD_BODY_DYNAMIC && state->awake &&
+        thud_stats_of(s->world).impacts == 0) {
         fuzz_fail(s, "a step leaves body %u the velocity %g, %g of at most %g, and the spin %g",
-                  body.index1, (double)state->velocity.x, (double)state->velocity.y, most,
+                  body.index1, (double)state->velocity.x, (double)state->velocity.y, max,
                   (double)state->angular_velocity);
     }
 }
 
+/* Reads and notes a joint, unless its handle is stale. */
 static void check_joint(fuzz_session *s, thud_joint_id joint) {
     thud_joint_state state;
-    if (thud_joint_get(s->world, joint, &state) != THUD_OK) {
+    if (thud_joint_get_state(s->world, joint, &state) != THUD_OK) {
         return;
     }
-    s->calls[0].text = "thud_joint_get";
+    name_call(s, "thud_joint_get_state");
     note_number(s, state.gap);
     note_number(s, state.angle_gap);
     for (int i = 0; i < THUD_DIRECTION_COUNT; i++) {
@@ -115,12 +132,13 @@ static void check_joint(fuzz_session *s, thud_joint_id joint) {
     }
 }
 
+/* Reads, notes and checks a body, unless its handle is stale. */
 static void check_body(fuzz_session *s, thud_body_id body) {
     thud_body_state state;
-    if (thud_body_get(s->world, body, &state) != THUD_OK) {
+    if (thud_body_get_state(s->world, body, &state) != THUD_OK) {
         return;
     }
-    s->calls[0].text = "thud_body_get";
+    name_call(s, "thud_body_get_state");
     note_place(s, state.position);
     note_place(s, state.center);
     note_number(s, state.angle);
@@ -140,17 +158,18 @@ static void check_body(fuzz_session *s, thud_body_id body) {
     }
 }
 
+/* Reads and notes the poses halfway between the last two steps. */
 static void check_poses(fuzz_session *s) {
     int count = -1;
     const thud_pose *poses =
-        thud_world_poses(s->world, (thud_pos){s->shift_x, s->shift_y}, 0.5, &count);
-    s->calls[0].text = "thud_world_poses";
+        thud_poses_of(s->world, (thud_pos){s->shift_x, s->shift_y}, 0.5, &count);
+    name_call(s, "thud_poses_of");
     if (!poses && count != 0) {
         fuzz_fail(s, "no poses, and %d of them", count);
     }
     for (int i = 0; i < count; i++) {
         if (isnan(poses[i].x) && isnan(poses[i].y)) {
-            continue;
+            continue; /* no body has this slot */
         }
         note_number(s, (double)poses[i].x);
         note_number(s, (double)poses[i].y);
@@ -159,25 +178,32 @@ static void check_poses(fuzz_session *s) {
     }
 }
 
-/* Upper bound of pairs for two shapes: each segment of a line that a shape overlaps makes a pair of
- * its own. Lines begin with 16 segments, and digging adds vertices. Chosen. */
-enum { SEGMENTS_MOST = 64 };
+/* Most pairs of two shapes: a shape makes a pair with each segment of a terrain line that it
+ * overlaps. The lines of a session begin with 16 segments, and edits (thud_shape_dig) add vertices;
+ * 64 is chosen, not derived. */
+enum { PAIRS_OF_TWO_SHAPES_MAX = 64 };
 
-static void check_counts(fuzz_session *s) {
-    thud_stats t = thud_world_stats(s->world);
-    bool right = t.bodies >= 0 && t.shapes >= 0 && t.awake_bodies >= 0 &&
-                 t.awake_bodies <= t.bodies && t.contacts >= 0 && t.contacts <= t.pairs &&
-                 t.pairs <= t.shapes * t.shapes * SEGMENTS_MOST && t.direct_bodies <= t.bodies &&
-                 t.held_bodies <= t.bodies && t.unbisectable <= t.bodies && t.substeps >= 1 &&
-                 t.substeps <= 64 && t.colours <= t.blocks;
-    if (!right) {
-        fuzz_fail(s, "%d bodies, %d awake, %d shapes, %d pairs, %d contacts, %d colours, %d blocks",
-                  t.bodies, t.awake_bodies, t.shapes, t.pairs, t.contacts, t.colours, t.blocks);
+/* Notes the statistics of the step, and checks that they are possible together (thud_stats says
+ * what each counts). */
+static void check_statistics(fuzz_session *s) {
+    thud_stats t = thud_stats_of(s->world);
+    bool possible = t.bodies >= 0 && t.shapes >= 0 && t.awake_bodies >= 0 &&
+                    t.awake_bodies <= t.bodies && t.contacts >= 0 && t.contacts <= t.pairs &&
+                    t.pairs <= t.shapes * t.shapes * PAIRS_OF_TWO_SHAPES_MAX &&
+                    t.direct_bodies <= t.bodies && t.held_bodies <= t.bodies &&
+                    t.unbisectable <= t.bodies && t.substeps >= 1 &&
+                    t.substeps <= THUD_SUBSTEPS_MAX && t.colours <= t.blocks;
+    if (!possible) {
+        fuzz_fail(s,
+                  "%d bodies, %d awake, %d direct, %d held, %d unbisectable, %d shapes, %d pairs, "
+                  "%d contacts, %d substeps, %d colours, %d blocks",
+                  t.bodies, t.awake_bodies, t.direct_bodies, t.held_bodies, t.unbisectable,
+                  t.shapes, t.pairs, t.contacts, t.substeps, t.colours, t.blocks);
     }
-    const int counts[] = {t.bodies,        t.shapes,       t.awake_bodies, t.contacts,
-                          t.colours,       t.blocks,       t.substeps,     t.direct_islands,
-                          t.direct_bodies, t.soft_islands, t.factorings,   t.impacts,
-                          t.held_bodies,   t.unbisectable, t.motion_pairs};
+    const int counts[] = {t.bodies,         t.shapes,        t.awake_bodies, t.pairs,
+                          t.contacts,       t.colours,       t.blocks,       t.substeps,
+                          t.direct_islands, t.direct_bodies, t.soft_islands, t.factorings,
+                          t.impacts,        t.held_bodies,   t.unbisectable, t.motion_pairs};
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
         note_bits(s, (uint64_t)counts[i]);
     }
@@ -185,22 +211,24 @@ static void check_counts(fuzz_session *s) {
     note_bits(s, (uint64_t)t.island_work);
 }
 
-static void check_figures(fuzz_session *s) {
-    thud_step_error e = thud_world_error(s->world);
-    s->calls[0].text = "thud_world_error";
+/* Notes the errors of the step, the measures of the world and its hash. */
+static void check_errors_and_measures(fuzz_session *s) {
+    thud_step_error e = thud_step_error_of(s->world);
+    name_call(s, "thud_step_error_of");
     note_number(s, e.penetration_max);
     note_number(s, e.penetration_mean);
     note_number(s, e.residual);
     note_number(s, e.energy_change);
     note_bits(s, (uint64_t)e.overlaps);
-    thud_measure m = thud_world_measure(s->world);
-    s->calls[0].text = "thud_world_measure";
+    thud_measure m = thud_measure_of(s->world);
+    name_call(s, "thud_measure_of");
     note_number(s, m.penetration_max);
     note_number(s, m.penetration_mean);
     note_number(s, m.kinetic_energy);
+    /* It depends on the distance from the origin; note_place leaves it out for a shifted twin. */
     note_place(s, (thud_pos){m.potential_energy, 0});
     if (s->twin != TWIN_SHIFT) {
-        note_bits(s, thud_world_hash(s->world));
+        note_bits(s, thud_hash_of(s->world));
     }
 }
 
@@ -213,8 +241,8 @@ void oracle_step(fuzz_session *s) {
         check_joint(s, s->now.joints[i]);
     }
     check_poses(s);
-    check_counts(s);
-    check_figures(s);
+    check_statistics(s);
+    check_errors_and_measures(s);
     s->destroyed_inside = 0;
 }
 
@@ -229,9 +257,9 @@ void oracle_end(fuzz_session *s) {
         fuzz_fail(s, "the last step: %s", thud_result_text(s->result));
     }
     oracle_step(s);
-    thud_stats stats = thud_world_stats(s->world);
+    thud_stats stats = thud_stats_of(s->world);
     if (s->now.touches.count || s->now.sensed.count || stats.bodies || stats.pairs) {
-        fuzz_fail(s, "%d contacts and %d sensings have no end, %d bodies and %d pairs are left",
+        fuzz_fail(s, "%d contacts and %d sensings have not ended, %d bodies and %d pairs are left",
                   s->now.touches.count, s->now.sensed.count, stats.bodies, stats.pairs);
     }
 }

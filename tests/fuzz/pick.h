@@ -113,15 +113,15 @@ static inline thud_shape_id pick_shape(fuzz_session *s) {
 
 /* ---- shapes and lines without a world ---- */
 
-/* A shape that is valid in most cases; at the origin if `centred`, for a caller that places it. */
-static inline thud_shape_instance pick_instance(fuzz_session *s, bool centred) {
+/* A shape for the two functions below. */
+static inline thud_geometry pick_geometry_with(fuzz_session *s, bool centred) {
     unsigned kind = next_byte(&s->bytes);
-    thud_shape_instance shape = {.kind = (thud_shape_kind)(kind % 3), .c = 1};
+    thud_geometry shape = {.kind = (thud_shape_kind)(kind % 3), .c = 1};
     shape.x = centred ? 0 : pick_coordinate(s);
     shape.y = centred ? 0 : pick_coordinate(s);
     shape.hx = (double)pick_size(s);
-    shape.hy = shape.kind == THUD_CIRCLE ? 0 : (double)pick_size(s);
-    if (shape.kind == THUD_OBB) {
+    shape.hy = shape.kind == THUD_SHAPE_CIRCLE ? 0 : (double)pick_size(s);
+    if (shape.kind == THUD_SHAPE_OBB) {
         double angle = pick_angle(s);
         if (thud_sincos(angle, &shape.s, &shape.c) != THUD_OK) {
             shape.c = angle;
@@ -131,6 +131,16 @@ static inline thud_shape_instance pick_instance(fuzz_session *s, bool centred) {
         shape.kind = (thud_shape_kind)(kind - 248);
     }
     return shape;
+}
+
+/* A shape anywhere, valid in most cases. */
+static inline thud_geometry pick_geometry(fuzz_session *s) {
+    return pick_geometry_with(s, false);
+}
+
+/* A shape with its centre at the origin, valid in most cases, for a caller that places it. */
+static inline thud_geometry pick_centred_geometry(fuzz_session *s) {
+    return pick_geometry_with(s, true);
 }
 
 enum { PICK_POINTS = 12 };

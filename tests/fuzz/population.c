@@ -41,14 +41,14 @@ static void add_ground(fuzz_session *s, thud_terrain_kind kind) {
                          .points = points,
                          .count = 17};
     thud_shape_id shape = {0, 0};
-    thud_body_id body = add_body(s, THUD_STATIC, 0, 0);
+    thud_body_id body = add_body(s, THUD_BODY_STATIC, 0, 0);
     TRY(s, thud_shape_create_terrain(s->world, body, &def, &line, &shape));
     s->now.shapes[s->now.next_shape++ % SESSION_SHAPES] = shape;
 }
 
 static void add_heap(fuzz_session *s, int count) {
     for (int i = 0; i < count; i++) {
-        thud_body_id body = add_body(s, THUD_DYNAMIC, 0.25 * (i % 3), 1 + i);
+        thud_body_id body = add_body(s, THUD_BODY_DYNAMIC, 0.25 * (i % 3), 1 + i);
         add_shape(s, body, 0.5, i % 3 == 2 ? 0 : 0.5, false);
     }
 }
@@ -61,14 +61,14 @@ void session_populate(fuzz_session *s, int kind) {
     if (kind % 8 < 4) {
         add_ground(s, (thud_terrain_kind)(kind % 8 - 1));
     } else {
-        add_shape(s, add_body(s, THUD_STATIC, 0, -1), 16, 1, false);
+        add_shape(s, add_body(s, THUD_BODY_STATIC, 0, -1), 16, 1, false);
     }
     add_heap(s, kind % 8 == 7 ? 12 : kind % 8);
     if (kind & 8) {
-        add_shape(s, add_body(s, THUD_STATIC, 0, 2), 2, 1, true);
+        add_shape(s, add_body(s, THUD_BODY_STATIC, 0, 2), 2, 1, true);
     }
     if (kind & 16) {
-        thud_body_id lift = add_body(s, THUD_KINEMATIC, -3, 0.5);
+        thud_body_id lift = add_body(s, THUD_BODY_KINEMATIC, -3, 0.5);
         add_shape(s, lift, 1, 0.25, false);
         TRY(s, thud_body_set_velocity(s->world, lift, (thud_vec2){(float)s->unit, 0}, 0.5f));
         if (s->twin !=

@@ -4,6 +4,8 @@
 #include "pick.h"
 #include "pool.h"
 
+#include <thud/thud_testing.h>
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -82,7 +84,7 @@ static thud_job_system job_system(unsigned byte) {
 static void take_settings(fuzz_session *s) {
     fuzz_bytes *b = &s->bytes;
     unsigned choices = next_byte(b), scales = next_byte(b), flags = next_byte(b);
-    thud_world_def def = thud_world_def_of(pick_quality(s, choices));
+    thud_world_def def = thud_default_world_def_of(pick_quality(s, choices));
     def.detection = pick_detection(s, choices / 4);
     def.sleeping = flags & 1;
     def.contact_events = (flags & 6) != 6;
@@ -120,7 +122,7 @@ static void take_twin(fuzz_session *s, unsigned byte) {
                                                          &thud_broadphase_all};
     bool other = s->second;
     s->def.broadphase = broadphases[(byte + (other && s->twin == TWIN_BROADPHASE)) % 3];
-    s->def.baseline_simd = other && s->twin == TWIN_BASELINE;
+    thud_world_def_set_baseline_simd(&s->def, other && s->twin == TWIN_BASELINE);
     if (other && s->twin == TWIN_SHIFT) {
         double unit = s->unit;
         s->shift_x = byte & 4 ? 1e7 * unit : -65536 * unit;
@@ -172,7 +174,7 @@ void session_open(fuzz_session *s, const uint8_t *data, size_t size, bool second
     take_twin(s, twin);
     take_hooks(s);
     s->now.mover = thud_default_mover(
-        (thud_shape_instance){.kind = THUD_CIRCLE, .y = 2 * s->unit, .c = 1, .hx = 0.4 * s->unit});
+        (thud_geometry){.kind = THUD_SHAPE_CIRCLE, .y = 2 * s->unit, .c = 1, .hx = 0.4 * s->unit});
     s->now.mover.shape.x += s->shift_x;
     s->now.mover.shape.y += s->shift_y;
     make_world(s, &s->world);
@@ -182,14 +184,14 @@ void session_open(fuzz_session *s, const uint8_t *data, size_t size, bool second
 }
 
 bool session_over(const fuzz_session *s) {
-    return s->bytes.at == s->bytes.end || s->operations == SESSION_MOST;
+    return s->bytes.at == s->bytes.end || s->operations == SESSION_OPERATIONS_MAX;
 }
 
 void session_replace_world(fuzz_session *s) {
     size_t bytes = 0;
     thud_world *next = NULL;
     s->operation = "going on in another world";
-    TRY(s, thud_world_snapshot_size(s->world, &bytes));
+    TRY(s, thud_world_get_snapshot_size(s->world, &bytes));
     char *snapshot = malloc(bytes);
     TRY(s, thud_world_snapshot(s->world, snapshot, bytes, NULL));
     make_world(s, &next);
@@ -197,7 +199,7 @@ void session_replace_world(fuzz_session *s) {
     if (result != THUD_OK) {
         fuzz_fail(s, "a snapshot is refused: %s", thud_result_text(result));
     }
-    if (thud_world_hash(next) != thud_world_hash(s->world)) {
+    if (thud_hash_of(next) != thud_hash_of(s->world)) {
         fuzz_fail(s, "a world has another hash than the one that it was restored from");
     }
     COUNTED(thud_world_destroy(s->world));
@@ -211,10 +213,10 @@ void session_question(fuzz_session *s) {
     bool met;
     size_t bytes = 0;
     s->operation = "a question";
-    thud_world_cast_ray(s->world, middle, 8 * s->unit, -2 * s->unit, NULL, &met, &hit);
-    thud_world_measure(s->world);
-    thud_world_error(s->world);
-    if (thud_world_snapshot_size(s->world, &bytes) == THUD_OK) {
+    thud_world_cast_ray(s->world, &(thud_ray){middle, 8 * s->unit, -2 * s->unit, NULL}, &met, &hit);
+    thud_measure_of(s->world);
+    thud_step_error_of(s->world);
+    if (thud_world_get_snapshot_size(s->world, &bytes) == THUD_OK) {
         char *snapshot = malloc(bytes);
         thud_world_snapshot(s->world, snapshot, bytes, NULL);
         free(snapshot);
@@ -231,7 +233,7 @@ void session_close(fuzz_session *s) {
     thud_world_destroy(s->world);
     thud_world_destroy(s->other);
     free(s->snapshot);
-    free(s->image);
+    free(s->call_snapshots);
     if (s->memory_held != 0) {
         fuzz_fail(s, "%ld blocks of memory were not given back", s->memory_held);
     }

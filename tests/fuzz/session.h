@@ -31,21 +31,23 @@ typedef enum twin_kind {
 } twin_kind;
 
 enum {
-    SESSION_BODIES = 48,
+    SESSION_BODIES = 48, /* handles that operations choose from; the oldest ones are replaced */
     SESSION_SHAPES = 64,
     SESSION_JOINTS = 24,
-    SESSION_GONE = 16,
-    SESSION_SHAPES_MOST = 64, /* shapes in the world at a time */
-    SESSION_OPEN = 4096,      /* open pairs; all of them may end and begin again in a step */
-    SESSION_MOST = 512,       /* operations of an input */
-    SESSION_SCRIPT = 24,      /* bytes that decide what callbacks do */
-    SESSION_DEPTH = 2,
-    SESSION_KINDS = 4 /* categories of shapes, by the lowest bit set in their filter */
+    SESSION_GONE = 16,             /* stale handles that are kept */
+    SESSION_WORLD_SHAPES_MAX = 64, /* shapes in the world at a time */
+    /* Pairs of a ledger. 64 shapes make 2,016 pairs, all of which may end and begin again within a
+     * step, so that 4,032 may be entered. */
+    SESSION_OPEN_PAIRS_MAX = 4096,
+    SESSION_OPERATIONS_MAX = 512, /* operations of an input */
+    SESSION_SCRIPT = 24,          /* bytes that decide what callbacks do */
+    SESSION_DEPTH = 2,            /* calls in progress: outside of callbacks, and inside of one */
+    SESSION_KINDS = 4             /* categories of shapes, by the lowest bit set in their filter */
 };
 
 /* Pairs that have begun and not ended. */
 typedef struct pair_ledger {
-    thud_contact_event open[SESSION_OPEN];
+    thud_contact_event open[SESSION_OPEN_PAIRS_MAX];
     int count;
 } pair_ledger;
 
@@ -67,9 +69,10 @@ typedef struct session_call {
     uint64_t hash;
     thud_stats stats;
     int told;
-    bool again;   /* it has run out of memory once */
-    long outer;   /* memory_allowed of the call around it */
-    size_t image; /* bytes of the snapshot before the call, in the image; 0 if none was taken */
+    bool again;            /* it has run out of memory once */
+    long outer;            /* memory_allowed of the call around it */
+    size_t snapshot_bytes; /* of the snapshot before the call, in call_snapshots; 0 if none was
+                              taken */
 } session_call;
 
 typedef struct fuzz_session {
@@ -86,10 +89,11 @@ typedef struct fuzz_session {
     unsigned gone;
     char *snapshot; /* the snapshot to restore; `kept` is the state at its time */
     size_t snapshot_bytes;
-    char *image; /* a snapshot before a call in its first half, one after it in the second */
-    size_t image_room;
+    char *call_snapshots; /* first half: a snapshot before a call; second half: one after it, which
+                             must be the same where the call is refused */
+    size_t call_snapshots_room; /* bytes */
     double unit, shift_x, shift_y;
-    thud_body_seen seen[SESSION_BODIES]; /* of thud_world_moved_bodies */
+    thud_body_seen seen[SESSION_BODIES]; /* of thud_world_get_moved_bodies */
 
     fuzz_bytes bytes;
     uint8_t script[SESSION_SCRIPT];
@@ -108,7 +112,8 @@ typedef struct fuzz_session {
     unsigned memory_round;
     double clock;
 
-    uint64_t digest, trace[SESSION_MOST + 1]; /* the digest now, and after each operation */
+    uint64_t digest;                            /* see calls.h */
+    uint64_t trace[SESSION_OPERATIONS_MAX + 1]; /* the digest after each operation */
     int operations;
     const char *operation;
 } fuzz_session;
@@ -127,7 +132,7 @@ void session_open(fuzz_session *s, const uint8_t *data, size_t size, bool second
 /* Destroys everything, and checks that every begin event had its end and all memory was released.
  */
 void session_close(fuzz_session *s);
-/* Whether the bytes are used up, or SESSION_MOST operations were played. */
+/* Whether the bytes are used up, or SESSION_OPERATIONS_MAX operations were played. */
 bool session_over(const fuzz_session *s);
 /* Goes on in a new world, restored from a snapshot of the present one. */
 void session_replace_world(fuzz_session *s);

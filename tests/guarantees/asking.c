@@ -12,7 +12,7 @@ typedef struct crowd {
     thud_world *world;
     thud_body_id body[FOUND];
     thud_shape_id shape[FOUND];
-    thud_shape_instance placed[FOUND];
+    thud_geometry placed[FOUND];
     thud_filter filter[FOUND];
     bool sensor[FOUND];
 } crowd;
@@ -90,19 +90,20 @@ static void rays_hit_the_nearest(trial *t) {
         stir(t, &c);
         for (int i = 0; i < FOUND; i++) {
             if (asked_for(&c, &f, i) &&
-                thud_shape_cast_ray(&c.placed[i], x, y, dx, dy, &at, &nx, &ny)) {
+                thud_geometry_cast_ray(&c.placed[i], (thud_segment){x, y, dx, dy}, &at, &nx, &ny)) {
                 expected++;
                 nearest = fmin(nearest, at);
             }
         }
         thud_pos from = {x * t->scale, y * t->scale};
-        DO(t, thud_world_cast_ray(c.world, from, dx * t->scale, dy * t->scale, &f, &any, hit));
+        DO(t, thud_world_cast_ray(c.world, &(thud_ray){from, dx * t->scale, dy * t->scale, &f},
+                                  &any, hit));
         if (any != (nearest < 2) || (any && fabs(hit[0].fraction - nearest) > 1e-4)) {
             trial_fault(t, "ray %d: found %d at %g, not %g", k, any, any ? hit[0].fraction : -1,
                         nearest);
         }
-        DO(t, thud_world_cast_ray_all(c.world, from, dx * t->scale, dy * t->scale, &f, hit, FOUND,
-                                      &count));
+        DO(t, thud_world_cast_ray_all(c.world, &(thud_ray){from, dx * t->scale, dy * t->scale, &f},
+                                      hit, FOUND, &count));
         for (int i = 0; i < count && i < FOUND; i++) {
             if (!asked_for(&c, &f, number_of(&c, hit[i].shape)) ||
                 (i && hit[i].fraction < hit[i - 1].fraction)) {
@@ -139,17 +140,20 @@ static void casts_hit_by_hit_tell_what_all_do(trial *t) {
         thud_query_filter f = draw_query(t);
         thud_pos from = {trial_draw(t, -5, 5) * t->scale, trial_draw(t, -5, 5) * t->scale};
         double dx = trial_draw(t, -9, 9) * t->scale, dy = trial_draw(t, -9, 9) * t->scale;
-        thud_shape_instance ball = {.kind = THUD_CIRCLE, .c = 1, .hx = 0.3 * t->scale};
+        thud_geometry ball = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = 0.3 * t->scale};
         thud_ray_hit all[FOUND];
         hearing h = {.last = k % 3 ? FOUND : k % 4};
         int count = 0;
         stir(t, &c);
         if (k % 2) {
-            DO(t, thud_world_cast_ray_all(c.world, from, dx, dy, &f, all, FOUND, &count));
-            DO(t, thud_world_cast_ray_each(c.world, from, dx, dy, &f, hear, &h));
+            DO(t,
+               thud_world_cast_ray_all(c.world, &(thud_ray){from, dx, dy, &f}, all, FOUND, &count));
+            DO(t, thud_world_cast_ray_each(c.world, &(thud_ray){from, dx, dy, &f}, hear, &h));
         } else {
-            DO(t, thud_world_cast_shape_all(c.world, from, &ball, dx, dy, &f, all, FOUND, &count));
-            DO(t, thud_world_cast_shape_each(c.world, from, &ball, dx, dy, &f, hear, &h));
+            DO(t, thud_world_cast_shape_all(c.world, &(thud_shape_cast){from, ball, dx, dy, &f},
+                                            all, FOUND, &count));
+            DO(t, thud_world_cast_shape_each(c.world, &(thud_shape_cast){from, ball, dx, dy, &f},
+                                             hear, &h));
         }
         int expected = count <= h.last ? count : h.last + 1;
         if (h.count != expected) {
@@ -188,19 +192,21 @@ static void overlaps_find_all(trial *t) {
         thud_query_filter f = draw_query(t);
         list l = {.c = &c};
         double angle = trial_draw(t, -1, 1);
-        thud_shape_instance box = {.kind = THUD_OBB,
-                                   .x = trial_draw(t, -4, 4),
-                                   .y = trial_draw(t, -4, 4),
-                                   .c = cos(angle),
-                                   .s = sin(angle),
-                                   .hx = trial_draw(t, 0.1, 3),
-                                   .hy = trial_draw(t, 0.1, 3)};
+        thud_geometry box = {.kind = THUD_SHAPE_OBB,
+                             .x = trial_draw(t, -4, 4),
+                             .y = trial_draw(t, -4, 4),
+                             .c = cos(angle),
+                             .s = sin(angle),
+                             .hx = trial_draw(t, 0.1, 3),
+                             .hy = trial_draw(t, 0.1, 3)};
         stir(t, &c);
-        DO(t, thud_world_overlap_obb(c.world, (thud_pos){box.x * t->scale, box.y * t->scale},
-                                     box.hx * t->scale, box.hy * t->scale, angle, &f, note, &l));
+        DO(t,
+           thud_world_overlap_shape(c.world, (thud_pos){box.x * t->scale, box.y * t->scale},
+                                    thud_obb_at(0, 0, box.hx * t->scale, box.hy * t->scale, angle),
+                                    &f, note, &l));
         for (int i = 0; i < FOUND && !trial_failed(t); i++) {
             thud_closest near = {.distance = 1};
-            DO(t, thud_shapes_closest(&box, &c.placed[i], &near));
+            DO(t, thud_geometry_closest(&box, &c.placed[i], &near));
             bool wanted = near.distance <= 0 && asked_for(&c, &f, i);
             if (l.found[i] != wanted && (fabs(near.distance) > 1e-5 || l.found[i])) {
                 trial_fault(t, "box %d: shape %d, %g away, %s", k, i, near.distance,
@@ -220,18 +226,18 @@ static void closest_is_the_closest(trial *t) {
     }
     for (int k = 0; k < 12 && !trial_failed(t); k++) {
         thud_query_filter f = draw_query(t);
-        thud_shape_instance point = {.kind = THUD_CIRCLE,
-                                     .x = trial_draw(t, -5, 5),
-                                     .y = trial_draw(t, -5, 5),
-                                     .c = 1,
-                                     .hx = 1e-6};
+        thud_geometry point = {.kind = THUD_SHAPE_CIRCLE,
+                               .x = trial_draw(t, -5, 5),
+                               .y = trial_draw(t, -5, 5),
+                               .c = 1,
+                               .hx = 1e-6};
         double nearest = 1.5;
         bool found = false;
         thud_closest_hit hit = {.distance = 9};
         stir(t, &c);
         for (int i = 0; i < FOUND; i++) {
             thud_closest near = {.distance = 9};
-            DO(t, thud_shapes_closest(&c.placed[i], &point, &near));
+            DO(t, thud_geometry_closest(&c.placed[i], &point, &near));
             nearest = asked_for(&c, &f, i) ? fmin(nearest, near.distance) : nearest;
         }
         DO(t, thud_world_closest(c.world, (thud_pos){point.x * t->scale, point.y * t->scale},
@@ -256,16 +262,20 @@ static void casts_stop_at_the_first(trial *t) {
         thud_ray_hit out = {.fraction = 2};
         bool hit = false, meets;
         stir(t, &c);
-        thud_shape_instance ball = {.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1, .hx = r};
+        thud_geometry ball = {.kind = THUD_SHAPE_CIRCLE, .x = x, .y = y, .c = 1, .hx = r};
         for (int i = 0; i < FOUND; i++) {
             thud_motion still = {0}, way = {dx, dy, 0};
             if (asked_for(&c, &f, i)) {
-                DO(t, thud_shapes_time_of_impact(&ball, way, &c.placed[i], still, 0, &meets, &at));
+                DO(t,
+                   thud_geometry_time_of_impact(&ball, way, &c.placed[i], still, 0, &meets, &at));
                 first = meets ? fmin(first, at) : first;
             }
         }
-        DO(t, thud_world_cast_circle(c.world, (thud_pos){x * t->scale, y * t->scale}, r * t->scale,
-                                     dx * t->scale, dy * t->scale, &f, &hit, &out));
+        DO(t, thud_world_cast_shape(c.world,
+                                    &(thud_shape_cast){(thud_pos){x * t->scale, y * t->scale},
+                                                       thud_circle_at(0, 0, r * t->scale),
+                                                       dx * t->scale, dy * t->scale, &f},
+                                    &hit, &out));
         if (hit != (first < 2) || (hit && fabs(out.fraction - first) > 1e-3)) {
             trial_fault(t, "cast %d: %d at %g, not %g", k, hit, out.fraction, first);
         }
@@ -284,12 +294,12 @@ static void movers_enter_nothing(trial *t) {
     trial_add(t, world, (part){.form = TURNED, .x = 3, .angle = 0.4, .hx = 1, .hy = 0.3});
     trial_wall(t, world, 0.5, 0, 0.4, 0.15);
     thud_pos start = trial_place(t, -3, 1);
-    thud_shape_instance shape = {.kind = trial_pick(t, 2) ? THUD_CIRCLE : THUD_AABB,
-                                 .x = start.x,
-                                 .y = start.y,
-                                 .c = 1,
-                                 .hx = 0.4 * t->scale};
-    shape.hy = shape.kind == THUD_CIRCLE ? 0 : shape.hx;
+    thud_geometry shape = {.kind = trial_pick(t, 2) ? THUD_SHAPE_CIRCLE : THUD_SHAPE_AABB,
+                           .x = start.x,
+                           .y = start.y,
+                           .c = 1,
+                           .hx = 0.4 * t->scale};
+    shape.hy = shape.kind == THUD_SHAPE_CIRCLE ? 0 : shape.hx;
     thud_mover mover = thud_default_mover(shape);
     for (int k = 0; k < trial_steps(t, 2.5) && !trial_failed(t); k++) {
         thud_closest_hit near = {.distance = 9};
@@ -309,11 +319,11 @@ static void movers_enter_nothing(trial *t) {
 }
 
 const guarantee guarantees_of_asking[] = {
-    {"casts_hit_by_hit_tell_what_all_do", casts_hit_by_hit_tell_what_all_do, {{0}}},
-    {"casts_stop_at_the_first", casts_stop_at_the_first, {{0}}},
-    {"closest_is_the_closest", closest_is_the_closest, {{0}}},
-    {"movers_enter_nothing", movers_enter_nothing, {{0}}},
-    {"overlaps_find_all", overlaps_find_all, {{0}}},
-    {"rays_hit_the_nearest", rays_hit_the_nearest, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(casts_hit_by_hit_tell_what_all_do),
+    GUARANTEE(casts_stop_at_the_first),
+    GUARANTEE(closest_is_the_closest),
+    GUARANTEE(movers_enter_nothing),
+    GUARANTEE(overlaps_find_all),
+    GUARANTEE(rays_hit_the_nearest),
+    {.name = NULL},
 };

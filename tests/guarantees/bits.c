@@ -1,21 +1,24 @@
-/* bits.c: guarantees of determinism: two worlds that differ only in a setting that must not matter
- * (broadphase, instruction set, workers, a shift, a restore, queries in between) end with the same
- * bits, and report the same events, errors and statistics for each step. */
+/* bits.c: guarantees of determinism: two worlds that differ only in what must not matter
+ * (broadphase, instruction set, workers, a shift, a restore, queries in between, the caller's
+ * rounding mode, the frame rate) have the same bits after each step. Most compare yard_told
+ * (yard.h), which also covers the events, the errors (thud_step_error) and the statistics of the
+ * step. */
 #include "guarantee.h"
 #include "yard.h"
 
-#include <fenv.h>
 #include <fenv.h>
 #include <thud/thud_casts.h>
 #include <thud/thud_draw.h>
 #include <thud/thud_joint.h>
 #include <thud/thud_queries.h>
 #include <thud/thud_snapshot.h>
+#include <thud/thud_testing.h>
 
-enum { STEPS = 40 };
+enum { STEPS = 40 }; /* of each run. Chosen. */
 
-/* Runs the trial's yard (yard.h) beside a second one that has another def, or that stands `away`
- * units from the origin; reports the first step after which yard_told differs. */
+/* Runs the trial's yard beside a second one that has another def, or that is shifted by `away`
+ * internal length units (trial_unit) to the right and upwards; reports the first step after which
+ * the digests of what the worlds report (yard_told) differ. */
 static void compare(trial *t, thud_world_def def, double away) {
     yard one, other;
     yard_make(&one, t, trial_def(t), 0);
@@ -29,22 +32,26 @@ static void compare(trial *t, thud_world_def def, double away) {
     }
 }
 
+/* Compares the trial's broadphase with each of the others. */
 static void same_bits_any_broadphase(trial *t) {
-    static const thud_broadphase *const all[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
-                                                 &thud_broadphase_all};
-    for (int i = 1; i < 3; i++) {
+    int count = dimensions[BROADPHASE].count;
+    for (int i = 1; i < count; i++) {
+        settings other = *t->set;
+        other.value[BROADPHASE] = (other.value[BROADPHASE] + i) % count;
         thud_world_def def = trial_def(t);
-        def.broadphase = all[(t->set->value[BROADPHASE] + i) % 3];
+        def.broadphase = settings_broadphase(&other);
         compare(t, def, 0);
     }
 }
 
 static void same_bits_baseline_simd(trial *t) {
     thud_world_def def = trial_def(t);
-    def.baseline_simd = true;
+    thud_world_def_set_baseline_simd(&def, true);
     compare(t, def, 0);
 }
 
+/* 10^7 units is the largest shift that is promised (docs/features.md). The second shift goes the
+ * other way, by an odd number of units. */
 static void same_bits_far_away(trial *t) {
     compare(t, trial_def(t), 1e7);
     compare(t, trial_def(t), -9999999);
@@ -54,12 +61,15 @@ static void same_bits_twice(trial *t) {
     compare(t, trial_def(t), 0);
 }
 
-/* ---- workers: a step uses worker threads from 64 blocks of contacts on ---- */
+/* ---- workers ---- */
 
+/* Columns of two boxes. A step runs on several workers from 64 blocks of constraints on
+ * (SHARED_BLOCKS_MIN in jobs.c). A block holds up to eight contacts, and the two contacts of each
+ * column make at least 75. */
 enum { COLUMNS = 300 };
 
-/* A world of COLUMNS pairs of stacked boxes on a floor, which makes enough blocks of contacts. The
- * trial's source of random numbers is reset, so that each call makes the same scene. */
+/* A world of COLUMNS pairs of stacked boxes on a floor. The trial's source of random numbers is
+ * reset, so that each call makes the same scene. */
 static thud_world *make_field(trial *t, int workers) {
     source start = t->random;
     thud_world_def def = trial_def(t);
@@ -70,14 +80,14 @@ static thud_world *make_field(trial *t, int workers) {
         for (int i = 0; i < COLUMNS; i++) {
             double x = i * 1.5 - 225.0;
             trial_add(t, world,
-                      (part){.kind = THUD_DYNAMIC,
+                      (part){.kind = THUD_BODY_DYNAMIC,
                              .form = TURNED,
                              .x = x,
                              .y = 0.3,
                              .hx = 0.5,
                              .hy = 0.3});
             trial_add(t, world,
-                      (part){.kind = THUD_DYNAMIC,
+                      (part){.kind = THUD_BODY_DYNAMIC,
                              .form = TURNED,
                              .x = x,
                              .y = 0.91,
@@ -91,60 +101,62 @@ static thud_world *make_field(trial *t, int workers) {
     return world;
 }
 
+/* One worker beside two, the numbers that trials have. The worlds are no yards: a step of a yard
+ * has too few blocks to be shared. */
 static void same_bits_any_workers(trial *t) {
     long before = trial_shared_runs();
     thud_world *one = make_field(t, 1), *two = make_field(t, 2);
-    for (int i = 1; i <= 10 && !trial_failed(t); i++) {
+    for (int i = 1; i <= STEPS / 4 && !trial_failed(t); i++) {
         trial_run(t, one, 1);
         trial_run(t, two, 1);
-        thud_step_error a = thud_world_error(one), b = thud_world_error(two);
-        if (thud_world_hash(one) != thud_world_hash(two) ||
-            a.penetration_max != b.penetration_max || a.penetration_mean != b.penetration_mean ||
-            a.residual != b.residual || a.energy_change != b.energy_change ||
-            a.overlaps != b.overlaps) {
+        thud_step_error a = thud_step_error_of(one), b = thud_step_error_of(two);
+        if (thud_hash_of(one) != thud_hash_of(two) || a.penetration_max != b.penetration_max ||
+            a.penetration_mean != b.penetration_mean || a.residual != b.residual ||
+            a.energy_change != b.energy_change || a.overlaps != b.overlaps) {
             trial_fault(t, "step %d differs", i);
         }
     }
     if (trial_shared_runs() == before) {
-        trial_fault(t, "no step was shared");
+        trial_fault(t, "no step ran on two workers");
     }
 }
 
 /* ---- snapshots ---- */
 
 /* Runs STEPS steps, and stores yard_told after each. */
-static void walk(yard *y, uint64_t told[STEPS]) {
+static void run_and_record(yard *y, uint64_t told[STEPS]) {
     for (int i = 0; i < STEPS && !trial_failed(y->t); i++) {
         yard_step(y);
         told[i] = yard_told(y);
     }
 }
 
-/* Restores the snapshot in the world itself, and in a second one with baseline SIMD and another
- * number of workers. */
+/* Runs on from a snapshot three times: at first, after a restore in the world itself, and after one
+ * in a second world, which has baseline SIMD and another number of workers. */
 static void same_bits_after_restore(trial *t) {
-    yard y, kept;
+    yard y, at_snapshot;
     uint64_t first[STEPS] = {0}, again[STEPS] = {0};
     thud_world_def def = trial_def(t);
     yard_make(&y, t, def, 0);
     for (int i = 0; i < STEPS / 2; i++) {
         yard_step(&y);
     }
-    def.baseline_simd = true;
-    def.job_system = trial_jobs(3 - settings_workers(t->set));
+    thud_world_def_set_baseline_simd(&def, true);
+    def.job_system = trial_jobs(settings_workers(t->set) == 1 ? 2 : 1);
     thud_world *other = trial_make(t, def);
-    DO(t, thud_world_use_joints(other));
-    kept = y;
+    DO(t, thud_world_use_joints(other)); /* needed before a snapshot with joints is restored */
+    at_snapshot = y;
     trial_bytes s = trial_snapshot(t, y.world);
-    walk(&y, first);
+    run_and_record(&y, first);
     for (int i = 0; i < 2 && !trial_failed(t); i++) {
         thud_world *world = i ? other : y.world;
         DO(t, thud_world_restore(world, s.bytes, s.size));
-        y = kept;
+        y = at_snapshot;
         y.world = world;
-        walk(&y, again);
+        run_and_record(&y, again);
         if (memcmp(first, again, sizeof first) != 0) {
-            trial_fault(t, "%s goes another way", i ? "another world" : "the same world");
+            trial_fault(t, "steps differ after a restore in %s",
+                        i ? "another world" : "the same world");
         }
     }
     free(s.bytes);
@@ -152,10 +164,14 @@ static void same_bits_after_restore(trial *t) {
 
 /* ---- rounding modes, queries and thud_world_advance ---- */
 
+/* The caller's rounding mode changes from step to step. */
 static void same_bits_any_rounding_mode(trial *t) {
     static const int modes[] = {
 #ifdef FE_UPWARD
         FE_UPWARD,
+#endif
+#ifdef FE_DOWNWARD
+        FE_DOWNWARD,
 #endif
 #ifdef FE_TOWARDZERO
         FE_TOWARDZERO,
@@ -178,39 +194,40 @@ static void same_bits_any_rounding_mode(trial *t) {
     }
 }
 
-/* A query callback that continues. */
-static bool see(thud_shape_id shape, void *context) {
+/* A query callback that continues with the next shape. */
+static bool visit_shape(thud_shape_id shape, void *context) {
     (void)shape;
     (void)context;
     return true;
 }
 
-static void draw_nothing(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context) {
+static void draw_nothing(thud_vec2 a, thud_vec2 b, thud_style style, void *context) {
     (void)a;
     (void)b;
     (void)style;
     (void)context;
 }
 
-/* Reads everything that the API offers about each body. */
-static void ask_of_bodies(yard *y) {
+/* Reads the contacts, the volume and the shape of each body, and the point of the shape that is
+ * closest to the middle of the yard. */
+static void read_bodies(yard *y) {
     trial *t = y->t;
     for (int i = 0; i < YARD_BODIES; i++) {
         thud_manifold contacts[4];
-        thud_shape_id shape;
+        thud_shape_id shape = {0, 0};
         thud_volume volume;
         thud_closest_hit hit;
         int count = 0;
-        DO(t, thud_body_contacts(y->world, y->body[i], contacts, 4, &count));
-        DO(t, thud_body_volume(y->world, y->body[i], THUD_AABB, yard_origin(y), &volume));
-        DO(t, thud_body_shapes(y->world, y->body[i], &shape, 1, &count));
+        DO(t, thud_body_get_contacts(y->world, y->body[i], contacts, 4, &count));
+        DO(t, thud_body_get_volume(y->world, y->body[i], THUD_SHAPE_AABB, yard_origin(y), &volume));
+        DO(t, thud_body_get_shapes(y->world, y->body[i], &shape, 1, &count));
         DO(t, thud_shape_closest_point(y->world, shape, trial_place(t, 0, 2), &hit));
     }
 }
 
-/* Calls all queries, reports, drawing and snapshots; what the world reports of the last step must
- * stay the same. */
-static void ask_much(yard *y) {
+/* Calls read-only functions of each group: queries, poses, measures, drawing, snapshots. What the
+ * world reports of the last step must stay the same. */
+static void read_world(yard *y) {
     trial *t = y->t;
     double limit;
     thud_ray_hit hits[4];
@@ -219,34 +236,36 @@ static void ask_much(yard *y) {
     uint64_t told = yard_told(y);
     draw.lower = trial_place(t, -8, -2);
     draw.upper = trial_place(t, 8, 12);
-    DO(t, thud_world_cast_ray_all(y->world, trial_place(t, -4, 2), 8 * t->scale, 0, NULL, hits, 4,
-                                  &count));
-    DO(t, thud_world_overlap_circle(y->world, trial_place(t, 0, 2), 2 * t->scale, NULL, see, NULL));
-    DO(t, thud_world_bisection_limit(y->world, &limit));
+    DO(t,
+       thud_world_cast_ray_all(y->world, &(thud_ray){trial_place(t, -4, 2), 8 * t->scale, 0, NULL},
+                               hits, 4, &count));
+    DO(t, thud_world_overlap_shape(y->world, trial_place(t, 0, 2),
+                                   thud_circle_at(0, 0, 2 * t->scale), NULL, visit_shape, NULL));
+    DO(t, thud_world_get_bisection_limit(y->world, &limit));
     DO(t, thud_world_draw(y->world, &draw));
-    ask_of_bodies(y);
-    thud_world_poses(y->world, (thud_pos){0, 0}, 0.5, &count);
-    thud_world_measure(y->world);
+    read_bodies(y);
+    thud_poses_of(y->world, (thud_pos){0, 0}, 0.5, &count);
+    thud_measure_of(y->world);
     free(trial_snapshot(t, y->world).bytes);
     if (yard_told(y) != told) {
-        trial_fault(t, "what is told changes as it is asked for");
+        trial_fault(t, "reading the world changes what it reports of the last step");
     }
 }
 
-enum { EDITS = 3 };
+enum { EDITS = 3 }; /* before each step, beside those of yard_step */
 
-/* The second yard is queried after each edit and before the first step, when its joints have just
- * been made. */
+/* The second yard is read before and after each edit; the first time before any step, when its
+ * bodies, shapes and joints have just been created. */
 static void same_bits_asked_or_not(trial *t) {
     yard one, other;
     yard_make(&one, t, trial_def(t), 0);
     yard_make(&other, t, trial_def(t), 0);
     for (int i = 1; i <= STEPS && !trial_failed(t); i++) {
-        ask_much(&other);
+        read_world(&other);
         for (int k = 0; k < EDITS; k++) {
             yard_edit(&one);
             yard_edit(&other);
-            ask_much(&other);
+            read_world(&other);
         }
         yard_step(&one);
         yard_step(&other);
@@ -256,132 +275,149 @@ static void same_bits_asked_or_not(trial *t) {
     }
 }
 
-/* thud_world_advance, called at random intervals, makes the same steps as thud_world_step, and as
- * many as the time that has passed contains. */
+/* Bound of the steps that the following calls of thud_world_advance may make, which never need more
+ * than four; and tolerance of the time that they keep, in steps, for the rounding of sums. Chosen.
+ */
+enum { STEPS_PER_CALL_MAX = 8 };
+#define KEPT_TIME_TOLERANCE 1e-6
+
+/* thud_world_advance, called at random intervals of up to three steps, makes the same steps as
+ * thud_world_step, and as many as fit into the time that has passed; alpha is the rest. */
 static void same_bits_in_advance(trial *t) {
     yard one, other;
-    int made = 0, stepped = 0, steps = 0;
-    double alpha = 0, passed = 0;
+    int made = 0, stepped = 0, steps = 0; /* by `one`, by `other`, by the last call */
+    double alpha = 0, passed = 0;         /* both in steps */
     yard_make(&one, t, trial_def(t), 0);
     yard_make(&other, t, trial_def(t), 0);
     while (made < STEPS && !trial_failed(t)) {
         double elapsed = trial_draw(t, 0, 3) * t->step;
-        DO(t, thud_world_advance(one.world, elapsed, 8, &steps, &alpha));
+        DO(t, thud_world_advance(one.world, elapsed, STEPS_PER_CALL_MAX, &steps, &alpha));
         if (!(alpha >= 0 && alpha < 1)) {
             trial_fault(t, "alpha is %g", alpha);
         }
         made += steps;
         passed += elapsed / t->step;
-        if (fabs(made + alpha - passed) > 1e-6) {
-            trial_fault(t, "%d steps and %g were made of %g", made, alpha, passed);
+        if (fabs(made + alpha - passed) > KEPT_TIME_TOLERANCE) {
+            trial_fault(t, "%d steps were made, and %g are left, of %g", made, alpha, passed);
         }
         for (; stepped < made; stepped++) {
             trial_run(t, other.world, 1);
         }
-        if (thud_world_hash(one.world) != thud_world_hash(other.world)) {
+        if (thud_hash_of(one.world) != thud_hash_of(other.world)) {
             trial_fault(t, "step %d differs", made);
         }
     }
 }
 
-/* ---- a program that calls thud_world_advance at a frame rate, beside one that makes each step
- * ---- */
+/* ---- a program that calls thud_world_advance once a frame ---- */
 
-typedef struct player {
+/* A program with a yard, and two more balls that it pushes. */
+typedef struct program {
     yard y;
-    thud_body_id pulled[2]; /* bodies that no edit changes: edits come in steps, and these forces
-                               come in frames */
-    int made;
+    /* The balls get a force once a frame, so that no edit may change them: edits are made once a
+     * step, and at another frame rate would come between other forces. */
+    thud_body_id pushed[2];
+    int steps_made;
     uint64_t told[STEPS]; /* yard_told after each step */
-    long events;          /* events counted by the program after each of its calls */
-} player;
+    long events;          /* number of events that it has read, after each frame */
+} program;
 
-/* The callback of thud_world_advance before each step: edits, and a force that varies with the
+/* The callback of thud_world_advance_with before each step: edits, and a force that varies with the
  * step. */
 static void before_step(thud_world *world, void *context) {
-    player *p = context;
+    program *p = context;
+    thud_vec2 force = {0, (float)(p->steps_made % 7)};
     yard_before_step(&p->y);
-    thud_body_apply_force(world, p->y.body[0], (thud_vec2){0, (float)(p->made % 7)}, 0.5f);
+    DO(p->y.t, thud_body_apply_center_force(world, p->y.body[0], force));
+    DO(p->y.t, thud_body_apply_torque(world, p->y.body[0], 0.5f));
 }
 
-/* Stores yard_told of the step, and applies a force for the next one. */
+/* The callback after each step: stores yard_told, and applies a force for the next step, which
+ * depends on the events of this one. */
 static void after_step(thud_world *world, void *context) {
-    player *p = context;
-    thud_events e = thud_world_events(world);
-    p->told[p->made++] = yard_told(&p->y);
-    thud_body_apply_force(world, p->y.body[1], (thud_vec2){(float)e.begin_count, 1}, 0);
+    program *p = context;
+    thud_vec2 force = {(float)thud_events_of(world).begin_count, 1};
+    p->told[p->steps_made++] = yard_told(&p->y);
+    DO(p->y.t, thud_body_apply_center_force(world, p->y.body[1], force));
 }
 
-/* Starts a game: a yard with two more balls, which forces pull. */
-static void play(player *p, trial *t) {
-    *p = (player){.made = 0};
+static void start_program(program *p, trial *t) {
+    *p = (program){.steps_made = 0};
     yard_make(&p->y, t, trial_def(t), 0);
     for (int i = 0; i < 2; i++) {
-        part ball = {.kind = THUD_DYNAMIC, .form = BALL, .x = 2 * i - 1, .y = 3, .hx = 0.3};
-        p->pulled[i] = trial_add(t, p->y.world, ball);
+        part ball = {.kind = THUD_BODY_DYNAMIC, .form = BALL, .x = 2 * i - 1, .y = 3, .hx = 0.3};
+        p->pushed[i] = trial_add(t, p->y.world, ball);
     }
 }
 
-/* Applies a force to each ball before a picture's steps. */
-static void before_picture(player *p) {
+/* Pushes the balls, by the same forces before each frame. thud_world_advance applies them over the
+ * whole time of the frame, also where that is a part of a step, or several steps: a step gets the
+ * mean of the forces over its time, which here is the same in every step at any frame rate. */
+static void before_frame(program *p) {
     for (int i = 0; i < 2; i++) {
         thud_vec2 force = {0.3f * (float)i, 1.1f};
-        DO(p->y.t, thud_body_apply_force(p->y.world, p->pulled[i], force, 0.1f));
+        DO(p->y.t, thud_body_apply_center_force(p->y.world, p->pushed[i], force));
+        DO(p->y.t, thud_body_apply_torque(p->y.world, p->pushed[i], 0.1f));
     }
 }
 
-/* Counts the events of a picture's steps. */
-static void after_picture(player *p) {
-    thud_events e = thud_world_events(p->y.world);
+/* Counts the events that the world reports: those of all steps of the frame. */
+static void after_frame(program *p) {
+    thud_events e = thud_events_of(p->y.world);
     p->events += e.begin_count + e.end_count + e.hit_count;
     p->events += e.sensor_begin_count + e.sensor_end_count;
 }
 
+/* A program that makes its steps by thud_world_step, one a frame, beside programs that advance by
+ * the time of a frame. These also restore a snapshot after each frame: it contains the time left
+ * over, the forces over that time, and the events. */
 static void same_outcome_at_any_rate(trial *t) {
+    /* Frames a second where a step is 1/60 s; a frame advances by 60 / rate steps. */
     static const double rates[] = {20, 30, 60, 144};
-    player steps;
-    play(&steps, t);
-    while (steps.made < STEPS && !trial_failed(t)) {
-        before_picture(&steps);
-        before_step(steps.y.world, &steps);
-        DO(t, thud_world_step(steps.y.world));
-        after_step(steps.y.world, &steps);
-        after_picture(&steps);
+    program by_steps;
+    start_program(&by_steps, t);
+    while (by_steps.steps_made < STEPS && !trial_failed(t)) {
+        before_frame(&by_steps);
+        before_step(by_steps.y.world, &by_steps);
+        DO(t, thud_world_step(by_steps.y.world));
+        after_step(by_steps.y.world, &by_steps);
+        after_frame(&by_steps);
     }
     for (int i = 0; i < 4 && !trial_failed(t); i++) {
-        player pictures;
-        const thud_step_calls calls = {before_step, after_step, &pictures};
-        play(&pictures, t);
-        while (pictures.made < STEPS && !trial_failed(t)) {
-            thud_world *world = pictures.y.world;
-            before_picture(&pictures);
-            DO(t, thud_world_advance_with(world, t->step * 60 / rates[i], STEPS - pictures.made,
-                                          &calls, NULL, NULL));
+        program by_frames;
+        const thud_step_calls calls = {before_step, after_step, &by_frames};
+        double elapsed = t->step * 60 / rates[i];
+        start_program(&by_frames, t);
+        while (by_frames.steps_made < STEPS && !trial_failed(t)) {
+            thud_world *world = by_frames.y.world;
+            before_frame(&by_frames);
+            DO(t, thud_world_advance_with(world, elapsed, STEPS - by_frames.steps_made, &calls,
+                                          NULL, NULL));
             trial_bytes s = trial_snapshot(t, world);
             DO(t, thud_world_restore(world, s.bytes, s.size));
             free(s.bytes);
-            after_picture(&pictures);
+            after_frame(&by_frames);
         }
-        if (memcmp(pictures.told, steps.told, sizeof steps.told) != 0) {
-            trial_fault(t, "steps differ at %g pictures a second", rates[i]);
+        if (memcmp(by_frames.told, by_steps.told, sizeof by_steps.told) != 0) {
+            trial_fault(t, "steps differ at %g frames a second", rates[i]);
         }
-        if (pictures.events != steps.events) {
-            trial_fault(t, "%ld events at %g pictures a second, of %ld", pictures.events, rates[i],
-                        steps.events);
+        if (by_frames.events != by_steps.events) {
+            trial_fault(t, "%ld events at %g frames a second, of %ld", by_frames.events, rates[i],
+                        by_steps.events);
         }
     }
 }
 
 const guarantee guarantees_of_bits[] = {
-    {"same_outcome_at_any_rate", same_outcome_at_any_rate, {{0}}},
-    {"same_bits_any_broadphase", same_bits_any_broadphase, {{0}}},
-    {"same_bits_any_rounding_mode", same_bits_any_rounding_mode, {{0}}},
-    {"same_bits_any_workers", same_bits_any_workers, {{0}}},
-    {"same_bits_after_restore", same_bits_after_restore, {{0}}},
-    {"same_bits_asked_or_not", same_bits_asked_or_not, {{0}}},
-    {"same_bits_baseline_simd", same_bits_baseline_simd, {{0}}},
-    {"same_bits_far_away", same_bits_far_away, {{0}}},
-    {"same_bits_in_advance", same_bits_in_advance, {{0}}},
-    {"same_bits_twice", same_bits_twice, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(same_bits_any_broadphase),
+    GUARANTEE(same_bits_any_rounding_mode),
+    GUARANTEE(same_bits_any_workers),
+    GUARANTEE(same_bits_after_restore),
+    GUARANTEE(same_bits_asked_or_not),
+    GUARANTEE(same_bits_baseline_simd),
+    GUARANTEE(same_bits_far_away),
+    GUARANTEE(same_bits_in_advance),
+    GUARANTEE(same_bits_twice),
+    GUARANTEE(same_outcome_at_any_rate),
+    {.name = NULL},
 };

@@ -13,9 +13,13 @@ static void kinematic_bodies_push(trial *t) {
     if (!world) {
         return;
     }
-    thud_body_id plate = trial_add(
-        t, world,
-        (part){.kind = THUD_KINEMATIC, .form = UPRIGHT, .x = -1, .hx = 0.3, .hy = 1, .vx = speed});
+    thud_body_id plate = trial_add(t, world,
+                                   (part){.kind = THUD_BODY_KINEMATIC,
+                                          .form = UPRIGHT,
+                                          .x = -1,
+                                          .hx = 0.3,
+                                          .hy = 1,
+                                          .vx = speed});
     thud_body_id body = trial_drop(t, world, kind, 0, 0, 0.3);
     int steps = trial_steps(t, 1);
     trial_run(t, world, steps);
@@ -44,9 +48,9 @@ static void what_cannot_move_does_not(trial *t) {
     thud_body_id floor = trial_wall(t, world, 0, -1, 5, 1);
     thud_body_id plate = trial_add(
         t, world,
-        (part){.kind = THUD_KINEMATIC, .form = TURNED, .x = 2, .y = 1, .hx = 0.5, .hy = 0.2});
+        (part){.kind = THUD_BODY_KINEMATIC, .form = TURNED, .x = 2, .y = 1, .hx = 0.5, .hy = 0.2});
     thud_body_id box = trial_drop(t, world, UPRIGHT, 0, 0.5, 0.3);
-    fixed.kind = THUD_DYNAMIC;
+    fixed.kind = THUD_BODY_DYNAMIC;
     fixed.fixed_rotation = true;
     fixed.position = trial_place(t, -2, 0.5);
     DO(t, thud_body_create(world, &fixed, &stiff));
@@ -54,7 +58,7 @@ static void what_cannot_move_does_not(trial *t) {
                                 0, NULL));
     for (int i = 0; i < 3; i++) {
         trial_add(t, world,
-                  (part){.kind = THUD_DYNAMIC,
+                  (part){.kind = THUD_BODY_DYNAMIC,
                          .form = BALL,
                          .x = 2 * i - 1.8,
                          .y = 2.5,
@@ -63,13 +67,14 @@ static void what_cannot_move_does_not(trial *t) {
                          .spin = 9});
     }
     for (int k = 0; k < trial_steps(t, 0.5) && !trial_failed(t); k++) {
-        DO(t, thud_body_apply_force(world, box, trial_speed(t, 0, 0), 5.0f));
+        DO(t, thud_body_apply_center_force(world, box, trial_speed(t, 0, 0)));
+        DO(t, thud_body_apply_torque(world, box, 5.0f));
         trial_run(t, world, 1);
     }
     thud_pos place = trial_place(t, 0, -1), at = trial_place(t, 2, 1);
     thud_body_state s = {.mass = 0}, p = {.mass = 0};
-    DO(t, thud_body_get(world, floor, &s));
-    DO(t, thud_body_get(world, plate, &p));
+    DO(t, thud_body_get_state(world, floor, &s));
+    DO(t, thud_body_get_state(world, plate, &p));
     if (s.position.x != place.x || s.position.y != place.y || p.position.x != at.x ||
         p.position.y != at.y || p.angle != 0 || s.angle != 0) {
         trial_fault(t, "the floor is at %g, %g, the plate at %g, %g", s.position.x, s.position.y,
@@ -90,7 +95,7 @@ static void falls_follow_gravity(trial *t) {
         return;
     }
     thud_body_id body = trial_add(t, world,
-                                  (part){.kind = THUD_DYNAMIC,
+                                  (part){.kind = THUD_BODY_DYNAMIC,
                                          .form = (form)trial_pick(t, FORMS),
                                          .hx = 0.3,
                                          .hy = 0.3,
@@ -100,7 +105,7 @@ static void falls_follow_gravity(trial *t) {
     trial_run(t, world, steps);
     thud_body_state s = trial_state(t, world, body);
     double time = steps * t->step, v = 3 - 10 * time, y = 3 * time - 5 * time * time;
-    double substep = t->step / thud_world_stats(world).substeps;
+    double substep = t->step / thud_stats_of(world).substeps;
     double off = t->set->value[DETECTION] == SWEPT ? 0 : 5 * time * substep;
     if (fabs((double)s.velocity.y - v) > 3e-4 || fabs(s.position.x - 2 * time) > 2e-5 ||
         fabs(s.position.y - y) > off + 1e-4) {
@@ -118,13 +123,13 @@ static void forces_act_for_one_step(trial *t) {
     thud_body_id body = trial_drop(t, world, BALL, 0, 0, 0.3);
     float mass = trial_state(t, world, body).mass;
     thud_vec2 force = trial_speed(t, 5 * (double)mass, 0), push = trial_speed(t, 0, (double)mass);
-    DO(t, thud_body_apply_force(world, body, force, 0));
+    DO(t, thud_body_apply_center_force(world, body, force));
     trial_run(t, world, 1);
     double first = (double)trial_state(t, world, body).velocity.x;
     trial_run(t, world, 3);
     double later = (double)trial_state(t, world, body).velocity.x;
     thud_body_state s = {.mass = 0};
-    DO(t, thud_body_get(world, body, &s));
+    DO(t, thud_body_get_state(world, body, &s));
     DO(t, thud_body_apply_impulse(world, body, push, s.center));
     double up = (double)trial_state(t, world, body).velocity.y;
     if (fabs(first - 5 * t->step) > 1e-5 || later != first || fabs(up - 1) > 1e-5) {
@@ -144,7 +149,8 @@ static void speeds_have_their_limits(trial *t) {
     thud_body_id body = trial_drop(t, world, TURNED, 0, 0, 0.3);
     for (int k = 0; k < 5 && !trial_failed(t); k++) {
         thud_vec2 hard = {(float)trial_draw(t, -1e20, 1e20), (float)trial_draw(t, -1e20, 1e20)};
-        DO(t, thud_body_apply_force(world, body, hard, 1e25f));
+        DO(t, thud_body_apply_center_force(world, body, hard));
+        DO(t, thud_body_apply_torque(world, body, 1e25f));
         trial_run(t, world, 1);
         thud_body_state s = trial_state(t, world, body);
         double most = fmax(fabs((double)s.velocity.x), fabs((double)s.velocity.y));
@@ -166,7 +172,7 @@ static void what_is_thrown_off_has_its_limit(trial *t) {
     thud_world *world = trial_make(t, def);
     for (int k = 0; k < 8 && world && !trial_failed(t); k++) {
         trial_add(t, world,
-                  (part){.kind = THUD_DYNAMIC,
+                  (part){.kind = THUD_BODY_DYNAMIC,
                          .form = k % 2 ? TURNED : BALL,
                          .x = 20 * k,
                          .hx = 0.5,
@@ -178,7 +184,7 @@ static void what_is_thrown_off_has_its_limit(trial *t) {
             trial_run(t, world, 1);
             thud_body_state s = trial_state(t, world, thrown);
             double speed = fmax(fabs((double)s.velocity.x), fabs((double)s.velocity.y));
-            if (!(speed <= 100.1 || thud_world_stats(world).impacts)) {
+            if (!(speed <= 100.1 || thud_stats_of(world).impacts)) {
                 trial_fault(t, "what is thrown off is at speed %g", speed);
             }
         }
@@ -196,10 +202,11 @@ static void all_is_finite(trial *t) {
         thud_vec2 hard = {(float)trial_draw(t, 2e38, 3e38), (float)trial_draw(t, -3e38, 3e38)};
         for (int twice = 0; twice < 2 && k % 4 == 0; twice++) { /* twice this is more than a float
                                                                    can hold */
-            DO(t, thud_body_apply_force(y.world, body, hard, k % 8 ? 1e25f : 0));
+            DO(t, thud_body_apply_center_force(y.world, body, hard));
+            DO(t, thud_body_apply_torque(y.world, body, k % 8 ? 1e25f : 0));
         }
         yard_step(&y);
-        told += thud_world_events(y.world).quarantined_count;
+        told += thud_events_of(y.world).quarantined_count;
         for (int i = 0; i < YARD_BODIES && !trial_failed(t); i++) {
             thud_body_state s = trial_state(t, y.world, y.body[i]);
             double speed = hypot((double)s.velocity.x, (double)s.velocity.y);
@@ -210,7 +217,7 @@ static void all_is_finite(trial *t) {
             }
             frozen += s.quarantined && k == 39;
         }
-        thud_step_error e = thud_world_error(y.world);
+        thud_step_error e = thud_step_error_of(y.world);
         if (!(isfinite(e.penetration_max) && isfinite(e.penetration_mean) && isfinite(e.residual) &&
               isfinite(e.energy_change))) {
             trial_fault(t, "step %d: errors are %g, %g, %g, %g", k, e.penetration_max,
@@ -233,8 +240,8 @@ static bool count_one(thud_shape_id shape, void *context) {
 /* How many shapes overlap a small circle at that place. */
 static int found_at(trial *t, thud_world *world, double x, double y) {
     int found = 0;
-    DO(t, thud_world_overlap_circle(world, trial_place(t, x, y), 0.05 * t->scale, NULL, count_one,
-                                    &found));
+    DO(t, thud_world_overlap_shape(world, trial_place(t, x, y),
+                                   thud_circle_at(0, 0, 0.05 * t->scale), NULL, count_one, &found));
     return found;
 }
 
@@ -246,19 +253,23 @@ static void disabled_bodies_are_not_there(trial *t) {
     if (!world) {
         return;
     }
-    thud_body_id plate =
-        trial_add(t, world,
-                  (part){.kind = THUD_KINEMATIC, .form = UPRIGHT, .hx = 0.4, .hy = 1, .vy = 0.001});
+    thud_body_id plate = trial_add(
+        t, world,
+        (part){.kind = THUD_BODY_KINEMATIC, .form = UPRIGHT, .hx = 0.4, .hy = 1, .vy = 0.001});
     thud_body_id still = trial_drop(t, world, BALL, -0.69, 0, 0.3); /* touches the plate */
     trial_run(t, world, 1);
     int before = found_at(t, world, 0, 0);
     DO(t, thud_body_set_enabled(world, plate, false));
     int out = found_at(t, world, 0, 0);
-    thud_body_id shot = trial_add(
-        t, world,
-        (part){.kind = THUD_DYNAMIC, .form = BALL, .x = -2, .y = 0.65, .hx = 0.3, .vx = speed});
+    thud_body_id shot = trial_add(t, world,
+                                  (part){.kind = THUD_BODY_DYNAMIC,
+                                         .form = BALL,
+                                         .x = -2,
+                                         .y = 0.65,
+                                         .hx = 0.3,
+                                         .vx = speed});
     trial_run(t, world, 1);
-    int ends = thud_world_events(world).end_count;
+    int ends = thud_events_of(world).end_count;
     trial_run(t, world, 19);
     double x = trial_state(t, world, shot).position.x;
     DO(t, thud_body_set_enabled(world, plate, true));
@@ -286,10 +297,10 @@ static void destroyed_bodies_are_gone(trial *t) {
     trial_run(t, world, trial_steps(t, 2.5));
     thud_shape_id shape = trial_shape(t, world, below);
     DO(t, thud_body_destroy(world, below));
-    REFUSED(t, thud_body_get(world, below, &s), THUD_ERROR_STALE);
+    REFUSED(t, thud_body_get_state(world, below, &s), THUD_ERROR_STALE);
     REFUSED(t, thud_shape_destroy(world, shape), THUD_ERROR_STALE);
     trial_run(t, world, 1);
-    int ends = thud_world_events(world).end_count;
+    int ends = thud_events_of(world).end_count;
     trial_run(t, world, trial_steps(t, 1));
     double y = trial_state(t, world, above).position.y;
     if (ends != 2 || fabs(y - 0.3) > 0.02) {
@@ -306,14 +317,14 @@ static void destroyed_bodies_are_gone(trial *t) {
 }
 
 const guarantee guarantees_of_bodies[] = {
-    {"all_is_finite", all_is_finite, {{0}}},
-    {"destroyed_bodies_are_gone", destroyed_bodies_are_gone, {{0}}},
-    {"disabled_bodies_are_not_there", disabled_bodies_are_not_there, {{0}}},
-    {"falls_follow_gravity", falls_follow_gravity, {{0}}},
-    {"forces_act_for_one_step", forces_act_for_one_step, {{0}}},
-    {"kinematic_bodies_push", kinematic_bodies_push, {{0}}},
-    {"speeds_have_their_limits", speeds_have_their_limits, {{0}}},
-    {"what_cannot_move_does_not", what_cannot_move_does_not, {{0}}},
-    {"what_is_thrown_off_has_its_limit", what_is_thrown_off_has_its_limit, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(all_is_finite),
+    GUARANTEE(destroyed_bodies_are_gone),
+    GUARANTEE(disabled_bodies_are_not_there),
+    GUARANTEE(falls_follow_gravity),
+    GUARANTEE(forces_act_for_one_step),
+    GUARANTEE(kinematic_bodies_push),
+    GUARANTEE(speeds_have_their_limits),
+    GUARANTEE(what_cannot_move_does_not),
+    GUARANTEE(what_is_thrown_off_has_its_limit),
+    {.name = NULL},
 };

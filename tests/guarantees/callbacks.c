@@ -95,7 +95,7 @@ static void prologue_asks_each_pair_once(trial *t) {
             if (!trial_state(t, y.world, y.body[i]).awake) {
                 continue;
             }
-            DO(t, thud_body_contacts(y.world, y.body[i], touching, 16, &count));
+            DO(t, thud_body_get_contacts(y.world, y.body[i], touching, 16, &count));
             for (int c = 0; c < count && c < 16; c++) {
                 if (touching[c].point_count &&
                     find_asked(&s, touching[c].shape_a, touching[c].shape_b) == s.count) {
@@ -151,13 +151,13 @@ static void vetoed_pairs_do_nothing(trial *t) {
     for (int k = 0; k < trial_steps(t, 0.5) && !trial_failed(t); k++) {
         trial_run(t, world, 1);
         trial_run(t, empty, 1);
-        hits += thud_world_events(world).hit_count;
+        hits += thud_events_of(world).hit_count;
     }
     double at = trial_state(t, world, body).position.y;
     double wanted = trial_state(t, empty, alone).position.y;
     /* An island that is solved directly integrates a step at once: its place differs by up to the
      * error of substeps. */
-    double substep = t->step / thud_world_stats(empty).substeps;
+    double substep = t->step / thud_stats_of(empty).substeps;
     if (fabs(at - wanted) > 0.5 * 10 * 0.5 * substep || hits > 0 || calls >= 1000000 ||
         calls == 0) {
         trial_fault(t, "it fell to %g, not %g, with %g hits, %d calls", at, wanted, hits, calls);
@@ -177,7 +177,7 @@ static bool one_way(thud_world *world, const thud_contact *contact, thud_contact
     thud_body_state body;
     (void)wanted;
     if (contact->body_a.index1 != s->body.index1 ||
-        thud_body_get(world, contact->body_b, &body) != THUD_OK) {
+        thud_body_get_state(world, contact->body_b, &body) != THUD_OK) {
         return true;
     }
     return body.velocity.y <= (float)s->t->scale;
@@ -194,7 +194,7 @@ static void one_way_platforms_hold_from_above(trial *t) {
     }
     platform.body = trial_wall(t, world, 0, 2, 3, 0.2);
     thud_body_id body = trial_add(t, world,
-                                  (part){.kind = THUD_DYNAMIC,
+                                  (part){.kind = THUD_BODY_DYNAMIC,
                                          .form = (form)trial_pick(t, FORMS),
                                          .y = 0.5,
                                          .hx = 0.3,
@@ -291,7 +291,7 @@ static void intrude(thud_world *world, const thud_contact *contact, void *contex
     REFUSED(t, thud_world_set_gravity(world, (thud_vec2){0, 0}), THUD_ERROR_LOCKED);
     REFUSED(t, thud_world_set_sleeping(world, false), THUD_ERROR_LOCKED);
     REFUSED(t, thud_world_set_quality(world, &thud_quality_draft), THUD_ERROR_LOCKED);
-    REFUSED(t, thud_world_snapshot_size(world, &size), THUD_ERROR_LOCKED);
+    REFUSED(t, thud_world_get_snapshot_size(world, &size), THUD_ERROR_LOCKED);
     thud_world_destroy(world);
     REFUSED(t, THUD_ERROR_LOCKED, THUD_ERROR_LOCKED);
     DO(t, thud_body_set_transform(world, s->other, s->to, 0));
@@ -321,10 +321,7 @@ static void callbacks_edit_the_next_step(trial *t) {
 }
 
 const guarantee guarantees_of_callbacks[] = {
-    {"callbacks_edit_the_next_step", callbacks_edit_the_next_step, {{0}}},
-    {"one_way_platforms_hold_from_above", one_way_platforms_hold_from_above, {{0}}},
-    {"prologue_asks_each_pair_once", prologue_asks_each_pair_once, {{0}}},
-    {"surfaces_are_what_a_prologue_sets", surfaces_are_what_a_prologue_sets, {{0}}},
-    {"vetoed_pairs_do_nothing", vetoed_pairs_do_nothing, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(callbacks_edit_the_next_step), GUARANTEE(one_way_platforms_hold_from_above),
+    GUARANTEE(prologue_asks_each_pair_once), GUARANTEE(surfaces_are_what_a_prologue_sets),
+    GUARANTEE(vetoed_pairs_do_nothing),      {.name = NULL},
 };

@@ -78,7 +78,7 @@ static void each_begin_has_one_end(trial *t) {
             DO(t, thud_body_destroy(y.world, y.body[k]));
         }
         trial_run(t, y.world, 1);
-        thud_events e = thud_world_events(y.world);
+        thud_events e = thud_events_of(y.world);
         book(t, touch, e.begin, e.begin_count, e.end, e.end_count);
         book(t, sensed, e.sensor_begin, e.sensor_begin_count, e.sensor_end, e.sensor_end_count);
         if (i < last) {
@@ -107,7 +107,7 @@ static void a_fall_begins_and_hits_once(trial *t) {
     thud_body_id body = trial_drop(t, world, trial_pick(t, 2) ? BALL : UPRIGHT, 0, 1.3, 0.3);
     for (int i = 0; i < trial_steps(t, 1.5) && !trial_failed(t); i++) {
         trial_run(t, world, 1);
-        thud_events e = thud_world_events(world);
+        thud_events e = thud_events_of(world);
         begins += e.begin_count;
         ends += e.end_count;
         for (int k = 0; k < e.hit_count; k++) {
@@ -121,7 +121,7 @@ static void a_fall_begins_and_hits_once(trial *t) {
     }
     DO(t, thud_body_destroy(world, body));
     trial_run(t, world, 1);
-    if (thud_world_events(world).end_count != 1) {
+    if (thud_events_of(world).end_count != 1) {
         trial_fault(t, "no end when the body went");
     }
 }
@@ -137,7 +137,7 @@ static void without_contact_events_sensors_report(trial *t) {
     trial_add(t, y.world, (part){.form = UPRIGHT, .y = 3, .hx = 4, .hy = 2, .shape = &sensor});
     for (int i = 0; i < trial_steps(t, 0.5) && !trial_failed(t); i++) {
         yard_step(&y);
-        thud_events e = thud_world_events(y.world);
+        thud_events e = thud_events_of(y.world);
         sensed += e.sensor_begin_count;
         if (e.begin_count || e.end_count || e.hit_count) {
             trial_fault(t, "%d begins, %d ends, %d hits", e.begin_count, e.end_count, e.hit_count);
@@ -162,10 +162,11 @@ typedef struct watch {
 
 static void add_watched(trial *t, watch *w) {
     for (int i = 0; i < WATCHED; i++) {
-        static const thud_body_kind kinds[] = {THUD_DYNAMIC, THUD_KINEMATIC, THUD_STATIC};
+        static const thud_body_kind kinds[] = {THUD_BODY_DYNAMIC, THUD_BODY_KINEMATIC,
+                                               THUD_BODY_STATIC};
         thud_shape_def def = thud_default_shape_def();
         thud_body_kind kind = kinds[i % 3];
-        bool moves = kind != THUD_STATIC;
+        bool moves = kind != THUD_BODY_STATIC;
         w->sensor[i] = def.sensor = i < 5;
         w->passive[i] = !moves;
         w->body[i] = trial_add(t, w->world,
@@ -192,7 +193,7 @@ static int number_of(const watch *w, thud_shape_id shape) {
 
 /* Enters the step's sensor events into `open`. */
 static void note_sensors(trial *t, watch *w) {
-    thud_events e = thud_world_events(w->world);
+    thud_events e = thud_events_of(w->world);
     for (int i = 0; i < e.sensor_end_count + e.sensor_begin_count; i++) {
         bool begins = i >= e.sensor_end_count;
         const thud_contact_event *pair =
@@ -211,7 +212,7 @@ static void note_sensors(trial *t, watch *w) {
  * are closer to touching than rounding errors. */
 static void sensors_report_all_they_overlap(trial *t) {
     watch w = {.world = trial_make(t, trial_weightless(t))};
-    thud_shape_instance stood[WATCHED];
+    thud_geometry stood[WATCHED];
     if (!w.world) {
         return;
     }
@@ -232,7 +233,7 @@ static void sensors_report_all_they_overlap(trial *t) {
             if (a == b || !w.sensor[a] || (w.passive[a] && w.passive[b])) {
                 continue;
             }
-            DO(t, thud_shapes_closest(&stood[a], &stood[b], &c));
+            DO(t, thud_geometry_closest(&stood[a], &stood[b], &c));
             if (w.open[a][b] != (c.distance < 0) && fabs(c.distance) > 3e-4) {
                 trial_fault(t, "step %d: sensor %d and shape %d, %g apart: %s", k, a, b, c.distance,
                             w.open[a][b] ? "reported" : "not reported");
@@ -254,20 +255,20 @@ static void sensors_report_what_passes(trial *t) {
     double in = (-0.15 - from) / way, out = (0.15 - from) / way;
     sensor.sensor = true;
     trial_add(t, world,
-              (part){.kind = moves ? THUD_DYNAMIC : THUD_STATIC,
+              (part){.kind = moves ? THUD_BODY_DYNAMIC : THUD_BODY_STATIC,
                      .form = UPRIGHT,
                      .hx = 0.05,
                      .hy = 2,
                      .shape = &sensor});
     trial_add(t, world,
-              (part){.kind = THUD_DYNAMIC,
+              (part){.kind = THUD_BODY_DYNAMIC,
                      .form = BALL,
                      .x = from,
                      .hx = 0.1,
                      .hy = 0.1,
                      .vx = way / t->step});
     trial_run(t, world, 1);
-    thud_events e = thud_world_events(world);
+    thud_events e = thud_events_of(world);
     if (e.sensor_begin_count != 1 || e.sensor_end_count != 1) {
         trial_fault(t, "%d begins, %d ends", e.sensor_begin_count, e.sensor_end_count);
     } else if (fabs((double)e.sensor_begin_time[0] - in) > 1e-3 ||
@@ -290,7 +291,7 @@ static void sensors_stop_nothing(trial *t) {
     trial_add(t, world,
               (part){.form = UPRIGHT, .x = 0, .y = 1, .hx = 1, .hy = 0.2, .shape = &sensor});
     trial_add(t, world,
-              (part){.kind = THUD_DYNAMIC,
+              (part){.kind = THUD_BODY_DYNAMIC,
                      .form = TURNED,
                      .x = 0.2,
                      .y = 1.5,
@@ -301,7 +302,7 @@ static void sensors_stop_nothing(trial *t) {
     for (int k = 0; k < trial_steps(t, 1.0) && !trial_failed(t); k++) {
         trial_run(t, world, 1);
         trial_run(t, empty, 1);
-        seen += thud_world_events(world).sensor_begin_count;
+        seen += thud_events_of(world).sensor_begin_count;
     }
     double at = trial_state(t, world, body).position.y;
     double wanted = trial_state(t, empty, free_body).position.y;
@@ -311,13 +312,12 @@ static void sensors_stop_nothing(trial *t) {
 }
 
 const guarantee guarantees_of_events[] = {
-    {"a_fall_begins_and_hits_once", a_fall_begins_and_hits_once, {{0}}},
-    {"each_begin_has_one_end", each_begin_has_one_end, {{0}}},
-    {"sensors_report_all_they_overlap", sensors_report_all_they_overlap, {{0}}},
-    {"sensors_report_what_passes",
-     sensors_report_what_passes,
-     {{DETECTION, BIT(OVERLAP), "it looks where shapes stand, and nowhere else"}}},
-    {"sensors_stop_nothing", sensors_stop_nothing, {{0}}},
-    {"without_contact_events_sensors_report", without_contact_events_sensors_report, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(a_fall_begins_and_hits_once),
+    GUARANTEE(each_begin_has_one_end),
+    GUARANTEE(sensors_report_all_they_overlap),
+    GUARANTEE_EXCEPT(sensors_report_what_passes,
+                     {DETECTION, BIT(OVERLAP), "it looks where shapes stand, and nowhere else"}),
+    GUARANTEE(sensors_stop_nothing),
+    GUARANTEE(without_contact_events_sensors_report),
+    {.name = NULL},
 };

@@ -11,6 +11,7 @@
 #include <thud/thud_rollback.h>
 #include <thud/thud_rules.h>
 #include <thud/thud_snapshot.h>
+#include <thud/thud_testing.h>
 
 enum { STEPS = 30, RESTORED_EVERY = 7, RAYS = 96 };
 
@@ -29,7 +30,7 @@ static thud_world_def def_of(trial *t, twin kind) {
     static const thud_broadphase *const all[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
                                                  &thud_broadphase_all};
     thud_world_def def = trial_def(t);
-    def.baseline_simd = kind == SIMD;
+    thud_world_def_set_baseline_simd(&def, kind == SIMD);
     if (kind == NEXT_BROADPHASE || kind == LAST_BROADPHASE) {
         def.broadphase = all[(t->set->value[BROADPHASE] + (int)(kind - NEXT_BROADPHASE) + 1) % 3];
     }
@@ -73,12 +74,15 @@ static uint64_t cast(yard *y) {
     for (int i = 0; i < RAYS; i++) {
         hear(&hits[i], &digest);
     }
-    thud_shape_instance ball = {.kind = THUD_CIRCLE, .c = 1, .hx = 0.3 * t->scale};
+    thud_geometry ball = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = 0.3 * t->scale};
     for (int i = 0; i < 4; i++) {
-        DO(t, thud_world_cast_ray_each(y->world, middle, rays[7 * i].dx, rays[7 * i].dy, NULL, hear,
-                                       &digest));
-        DO(t, thud_world_cast_shape_each(y->world, middle, &ball, rays[9 * i].dx, rays[9 * i].dy,
-                                         NULL, hear, &digest));
+        DO(t, thud_world_cast_ray_each(y->world,
+                                       &(thud_ray){middle, rays[7 * i].dx, rays[7 * i].dy, NULL},
+                                       hear, &digest));
+        DO(t, thud_world_cast_shape_each(y->world,
+                                         &(thud_shape_cast){middle, ball, rays[9 * i].dx,
+                                                            rays[9 * i].dy, NULL},
+                                         hear, &digest));
     }
     return digest;
 }
@@ -86,8 +90,8 @@ static uint64_t cast(yard *y) {
 /* Queries, reports and snapshots, which must change nothing, also between two edits. */
 static void ask(yard *y) {
     cast(y);
-    thud_world_error(y->world);
-    thud_world_measure(y->world);
+    thud_step_error_of(y->world);
+    thud_measure_of(y->world);
     free(trial_snapshot(y->t, y->world).bytes);
 }
 
@@ -250,7 +254,7 @@ static void late_inputs_end_as_a_straight_run(trial *t) {
         }
         DO(t, thud_rollback_advance(r, NULL));
     }
-    if (!trial_failed(t) && thud_rollback_get(r).replayed == 0) {
+    if (!trial_failed(t) && thud_progress_of(r).replayed == 0) {
         trial_fault(t, "no step was played again");
     }
     for (int player = 0; player < PLAYERS && r; player++) {
@@ -260,23 +264,21 @@ static void late_inputs_end_as_a_straight_run(trial *t) {
         DO(t, play(straight.world, inputs[i], &straight));
     }
     DO(t, thud_rollback_settle(r));
-    DO(t, thud_rollback_at(r, STEPS, &hash, NULL));
+    DO(t, thud_rollback_get_state(r, STEPS, &hash, NULL));
     if (!trial_failed(t) &&
-        (hash != thud_world_hash(straight.world) || yard_told(&late) != yard_told(&straight))) {
+        (hash != thud_hash_of(straight.world) || yard_told(&late) != yard_told(&straight))) {
         trial_fault(t, "late inputs end elsewhere");
     }
     thud_rollback_destroy(r);
 }
 
 const guarantee guarantees_of_features[] = {
-    {"edits_of_callbacks_wait_for_the_step_asked_or_not",
-     edits_of_callbacks_wait_for_the_step_asked_or_not,
-     {{0}}},
-    {"late_inputs_end_as_a_straight_run", late_inputs_end_as_a_straight_run, {{0}}},
-    {"same_bits_of_casts", same_bits_of_casts, {{0}}},
-    {"same_bits_with_fields", same_bits_with_fields, {{0}}},
-    {"same_bits_with_locks_and_joints", same_bits_with_locks_and_joints, {{0}}},
-    {"same_bits_with_rules", same_bits_with_rules, {{0}}},
-    {"same_hits_any_workers", same_hits_any_workers, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(edits_of_callbacks_wait_for_the_step_asked_or_not),
+    GUARANTEE(late_inputs_end_as_a_straight_run),
+    GUARANTEE(same_bits_of_casts),
+    GUARANTEE(same_bits_with_fields),
+    GUARANTEE(same_bits_with_locks_and_joints),
+    GUARANTEE(same_bits_with_rules),
+    GUARANTEE(same_hits_any_workers),
+    {.name = NULL},
 };

@@ -69,9 +69,9 @@ static void add_company(trial *t, thud_world *world, company *c) {
         c->filter[i] = def.filter = draw_filter(t);
         def.sensor = i == BODIES - 1;
         thud_body_id body = trial_add(t, world,
-                                      (part){.kind = i == 0   ? THUD_STATIC
-                                                     : i == 1 ? THUD_KINEMATIC
-                                                              : THUD_DYNAMIC,
+                                      (part){.kind = i == 0   ? THUD_BODY_STATIC
+                                                     : i == 1 ? THUD_BODY_KINEMATIC
+                                                              : THUD_BODY_DYNAMIC,
                                              .form = (form)trial_pick(t, FORMS),
                                              .x = trial_draw(t, -2, 2),
                                              .y = trial_draw(t, -2, 2),
@@ -100,7 +100,7 @@ static void filters_keep_apart(trial *t) {
     add_company(t, world, &c);
     for (int k = 0; k < 40 && !trial_failed(t); k++) {
         trial_run(t, world, 1);
-        thud_events e = thud_world_events(world);
+        thud_events e = thud_events_of(world);
         for (int i = 0; i < e.begin_count; i++) {
             expect_meet(&c, e.begin[i].shape_a, e.begin[i].shape_b, "begin");
         }
@@ -127,13 +127,13 @@ static void filters_decide_who_stops(trial *t) {
             return;
         }
         trial_add(t, world,
-                  (part){.kind = moves ? THUD_KINEMATIC : THUD_STATIC,
+                  (part){.kind = moves ? THUD_BODY_KINEMATIC : THUD_BODY_STATIC,
                          .form = trial_pick(t, 2) ? UPRIGHT : TURNED,
                          .hx = 0.4,
                          .hy = 3,
                          .shape = &plate});
         thud_body_id body = trial_add(t, world,
-                                      (part){.kind = THUD_DYNAMIC,
+                                      (part){.kind = THUD_BODY_DYNAMIC,
                                              .form = (form)(k % FORMS),
                                              .x = -2,
                                              .hx = 0.3,
@@ -161,17 +161,17 @@ static void kinds_that_ignore_each_other_do_not_meet(trial *t) {
         thud_rule rule = thud_default_rule();
         wall.filter.category = 1u << (2 * k + 1);
         shot.filter.category = 1u << (2 * k + 2);
-        rule.meeting = ignores ? THUD_IGNORE : THUD_COLLIDE;
+        rule.kind = ignores ? THUD_RULE_IGNORE : THUD_RULE_COLLIDE;
         DO(t, thud_world_set_rule(world, wall.filter.category, shot.filter.category, &rule));
         trial_add(t, world,
-                  (part){.kind = THUD_STATIC,
+                  (part){.kind = THUD_BODY_STATIC,
                          .form = UPRIGHT,
                          .y = y,
                          .hx = 0.4,
                          .hy = 1,
                          .shape = &wall});
         thud_body_id body = trial_add(t, world,
-                                      (part){.kind = THUD_DYNAMIC,
+                                      (part){.kind = THUD_BODY_DYNAMIC,
                                              .form = (form)(k % FORMS),
                                              .x = -2,
                                              .y = y,
@@ -189,8 +189,8 @@ static void kinds_that_ignore_each_other_do_not_meet(trial *t) {
 }
 
 const guarantee guarantees_of_filters[] = {
-    {"filters_decide_who_stops", filters_decide_who_stops, {{0}}},
-    {"filters_keep_apart", filters_keep_apart, {{0}}},
-    {"kinds_that_ignore_each_other_do_not_meet", kinds_that_ignore_each_other_do_not_meet, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(filters_decide_who_stops),
+    GUARANTEE(filters_keep_apart),
+    GUARANTEE(kinds_that_ignore_each_other_do_not_meet),
+    {.name = NULL},
 };

@@ -25,6 +25,15 @@ typedef struct guarantee {
 #define BIT(value) (1u << (value))
 #define ALL_BUT(value) (~BIT(value))
 
+/* A line of a table: a guarantee that holds on all settings, or on all but those of one exception.
+ * Its name is that of its function. */
+#define GUARANTEE(function) \
+    { .name = #function, .check = function }
+#define GUARANTEE_EXCEPT(function, ...)                                 \
+    {                                                                   \
+        .name = #function, .check = function, .except = { __VA_ARGS__ } \
+    }
+
 /* One table for each file of guarantees; each ends with an entry without a name. */
 extern const guarantee guarantees_of_asking[], guarantees_of_bits[], guarantees_of_bodies[],
     guarantees_of_callbacks[], guarantees_of_events[], guarantees_of_features[],

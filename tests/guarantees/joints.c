@@ -25,7 +25,7 @@ static thud_joint_id make(trial *t, thud_world *world, const thud_joint_def *def
 /* The joint's state, with the gap in length scales. */
 static thud_joint_state state_of(trial *t, const thud_world *world, thud_joint_id joint) {
     thud_joint_state state = {.gap = 0};
-    DO(t, thud_joint_get(world, joint, &state));
+    DO(t, thud_joint_get_state(world, joint, &state));
     state.gap /= t->scale;
     return state;
 }
@@ -50,7 +50,7 @@ static void joints_hold_what_they_lock(trial *t) {
     thud_body_id last = hook_at(t, world, 0, 5);
     for (int i = 0; i < 3; i++) {
         thud_body_id link = trial_drop(t, world, TURNED, 0.4 + 0.8 * i, 5, 0.1);
-        thud_joint_kind kind = i == 1 ? THUD_WELD : THUD_HINGE;
+        thud_joint_kind kind = i == 1 ? THUD_JOINT_WELD : THUD_JOINT_HINGE;
         thud_joint_def def = between(t, kind, last, link, 0.4);
         if (i == 0) {
             def.frame_a.position = (thud_vec2){0, 0};
@@ -85,19 +85,19 @@ static open_joints hang(trial *t) {
     if (!o.world) {
         return o;
     }
-    thud_joint_def rope = between(t, THUD_DISTANCE, hook_at(t, o.world, -5, 10),
+    thud_joint_def rope = between(t, THUD_JOINT_DISTANCE, hook_at(t, o.world, -5, 10),
                                   trial_drop(t, o.world, UPRIGHT, -5, 4, 0.5), 0);
     rope.length = (float)(6 * t->scale);
     o.joint[0] = make(t, o.world, &rope);
     o.hook = hook_at(t, o.world, 0, 10);
     thud_joint_def hinge =
-        between(t, THUD_HINGE, o.hook, trial_drop(t, o.world, TURNED, 0, 9, 0.5), 0);
+        between(t, THUD_JOINT_HINGE, o.hook, trial_drop(t, o.world, TURNED, 0, 9, 0.5), 0);
     hinge.frame_b.position = trial_speed(t, 0, 1);
     o.joint[1] = make(t, o.world, &hinge);
     thud_body_id last = hook_at(t, o.world, 5, 10);
     for (int i = 0; i < LINKS; i++) {
         thud_body_id link = trial_drop(t, o.world, TURNED, 5, 5 - i, 0.2);
-        hinge = between(t, THUD_HINGE, last, link, 0);
+        hinge = between(t, THUD_JOINT_HINGE, last, link, 0);
         hinge.frame_a.position = trial_speed(t, 0, i ? -0.5 : 0);
         hinge.frame_b.position = trial_speed(t, 0, 0.5);
         o.joint[2 + i] = make(t, o.world, &hinge);
@@ -124,12 +124,12 @@ static void joints_close_before_they_sleep(trial *t) {
         for (int i = 0; i < OPEN; i++) {
             widest = fmax(widest, state_of(t, o.world, o.joint[i]).gap);
         }
-        double told = thud_world_error(o.world).joint_gap_max / t->scale;
+        double told = thud_step_error_of(o.world).joint_gap_max / t->scale;
         if (!(fabs(told - widest) <= 1e-6 * widest)) {
             trial_fault(t, "step %d: %g is told of a gap of %g", k, told, widest);
         }
     }
-    int awake = thud_world_stats(o.world).awake_bodies;
+    int awake = thud_stats_of(o.world).awake_bodies;
     if (!(widest < 0.02) || (settings_sleeping(t->set) && awake)) {
         trial_fault(t, "%d are awake, with a gap of %g", awake, widest);
     }
@@ -146,15 +146,16 @@ typedef struct capped {
 static capped pull_at(trial *t, thud_world *world, thud_body_id body) {
     capped c = {.motors = trial_pick(t, 2)};
     thud_body_state state = {.mass = 0};
-    DO(t, thud_body_get(world, body, &state));
+    DO(t, thud_body_get_state(world, body, &state));
     double weight = state.mass * hypot(0, (double)trial_def(t).gravity.y);
     bool same = trial_pick(t, 2);
-    thud_joint_def def = between(t, THUD_TARGET, hook_at(t, world, 0, 0), body, 0);
+    thud_joint_def def = between(t, THUD_JOINT_TARGET, hook_at(t, world, 0, 0), body, 0);
     def.frame_a.angle = trial_draw(t, -3, 3);
-    for (int k = THUD_ALONG; k <= THUD_ACROSS; k++) {
+    for (int k = THUD_DIRECTION_ALONG; k <= THUD_DIRECTION_ACROSS; k++) {
         thud_drive *d = &def.drive[k];
         float most = (float)(weight * trial_draw(t, 0.5, 8)), way = (float)trial_draw(t, -20, 20);
-        c.most[k] = k == THUD_ACROSS && same ? c.most[THUD_ALONG] : (double)most;
+        c.most[k] =
+            k == THUD_DIRECTION_ACROSS && same ? c.most[THUD_DIRECTION_ALONG] : (double)most;
         d->frequency = c.motors ? 0 : (float)trial_draw(t, 1, 20);
         d->target = way * (float)t->scale;
         d->motor_speed = way * (float)t->scale;
@@ -169,7 +170,7 @@ static capped pull_at(trial *t, thud_world *world, thud_body_id body) {
 static void look_at_forces(trial *t, const thud_world *world, const capped *c, int step) {
     thud_joint_state s = state_of(t, world, c->joint);
     double force[2], room = 1.0001;
-    for (int k = THUD_ALONG; k <= THUD_ACROSS; k++) {
+    for (int k = THUD_DIRECTION_ALONG; k <= THUD_DIRECTION_ACROSS; k++) {
         force[k] = (double)fabsf(c->motors ? s.drive[k].motor : s.drive[k].spring) / c->most[k];
     }
     double along = force[0] * c->most[0], across = force[1] * c->most[1];
@@ -200,7 +201,7 @@ static void drives_keep_their_forces(trial *t) {
     last = hook_at(t, world, 8, 6);
     for (int i = 0; i < LINKS_PULLED; i++) {
         thud_body_id link = trial_drop(t, world, TURNED, 8.4 + 0.8 * i, 6, 0.1);
-        thud_joint_def def = between(t, THUD_HINGE, last, link, 0.4);
+        thud_joint_def def = between(t, THUD_JOINT_HINGE, last, link, 0.4);
         def.frame_a.position = i ? def.frame_a.position : (thud_vec2){0, 0};
         make(t, world, &def);
         body[ROWS] = last = link;
@@ -220,7 +221,7 @@ static void drives_keep_their_forces(trial *t) {
 /* A box rests on a body that it has no joint with, and falls through one that a joint connects it
  * with. */
 static void tied_bodies_pass_through_each_other(trial *t) {
-    thud_joint_kind kind = trial_pick(t, 2) ? THUD_FILTER : THUD_DISTANCE;
+    thud_joint_kind kind = trial_pick(t, 2) ? THUD_JOINT_FILTER : THUD_JOINT_DISTANCE;
     thud_world *world = trial_make(t, trial_def(t));
     if (!world) {
         return;
@@ -230,8 +231,9 @@ static void tied_bodies_pass_through_each_other(trial *t) {
     thud_body_id tied = trial_drop(t, world, TURNED, -0.6, 2.2, 0.3);
     thud_body_id other = trial_drop(t, world, TURNED, 0.6, 2.2, 0.3);
     thud_joint_def def = between(t, kind, shelf, tied, 0);
-    def.drive[THUD_ALONG].limited = kind == THUD_DISTANCE; /* a rope, which is never taut */
-    def.drive[THUD_ALONG].upper = (float)(5 * t->scale);
+    def.drive[THUD_DIRECTION_ALONG].limited =
+        kind == THUD_JOINT_DISTANCE; /* a rope, which is never taut */
+    def.drive[THUD_DIRECTION_ALONG].upper = (float)(5 * t->scale);
     make(t, world, &def);
     trial_run(t, world, trial_steps(t, 2));
     double low = trial_state(t, world, tied).position.y;
@@ -253,8 +255,8 @@ static void joints_break_where_they_bear_too_much(trial *t) {
     for (int i = 0; i < 2; i++) {
         thud_body_id body = trial_drop(t, world, BALL, 2 * i, 4, 0.3);
         thud_body_state state = {.mass = 0};
-        DO(t, thud_body_get(world, body, &state));
-        thud_joint_def def = between(t, THUD_DISTANCE, hook_at(t, world, 2 * i, 5), body, 0);
+        DO(t, thud_body_get_state(world, body, &state));
+        thud_joint_def def = between(t, THUD_JOINT_DISTANCE, hook_at(t, world, 2 * i, 5), body, 0);
         double weight = state.mass * (double)hypotf(0, trial_def(t).gravity.y);
         def.length = (float)t->scale;
         def.break_force = (float)((i ? 3 : 0.3) * weight);
@@ -263,7 +265,7 @@ static void joints_break_where_they_bear_too_much(trial *t) {
     for (int k = 0; k < trial_steps(t, 1) && !trial_failed(t); k++) {
         int count = 0;
         DO(t, thud_world_step(world));
-        thud_world_joint_events(world, &count);
+        thud_joint_events_of(world, &count);
         events += count;
     }
     if (events != 1 || thud_joint_is_valid(world, joint[0]) ||
@@ -282,25 +284,26 @@ static void joints_are_gone_with_their_bodies(trial *t) {
     }
     thud_body_id a = trial_drop(t, world, BALL, -0.5, 3, 0.3);
     thud_body_id b = trial_drop(t, world, BALL, 0.5, 3, 0.3);
-    thud_joint_def def = between(t, THUD_HINGE, a, b, 0.5);
+    thud_joint_def def = between(t, THUD_JOINT_HINGE, a, b, 0.5);
     thud_joint_id joint = make(t, world, &def);
     trial_run(t, world, 3);
     DO(t, thud_body_destroy(world, trial_pick(t, 2) ? a : b));
     trial_run(t, world, 1);
-    if (thud_joint_is_valid(world, joint) || thud_world_joints(world, NULL, 0) != 0) {
+    int listed = -1;
+    DO(t, thud_world_get_joints(world, NULL, 0, &listed));
+    if (thud_joint_is_valid(world, joint) || listed != 0) {
         trial_fault(t, "the joint is %s, and %d are listed",
-                    thud_joint_is_valid(world, joint) ? "valid" : "gone",
-                    thud_world_joints(world, NULL, 0));
+                    thud_joint_is_valid(world, joint) ? "valid" : "gone", listed);
     }
     trial_run(t, world, 3);
 }
 
 const guarantee guarantees_of_joints[] = {
-    {"drives_keep_their_forces", drives_keep_their_forces, {{0}}},
-    {"joints_are_gone_with_their_bodies", joints_are_gone_with_their_bodies, {{0}}},
-    {"joints_break_where_they_bear_too_much", joints_break_where_they_bear_too_much, {{0}}},
-    {"joints_close_before_they_sleep", joints_close_before_they_sleep, {{0}}},
-    {"joints_hold_what_they_lock", joints_hold_what_they_lock, {{0}}},
-    {"tied_bodies_pass_through_each_other", tied_bodies_pass_through_each_other, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(drives_keep_their_forces),
+    GUARANTEE(joints_are_gone_with_their_bodies),
+    GUARANTEE(joints_break_where_they_bear_too_much),
+    GUARANTEE(joints_close_before_they_sleep),
+    GUARANTEE(joints_hold_what_they_lock),
+    GUARANTEE(tied_bodies_pass_through_each_other),
+    {.name = NULL},
 };

@@ -31,7 +31,7 @@ static void refuse_bodies(trial *t, yard *y) {
     REFUSED(t, thud_body_set_velocity(w, body, wild, 0), THUD_ERROR_INVALID);
     REFUSED(t, thud_body_set_velocity(w, y->floor, (thud_vec2){1, 0}, 0), THUD_ERROR_INVALID);
     REFUSED(t, thud_body_apply_impulse(w, body, wild, (thud_pos){0, 0}), THUD_ERROR_INVALID);
-    REFUSED(t, thud_body_apply_force(w, body, wild, 0), THUD_ERROR_INVALID);
+    REFUSED(t, thud_body_apply_center_force(w, body, wild), THUD_ERROR_INVALID);
     REFUSED(t, thud_body_set_awake(w, stale, true), THUD_ERROR_STALE);
     REFUSED(t, thud_body_set_enabled(w, stale, true), THUD_ERROR_STALE);
 }
@@ -70,7 +70,7 @@ static void refuse_settings_and_queries(trial *t, yard *y) {
     REFUSED(t, thud_world_set_max_error(w, -1), THUD_ERROR_INVALID);
     REFUSED(t, thud_world_set_quality(w, &wrong), THUD_ERROR_INVALID);
     REFUSED(t, thud_world_advance(w, -1, 1, NULL, NULL), THUD_ERROR_INVALID);
-    REFUSED(t, thud_world_cast_ray(w, (thud_pos){NAN, 0}, 1, 0, NULL, &hit, &out),
+    REFUSED(t, thud_world_cast_ray(w, &(thud_ray){(thud_pos){NAN, 0}, 1, 0, NULL}, &hit, &out),
             THUD_ERROR_INVALID);
 }
 
@@ -133,7 +133,7 @@ static void damaged_snapshots_are_refused(trial *t) {
 
 /* Reports if the world's events are not those of the last step. */
 static void same_events(trial *t, const thud_world *world, const thud_events *before, int step) {
-    thud_events e = thud_world_events(world);
+    thud_events e = thud_events_of(world);
     if (e.begin_count != before->begin_count || e.end_count != before->end_count ||
         e.sensor_begin_count != before->sensor_begin_count || e.hit_count != before->hit_count) {
         trial_fault(t, "step %d: events were told without a step", step);
@@ -156,14 +156,14 @@ static void steps_without_memory_change_nothing(trial *t) {
         yard_before_step(&other);
         thud_result result = THUD_ERROR_MEMORY;
         for (int allowed = 0; result == THUD_ERROR_MEMORY && allowed < 200; allowed++) {
-            uint64_t hash = thud_world_hash(other.world);
-            thud_events before = thud_world_events(other.world);
+            uint64_t hash = thud_hash_of(other.world);
+            thud_events before = thud_events_of(other.world);
             memory_allowed = allowed;
             result = thud_world_step(other.world);
             memory_allowed = -1;
             if (result == THUD_ERROR_MEMORY) {
                 failures++;
-                if (thud_world_hash(other.world) != hash) {
+                if (thud_hash_of(other.world) != hash) {
                     trial_fault(t, "step %d moved something and failed", i);
                 }
                 same_events(t, other.world, &before, i);
@@ -185,8 +185,8 @@ static void steps_without_memory_change_nothing(trial *t) {
 }
 
 const guarantee guarantees_of_refusal[] = {
-    {"damaged_snapshots_are_refused", damaged_snapshots_are_refused, {{0}}},
-    {"refused_calls_change_nothing", refused_calls_change_nothing, {{0}}},
-    {"steps_without_memory_change_nothing", steps_without_memory_change_nothing, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(damaged_snapshots_are_refused),
+    GUARANTEE(refused_calls_change_nothing),
+    GUARANTEE(steps_without_memory_change_nothing),
+    {.name = NULL},
 };

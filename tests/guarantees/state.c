@@ -5,8 +5,8 @@
 
 #include <thud/thud_lists.h>
 
-/* thud_world_poses with alpha 0 and 1 gives the poses of the last two steps; a slot without a body
- * has the pose NaN. */
+/* thud_world_get_poses with alpha 0 and 1 gives the poses of the last two steps; a slot without a
+ * body has the pose NaN. */
 static void poses_are_those_of_two_steps(trial *t) {
     yard y;
     thud_pos before[YARD_BODIES];
@@ -20,7 +20,7 @@ static void poses_are_those_of_two_steps(trial *t) {
         for (int i = 0; i < 2 * YARD_BODIES && !trial_failed(t); i++) {
             thud_body_id body = y.body[i / 2];
             const thud_pose *poses =
-                thud_world_poses(y.world, (thud_pos){0, 0}, (double)(i % 2), &count);
+                thud_poses_of(y.world, (thud_pos){0, 0}, (double)(i % 2), &count);
             thud_pos at = i % 2 ? trial_state(t, y.world, body).position : before[i / 2];
             const thud_pose *p = &poses[body.index1 - 1];
             if (hypot((double)p->x / t->scale - at.x, (double)p->y / t->scale - at.y) > 1e-5) {
@@ -31,7 +31,7 @@ static void poses_are_those_of_two_steps(trial *t) {
     }
     DO(t, thud_body_destroy(y.world, y.body[3]));
     trial_run(t, y.world, 1);
-    const thud_pose *poses = thud_world_poses(y.world, (thud_pos){0, 0}, 1, &count);
+    const thud_pose *poses = thud_poses_of(y.world, (thud_pos){0, 0}, 1, &count);
     if (!trial_failed(t) && poses[y.body[3].index1 - 1].x == poses[y.body[3].index1 - 1].x) {
         trial_fault(t, "a slot without a body has a pose");
     }
@@ -87,7 +87,7 @@ static void contacts_of_a_body_are_its_neighbours(trial *t) {
     thud_body_id above = trial_drop(t, world, UPRIGHT, 0, 1.2, 0.4);
     trial_drop(t, world, BALL, 2, 0.4, 0.4);
     trial_run(t, world, trial_steps(t, 0.4));
-    DO(t, thud_body_contacts(world, below, m, 8, &count));
+    DO(t, thud_body_get_contacts(world, below, m, 8, &count));
     double borne = 0;
     for (int i = 0; i < count && i < 8; i++) {
         bool on_floor = m[i].body_a.index1 == floor.index1;
@@ -135,8 +135,8 @@ static void moved_bodies_are_those_elsewhere(trial *t) {
     for (int k = 0; k < 60 && !trial_failed(t); k++) {
         int count = 0, told = 0, next = 0;
         yard_step(&y);
-        DO(t, thud_world_bodies(y.world, all, SLOTS, &count));
-        DO(t, thud_world_moved_bodies(y.world, seen, SLOTS, moved, SLOTS, &told));
+        DO(t, thud_world_get_bodies(y.world, all, SLOTS, &count));
+        DO(t, thud_world_get_moved_bodies(y.world, seen, SLOTS, moved, SLOTS, &told));
         for (int i = 0; i < count && !trial_failed(t); i++) {
             thud_body_state now = trial_state(t, y.world, all[i]);
             place here = {all[i], now.position, now.angle};
@@ -163,22 +163,22 @@ static void sensors_list_what_they_told(trial *t) {
     for (int k = 0; k < 60 && !trial_failed(t); k++) {
         int count = 0, sensed = 0;
         yard_step(&y);
-        thud_events e = thud_world_events(y.world);
+        thud_events e = thud_events_of(y.world);
         for (int i = 0; i < e.sensor_end_count + e.sensor_begin_count; i++) {
             bool ends = i < e.sensor_end_count;
             const thud_contact_event *at =
                 ends ? &e.sensor_end[i] : &e.sensor_begin[i - e.sensor_end_count];
             open[at->shape_a.index1 - 1][at->shape_b.index1 - 1] ^= true;
         }
-        DO(t, thud_world_shapes(y.world, all, SLOTS, &count));
+        DO(t, thud_world_get_shapes(y.world, all, SLOTS, &count));
         for (int i = 0; i < count && !trial_failed(t); i++) {
             const bool *told = open[all[i].index1 - 1];
             thud_shape_state state;
-            DO(t, thud_shape_get(y.world, all[i], &state));
+            DO(t, thud_shape_get_state(y.world, all[i], &state));
             if (!state.sensor) {
                 continue;
             }
-            DO(t, thud_sensor_overlaps(y.world, all[i], list, SLOTS, &sensed));
+            DO(t, thud_shape_get_sensor_overlaps(y.world, all[i], list, SLOTS, &sensed));
             int expected = 0, found = 0;
             for (int n = 0; n < SLOTS; n++) {
                 expected += told[n];
@@ -193,10 +193,10 @@ static void sensors_list_what_they_told(trial *t) {
 }
 
 const guarantee guarantees_of_state[] = {
-    {"contacts_of_a_body_are_its_neighbours", contacts_of_a_body_are_its_neighbours, {{0}}},
-    {"dug_ground_lets_down_who_stood_there", dug_ground_lets_down_who_stood_there, {{0}}},
-    {"moved_bodies_are_those_elsewhere", moved_bodies_are_those_elsewhere, {{0}}},
-    {"poses_are_those_of_two_steps", poses_are_those_of_two_steps, {{0}}},
-    {"sensors_list_what_they_told", sensors_list_what_they_told, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(contacts_of_a_body_are_its_neighbours),
+    GUARANTEE(dug_ground_lets_down_who_stood_there),
+    GUARANTEE(moved_bodies_are_those_elsewhere),
+    GUARANTEE(poses_are_those_of_two_steps),
+    GUARANTEE(sensors_list_what_they_told),
+    {.name = NULL},
 };

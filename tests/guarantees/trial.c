@@ -84,7 +84,7 @@ thud_job_system trial_jobs(int workers) {
 }
 
 thud_world_def trial_def(trial *t) {
-    thud_world_def def = thud_world_def_of(settings_quality(t->set));
+    thud_world_def def = thud_default_world_def_of(settings_quality(t->set));
     def.detection = settings_detection(t->set);
     def.broadphase = settings_broadphase(t->set);
     def.sleeping = settings_sleeping(t->set);
@@ -132,7 +132,7 @@ int trial_steps(const trial *t, double seconds) {
 
 trial_bytes trial_snapshot(trial *t, const thud_world *world) {
     trial_bytes s = {NULL, 0};
-    DO(t, thud_world_snapshot_size(world, &s.size));
+    DO(t, thud_world_get_snapshot_size(world, &s.size));
     s.bytes = malloc(s.size);
     DO(t, thud_world_snapshot(world, s.bytes, s.size, NULL));
     return s;
@@ -178,7 +178,8 @@ thud_body_id trial_add(trial *t, thud_world *world, part p) {
 
 thud_body_id trial_drop(trial *t, thud_world *world, form kind, double x, double y, double hx) {
     return trial_add(
-        t, world, (part){.kind = THUD_DYNAMIC, .form = kind, .x = x, .y = y, .hx = hx, .hy = hx});
+        t, world,
+        (part){.kind = THUD_BODY_DYNAMIC, .form = kind, .x = x, .y = y, .hx = hx, .hy = hx});
 }
 
 thud_body_id trial_wall(trial *t, thud_world *world, double x, double y, double hx, double hy) {
@@ -187,13 +188,13 @@ thud_body_id trial_wall(trial *t, thud_world *world, double x, double y, double 
 
 thud_shape_id trial_shape(trial *t, thud_world *world, thud_body_id body) {
     thud_shape_id shape = {0, 0};
-    DO(t, thud_body_shapes(world, body, &shape, 1, NULL));
+    DO(t, thud_body_get_shapes(world, body, &shape, 1, NULL));
     return shape;
 }
 
 thud_body_state trial_state(trial *t, const thud_world *world, thud_body_id body) {
-    thud_body_state s = {.kind = THUD_STATIC};
-    DO(t, thud_body_get(world, body, &s));
+    thud_body_state s = {.kind = THUD_BODY_STATIC};
+    DO(t, thud_body_get_state(world, body, &s));
     s.position.x /= t->scale;
     s.position.y /= t->scale;
     s.velocity.x /= (float)t->scale;
@@ -201,17 +202,17 @@ thud_body_state trial_state(trial *t, const thud_world *world, thud_body_id body
     return s;
 }
 
-thud_shape_instance trial_placed(trial *t, const thud_world *world, thud_body_id body) {
+thud_geometry trial_placed(trial *t, const thud_world *world, thud_body_id body) {
     thud_body_state b = trial_state(t, world, body);
     thud_shape_id id = {0, 0};
-    thud_shape_state s = {.kind = THUD_CIRCLE};
-    DO(t, thud_body_shapes(world, body, &id, 1, NULL));
-    DO(t, thud_shape_get(world, id, &s));
-    return (thud_shape_instance){.kind = s.kind,
-                                 .x = b.position.x,
-                                 .y = b.position.y,
-                                 .c = s.kind == THUD_OBB ? (double)b.cosine : 1.0,
-                                 .s = s.kind == THUD_OBB ? (double)b.sine : 0.0,
-                                 .hx = (double)s.half_extents.x / t->scale,
-                                 .hy = (double)s.half_extents.y / t->scale};
+    thud_shape_state s = {.kind = THUD_SHAPE_CIRCLE};
+    DO(t, thud_body_get_shapes(world, body, &id, 1, NULL));
+    DO(t, thud_shape_get_state(world, id, &s));
+    return (thud_geometry){.kind = s.kind,
+                           .x = b.position.x,
+                           .y = b.position.y,
+                           .c = s.kind == THUD_SHAPE_OBB ? (double)b.cosine : 1.0,
+                           .s = s.kind == THUD_SHAPE_OBB ? (double)b.sine : 0.0,
+                           .hx = (double)s.half_extents.x / t->scale,
+                           .hy = (double)s.half_extents.y / t->scale};
 }

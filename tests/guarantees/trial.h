@@ -101,7 +101,7 @@ double trial_unit(const trial *t);
 thud_body_state trial_state(trial *t, const thud_world *world, thud_body_id body);
 
 /* A body's only shape as an instance for geometry, in length scales. */
-thud_shape_instance trial_placed(trial *t, const thud_world *world, thud_body_id body);
+thud_geometry trial_placed(trial *t, const thud_world *world, thud_body_id body);
 
 static inline double trial_draw(trial *t, double low, double high) {
     return draw(&t->random, low, high);

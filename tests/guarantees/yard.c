@@ -31,7 +31,7 @@ static void add_body(yard *y, int i, double x, double up) {
     thud_shape_def shape = thud_default_shape_def();
     float hx = (float)(draw(&y->random, 0.2, 0.45) * t->scale);
     float hy = (float)(draw(&y->random, 0.2, 0.45) * t->scale);
-    def.kind = THUD_DYNAMIC;
+    def.kind = THUD_BODY_DYNAMIC;
     def.position = place(y, x, up);
     def.angle = i % 3 == 2 ? draw(&y->random, -1, 1) : 0.0;
     def.velocity = trial_speed(t, draw(&y->random, -3, 3), draw(&y->random, -3, 3));
@@ -84,22 +84,24 @@ static void add_floor(yard *y) {
 
 /* Adds a joint; its kind depends on i, and some have a drive or a limit. */
 static void tie(yard *y, int i, thud_body_id a, thud_body_id b) {
-    static const thud_joint_kind kinds[] = {THUD_DISTANCE, THUD_HINGE, THUD_WHEEL, THUD_SLIDER,
-                                            THUD_FILTER,   THUD_WELD,  THUD_TARGET};
+    static const thud_joint_kind kinds[] = {THUD_JOINT_DISTANCE, THUD_JOINT_HINGE,
+                                            THUD_JOINT_WHEEL,    THUD_JOINT_SLIDER,
+                                            THUD_JOINT_FILTER,   THUD_JOINT_WELD,
+                                            THUD_JOINT_TARGET};
     thud_joint_def def = thud_default_joint_def(kinds[i % 7]);
     def.body_a = a;
     def.body_b = b;
     def.frame_a.position = trial_speed(y->t, 0.5, 0.3);
     def.frame_b.position = trial_speed(y->t, -0.4, 0.1);
     def.length = (float)(1.5 * y->t->scale);
-    if (i % 2 && is_driven(def.kind, THUD_TURN)) {
-        def.drive[THUD_TURN].limited = true;
-        def.drive[THUD_TURN].lower = -1;
-        def.drive[THUD_TURN].upper = 0.5f;
+    if (i % 2 && is_driven(def.kind, THUD_DIRECTION_TURN)) {
+        def.drive[THUD_DIRECTION_TURN].limited = true;
+        def.drive[THUD_DIRECTION_TURN].lower = -1;
+        def.drive[THUD_DIRECTION_TURN].upper = 0.5f;
     }
-    if (def.kind == THUD_WHEEL || def.kind == THUD_TARGET) {
-        def.drive[THUD_ALONG].frequency = 3;
-        def.drive[THUD_ACROSS].frequency = def.kind == THUD_TARGET ? 3 : 0;
+    if (def.kind == THUD_JOINT_WHEEL || def.kind == THUD_JOINT_TARGET) {
+        def.drive[THUD_DIRECTION_ALONG].frequency = 3;
+        def.drive[THUD_DIRECTION_ACROSS].frequency = def.kind == THUD_JOINT_TARGET ? 3 : 0;
     }
     DO(y->t, thud_joint_create(y->world, &def, NULL));
 }
@@ -108,14 +110,14 @@ static void tie(yard *y, int i, thud_body_id a, thud_body_id b) {
  * 2 makes the plate one-way for other categories. */
 static void rule_between(yard *y, int what, uint32_t first, uint32_t second) {
     thud_rule rule = thud_default_rule();
-    rule.meeting = what == 0 ? THUD_IGNORE : THUD_COLLIDE;
+    rule.kind = what == 0 ? THUD_RULE_IGNORE : THUD_RULE_COLLIDE;
     if (what == 2 && first != second) {
-        rule.meeting = THUD_ONE_WAY;
+        rule.kind = THUD_RULE_ONE_WAY;
     }
     rule.friction = 1.5f;
     rule.restitution = 0.5f;
     rule.surface_speed = (float)(0.5 * y->t->scale);
-    rule.most_impulse = (float)(0.01 * y->t->scale * y->t->scale * y->t->scale);
+    rule.event_impulse = (float)(0.01 * y->t->scale * y->t->scale * y->t->scale);
     DO(y->t, thud_world_set_rule(y->world, first, second, &rule));
 }
 
@@ -147,7 +149,7 @@ void yard_make_with(yard *y, trial *t, thud_world_def def, double away, unsigned
         add_body(y, i, i % 4 * 2.2 - 3.5, 1.6 + i / 4 * 1.8);
     }
     thud_body_def plate = thud_default_body_def();
-    plate.kind = THUD_KINEMATIC;
+    plate.kind = THUD_BODY_KINEMATIC;
     plate.position = place(y, 0, 4);
     DO(t, thud_body_create(y->world, &plate, &y->plate));
     add_box(y, y->plate, 0, 0, 1, 0.2, features & YARD_RULES ? PLATE_KIND : 1);
@@ -172,7 +174,7 @@ static void edit_body(yard *y, int what, thud_body_id body) {
     double x = draw(&y->random, -3, 3), up = draw(&y->random, 1.5, 8);
     thud_vec2 speed = trial_speed(y->t, draw(&y->random, -4, 4), draw(&y->random, -4, 4));
     thud_body_state state = {.mass = 0};
-    DO(y->t, thud_body_get(y->world, body, &state));
+    DO(y->t, thud_body_get_state(y->world, body, &state));
     switch (what) {
     case 0:
         DO(y->t, thud_body_set_transform(y->world, body, place(y, x, up), 0));
@@ -291,7 +293,7 @@ static uint64_t mix_pairs(uint64_t digest, const thud_contact_event *pairs, int 
 }
 
 static uint64_t mix_events(uint64_t digest, const thud_world *world) {
-    thud_events e = thud_world_events(world);
+    thud_events e = thud_events_of(world);
     digest = mix_pairs(digest, e.begin, e.begin_count);
     digest = mix_pairs(digest, e.end, e.end_count);
     digest = mix_pairs(digest, e.sensor_begin, e.sensor_begin_count);
@@ -307,7 +309,7 @@ static uint64_t mix_events(uint64_t digest, const thud_world *world) {
 
 static uint64_t mix_impulses(uint64_t digest, const thud_world *world) {
     int count = 0;
-    const thud_impulse_event *events = thud_world_impulses(world, &count);
+    const thud_impulse_event *events = thud_impulse_events_of(world, &count);
     for (int i = 0; i < count; i++) {
         MIX(events[i].shape_a.index1);
         MIX(events[i].shape_b.index1);
@@ -317,8 +319,8 @@ static uint64_t mix_impulses(uint64_t digest, const thud_world *world) {
 }
 
 static uint64_t mix_report(uint64_t digest, const thud_world *world) {
-    thud_step_error error = thud_world_error(world);
-    thud_stats s = thud_world_stats(world);
+    thud_step_error error = thud_step_error_of(world);
+    thud_stats s = thud_stats_of(world);
     const int64_t counts[] = {s.bodies,      s.shapes,   s.awake_bodies,   s.pairs,
                               s.contacts,    s.substeps, s.direct_islands, s.factorings,
                               s.island_work, s.impacts,  s.held_bodies,    s.motion_pairs};
@@ -333,7 +335,7 @@ static uint64_t mix_report(uint64_t digest, const thud_world *world) {
 uint64_t yard_told(const yard *y) {
     uint64_t digest = 0xcbf29ce484222325u;
     int count = 0;
-    const thud_pose *poses = thud_world_poses(y->world, yard_origin(y), 1.0, &count);
+    const thud_pose *poses = thud_poses_of(y->world, yard_origin(y), 1.0, &count);
     for (int i = 0; i < count; i++) {
         if (poses[i].x == poses[i].x) { /* NaN: no body has the slot */
             MIX(poses[i]);
@@ -341,7 +343,7 @@ uint64_t yard_told(const yard *y) {
     }
     for (int i = 0; i < YARD_BODIES; i++) {
         thud_body_state s = {.mass = 0};
-        if (thud_body_get(y->world, y->body[i], &s) == THUD_OK) {
+        if (thud_body_get_state(y->world, y->body[i], &s) == THUD_OK) {
             MIX(s.velocity);
             MIX(s.angular_velocity);
             MIX(s.awake);

@@ -6,7 +6,7 @@ import subprocess
 import unittest
 
 RUN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../run")
-PARTS = ["native", "clang", "sanitizers", "wasm", "page", "baseline"]
+PARTS = ["native", "sanitizers", "wasm", "page", "baseline"]
 
 
 def run(*words):

@@ -20,10 +20,10 @@ typedef struct thud_shape_def {
 THUD_API thud_result thud_body_turn(thud_world *world, thud_pos about, double angle);
 THUD_API thud_result thud_world_cast_ray(thud_world *world, thud_pos from, double dx, double dy);
 """
-PURE = """/* thud_shapes.h: geometry. */
+PURE = """/* thud_geometry.h: geometry. */
 THUD_API bool thud_shapes_meet(const thud_shape *a, double x, double y, const thud_pos *points);
 """
-ALL = "".join(f'#include "{name}.h"\n' for name in ("thud", "thud_limits", "thud_shapes"))
+ALL = "".join(f'#include "{name}.h"\n' for name in ("thud", "thud_limits", "thud_geometry"))
 ENGINE = "if (density <= THUD_DENSITY_MAX && angle <= THUD_ANGLE_MAX) {\n    return 1e300;\n}\n"
 TABLE = """#define LIMITS(FIELD, CALL) \\
     FIELD(thud_shape_def, density, density, 0, THUD_DENSITY_MAX, shape) \\
@@ -36,7 +36,7 @@ TABLE = """#define LIMITS(FIELD, CALL) \\
 
 class HeadersTest(unittest.TestCase):
     def breaches(self, main=MAIN, limits=LIMITS, pure=PURE, engine=ENGINE, table=TABLE, every=ALL):
-        return headers.breaches({"thud.h": main, "thud_limits.h": limits, "thud_shapes.h": pure,
+        return headers.breaches({"thud.h": main, "thud_limits.h": limits, "thud_geometry.h": pure,
                                  "thud_all.h": every}, {"shape.c": engine}, table, "")
 
     def assert_noticed(self, start, **broken):
@@ -72,7 +72,7 @@ class HeadersTest(unittest.TestCase):
         self.assert_noticed("vectors", pure=PURE.replace("double x, double y", "thud_pos at"))
 
     def test_header_that_is_in_none_of_all_is_noticed(self):
-        self.assert_noticed("all", every=ALL.replace('#include "thud_shapes.h"', ""))
+        self.assert_noticed("all", every=ALL.replace('#include "thud_geometry.h"', ""))
 
 
 if __name__ == "__main__":

@@ -1,5 +1,7 @@
 /* test_level_input.c: tests that invalid levels are reported, and refused or skipped, and that none
  * crashes the reader. */
+#define _POSIX_C_SOURCE 200809L
+
 #include "level.h"
 
 #include <setjmp.h>
@@ -9,6 +11,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -188,6 +192,24 @@ static void file_that_is_no_usable_map_is_refused_even_when_skipping(void **stat
     level_report_free(&report);
 }
 
+/* Opening a named pipe blocks until another process writes to it. */
+static void named_pipe_is_refused_without_waiting(void **state) {
+    (void)state;
+    char folder[] = "/tmp/thud-pipe-XXXXXX", path[64];
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/map.tmj", folder);
+    assert_int_equal(mkfifo(path, 0600), 0);
+    scene s;
+    level_report report;
+    alarm(10); /* ends the process if the reader waits */
+    assert_false(level_read_file(path, true, &s, &report));
+    alarm(0);
+    assert_int_equal(report.fatal, 1);
+    level_report_free(&report);
+    remove(path);
+    remove(folder);
+}
+
 static void deep_nesting_is_refused_without_overflow(void **state) {
     (void)state;
     enum { DEPTH = 100000 };
@@ -343,6 +365,7 @@ int main(void) {
         cmocka_unit_test(bad_object_is_refused_by_id_or_skipped_alone),
         cmocka_unit_test(bad_layer_is_refused_or_skipped),
         cmocka_unit_test(file_that_is_no_usable_map_is_refused_even_when_skipping),
+        cmocka_unit_test(named_pipe_is_refused_without_waiting),
         cmocka_unit_test(deep_nesting_is_refused_without_overflow),
         cmocka_unit_test(misspelt_property_is_noted),
         cmocka_unit_test(report_has_every_problem_in_words_however_many),

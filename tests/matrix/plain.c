@@ -1,18 +1,18 @@
-/* plain.c: see plain.h. Each pass_ function reads or writes a value, depending on the tape, so that
- * there is one order for both. */
+/* plain.c: see plain.h. Each serialize_ function reads or writes a value, depending on the stream,
+ * so that there is one order for both. */
 #include "plain.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct tape {
+typedef struct stream {
     FILE *file;
     bool writes, failed;
-} tape;
+} stream;
 
 /* Reads or writes a word as 16 hexadecimal digits. */
-static void pass_word(tape *t, uint64_t *word) {
+static void serialize_word(stream *t, uint64_t *word) {
     if (t->writes) {
         t->failed = t->failed || fprintf(t->file, "%016" PRIx64 "\n", *word) < 0;
         return;
@@ -23,38 +23,38 @@ static void pass_word(tape *t, uint64_t *word) {
     *word = t->failed ? 0 : strtoull(text, NULL, 16);
 }
 
-/* Each pass_ function writes its value to the tape, or reads it, by t->writes. */
-static void pass_double(tape *t, double *value) {
+/* Each serialize_ function writes its value to the stream, or reads it, by t->writes. */
+static void serialize_double(stream *t, double *value) {
     uint64_t word;
     memcpy(&word, value, sizeof word);
-    pass_word(t, &word);
+    serialize_word(t, &word);
     memcpy(value, &word, sizeof word);
 }
 
-static void pass_doubles(tape *t, double *const *values, int count) {
+static void serialize_doubles(stream *t, double *const *values, int count) {
     for (int i = 0; i < count; i++)
-        pass_double(t, values[i]);
+        serialize_double(t, values[i]);
 }
 
-static void pass_u32(tape *t, uint32_t *value) {
+static void serialize_u32(stream *t, uint32_t *value) {
     uint64_t word = *value;
-    pass_word(t, &word);
+    serialize_word(t, &word);
     *value = (uint32_t)word;
 }
 
-static void pass_int(tape *t, int *value) {
+static void serialize_int(stream *t, int *value) {
     uint32_t word = (uint32_t)*value;
-    pass_u32(t, &word);
+    serialize_u32(t, &word);
     *value = (int)word;
 }
 
-static void pass_bool(tape *t, bool *value) {
+static void serialize_bool(stream *t, bool *value) {
     uint32_t word = *value;
-    pass_u32(t, &word);
+    serialize_u32(t, &word);
     *value = word != 0;
 }
 
-static void pass_body(tape *t, scene_body *b) {
+static void serialize_body(stream *t, scene_body *b) {
     double *const values[] = {&b->x,
                               &b->y,
                               &b->angle,
@@ -65,19 +65,19 @@ static void pass_body(tape *t, scene_body *b) {
                               &b->linear_damping,
                               &b->angular_damping};
     int kind = (int)b->kind, detection = (int)b->detection;
-    pass_int(t, &kind);
-    pass_doubles(t, values, sizeof values / sizeof *values);
-    pass_bool(t, &b->fixed_rotation);
-    pass_bool(t, &b->may_sleep);
-    pass_int(t, &detection);
-    pass_u32(t, &b->id);
-    pass_int(t, &b->first_shape);
-    pass_int(t, &b->shape_count);
+    serialize_int(t, &kind);
+    serialize_doubles(t, values, sizeof values / sizeof *values);
+    serialize_bool(t, &b->fixed_rotation);
+    serialize_bool(t, &b->may_sleep);
+    serialize_int(t, &detection);
+    serialize_u32(t, &b->id);
+    serialize_int(t, &b->first_shape);
+    serialize_int(t, &b->shape_count);
     b->kind = (scene_body_kind)kind;
     b->detection = (scene_detection)detection;
 }
 
-static void pass_shape(tape *t, scene_shape *s) {
+static void serialize_shape(stream *t, scene_shape *s) {
     double *const values[] = {&s->x,
                               &s->y,
                               &s->hx,
@@ -89,74 +89,74 @@ static void pass_shape(tape *t, scene_shape *s) {
                               &s->material.friction,
                               &s->material.restitution};
     int kind = (int)s->kind, group = s->group;
-    pass_int(t, &kind);
-    pass_doubles(t, values, sizeof values / sizeof *values);
-    pass_int(t, &s->first_point);
-    pass_int(t, &s->point_count);
-    pass_bool(t, &s->sensor);
-    pass_u32(t, &s->category);
-    pass_u32(t, &s->mask);
-    pass_int(t, &group);
+    serialize_int(t, &kind);
+    serialize_doubles(t, values, sizeof values / sizeof *values);
+    serialize_int(t, &s->first_point);
+    serialize_int(t, &s->point_count);
+    serialize_bool(t, &s->sensor);
+    serialize_u32(t, &s->category);
+    serialize_u32(t, &s->mask);
+    serialize_int(t, &group);
     s->kind = (scene_shape_kind)kind;
     s->group = group;
 }
 
-static void pass_drive(tape *t, scene_drive *d) {
+static void serialize_drive(stream *t, scene_drive *d) {
     double *const values[] = {&d->lower,  &d->upper,        &d->frequency,   &d->damping,
                               &d->target, &d->spring_force, &d->motor_speed, &d->motor_force};
-    pass_bool(t, &d->limited);
-    pass_doubles(t, values, sizeof values / sizeof *values);
+    serialize_bool(t, &d->limited);
+    serialize_doubles(t, values, sizeof values / sizeof *values);
 }
 
-static void pass_joint(tape *t, scene_joint *j) {
+static void serialize_joint(stream *t, scene_joint *j) {
     double *const values[] = {&j->x[0],        &j->y[0],        &j->angle[0], &j->x[1],
                               &j->y[1],        &j->angle[1],    &j->length,   &j->ratio,
                               &j->break_force, &j->break_torque};
     int kind = (int)j->kind;
-    pass_int(t, &kind);
-    pass_int(t, &j->body[0]);
-    pass_int(t, &j->body[1]);
-    pass_doubles(t, values, sizeof values / sizeof *values);
+    serialize_int(t, &kind);
+    serialize_int(t, &j->body[0]);
+    serialize_int(t, &j->body[1]);
+    serialize_doubles(t, values, sizeof values / sizeof *values);
     for (int i = 0; i < SCENE_DIRECTIONS; i++)
-        pass_drive(t, &j->drive[i]);
-    pass_bool(t, &j->collide_connected);
+        serialize_drive(t, &j->drive[i]);
+    serialize_bool(t, &j->collide_connected);
     j->kind = (scene_joint_kind)kind;
 }
 
-static void pass_rule(tape *t, scene_rule *r) {
-    double *const values[] = {&r->friction, &r->restitution, &r->surface_speed, &r->most_impulse};
-    int meeting = (int)r->meeting;
-    pass_int(t, &r->step);
-    pass_u32(t, &r->first);
-    pass_u32(t, &r->second);
-    pass_int(t, &meeting);
-    pass_doubles(t, values, sizeof values / sizeof *values);
-    r->meeting = (scene_meeting)meeting;
+static void serialize_rule(stream *t, scene_rule *r) {
+    double *const values[] = {&r->friction, &r->restitution, &r->surface_speed, &r->event_impulse};
+    int meeting = (int)r->kind;
+    serialize_int(t, &r->step);
+    serialize_u32(t, &r->first);
+    serialize_u32(t, &r->second);
+    serialize_int(t, &meeting);
+    serialize_doubles(t, values, sizeof values / sizeof *values);
+    r->kind = (scene_rule_kind)meeting;
 }
 
-static void pass_fields(tape *t, scene_fields *f) {
+static void serialize_fields(stream *t, scene_fields *f) {
     double *const values[] = {&f->water_density, &f->water_level, &f->water_drag, &f->air_density,
                               &f->wind,          &f->wind_origin, &f->air_drag,   &f->air_lift};
-    pass_doubles(t, values, sizeof values / sizeof *values);
-    pass_int(t, &f->blast_count);
+    serialize_doubles(t, values, sizeof values / sizeof *values);
+    serialize_int(t, &f->blast_count);
     t->failed = t->failed || f->blast_count < 0 || f->blast_count > SCENE_BLASTS_MAX;
     for (int i = 0; i < f->blast_count && !t->failed; i++) {
         scene_blast *b = &f->blasts[i];
         double *const of_blast[] = {&b->x, &b->y, &b->radius, &b->falloff, &b->impulse};
-        pass_int(t, &b->step);
-        pass_doubles(t, of_blast, sizeof of_blast / sizeof *of_blast);
+        serialize_int(t, &b->step);
+        serialize_doubles(t, of_blast, sizeof of_blast / sizeof *of_blast);
     }
-    pass_int(t, &f->rule_count);
+    serialize_int(t, &f->rule_count);
     t->failed = t->failed || f->rule_count < 0 || f->rule_count > SCENE_RULES_MAX;
     for (int i = 0; i < f->rule_count && !t->failed; i++)
-        pass_rule(t, &f->rules[i]);
-    pass_u32(t, &f->breaks);
-    pass_u32(t, &f->pieces);
+        serialize_rule(t, &f->rules[i]);
+    serialize_u32(t, &f->breaks);
+    serialize_u32(t, &f->pieces);
 }
 
 /* Allocates room for the counts that were read. Wrong counts are found later, because the file then
  * has too few words. */
-static void make_room(tape *t, scene *s) {
+static void make_room(stream *t, scene *s) {
     const int most = 1 << 20;
     bool fits = s->body_count >= 0 && s->body_count <= most && s->shape_count >= 0 &&
                 s->shape_count <= most && s->point_count >= 0 && s->point_count <= most &&
@@ -177,32 +177,32 @@ static void make_room(tape *t, scene *s) {
     t->failed = !s->bodies || !s->shapes || !s->points || !s->joints;
 }
 
-static void pass_scene(tape *t, scene *s) {
+static void serialize_scene(stream *t, scene *s) {
     double *const values[] = {&s->gravity_x, &s->gravity_y, &s->length_scale};
-    pass_doubles(t, values, sizeof values / sizeof *values);
-    pass_int(t, &s->body_count);
-    pass_int(t, &s->shape_count);
-    pass_int(t, &s->point_count);
-    pass_int(t, &s->joint_count);
+    serialize_doubles(t, values, sizeof values / sizeof *values);
+    serialize_int(t, &s->body_count);
+    serialize_int(t, &s->shape_count);
+    serialize_int(t, &s->point_count);
+    serialize_int(t, &s->joint_count);
     if (!t->writes)
         make_room(t, s);
     for (int i = 0; i < s->body_count && !t->failed; i++)
-        pass_body(t, &s->bodies[i]);
+        serialize_body(t, &s->bodies[i]);
     for (int i = 0; i < s->shape_count && !t->failed; i++)
-        pass_shape(t, &s->shapes[i]);
+        serialize_shape(t, &s->shapes[i]);
     for (int i = 0; i < s->point_count && !t->failed; i++) {
-        pass_double(t, &s->points[i].x);
-        pass_double(t, &s->points[i].y);
+        serialize_double(t, &s->points[i].x);
+        serialize_double(t, &s->points[i].y);
     }
     for (int i = 0; i < s->joint_count && !t->failed; i++)
-        pass_joint(t, &s->joints[i]);
-    pass_fields(t, &s->fields);
+        serialize_joint(t, &s->joints[i]);
+    serialize_fields(t, &s->fields);
 }
 
 bool plain_write(FILE *file, const plain_title *title, scene *s) {
-    tape t = {.file = file, .writes = true};
+    stream t = {.file = file, .writes = true};
     t.failed = fprintf(file, "%s %s\n", title->kind, title->name) < 0;
-    pass_scene(&t, s);
+    serialize_scene(&t, s);
     return !t.failed;
 }
 
@@ -233,9 +233,9 @@ bool plain_read(FILE *file, plain_title *title, scene *s, bool *damaged) {
     *damaged = false;
     if (fscanf(file, "%15s", title->kind) != 1)
         return false;
-    tape t = {.file = file};
+    stream t = {.file = file};
     t.failed = fscanf(file, "%63s", title->name) != 1;
-    pass_scene(&t, s);
+    serialize_scene(&t, s);
     if (t.failed || !consistent(s)) {
         *damaged = true;
         scene_free(s);

@@ -14,6 +14,7 @@
 
 #include <thud/thud.h>
 #include <thud/thud_snapshot.h>
+#include <thud/thud_testing.h>
 
 #include <inttypes.h>
 #include <stdlib.h>
@@ -56,7 +57,7 @@ static thud_world *build(matrix *m, const scene *s, const char *kind) {
             def.broadphase = SETTINGS[i].broadphase;
         }
     }
-    def.baseline_simd = m->options.baseline;
+    thud_world_def_set_baseline_simd(&def, m->options.baseline);
     def.log = keep_reason;
     def.log_context = m;
     thud_world *world;
@@ -75,7 +76,7 @@ static bool make_steps(thud_world *world, const scene *s, int count) {
 /* Appends a snapshot, preceded by its size in 8 bytes, to the file of snapshots. */
 static bool take(matrix *m, const thud_world *world) {
     size_t size;
-    if (thud_world_snapshot_size(world, &size) != THUD_OK)
+    if (thud_world_get_snapshot_size(world, &size) != THUD_OK)
         return false;
     unsigned char *bytes = malloc(size), head[8];
     bool taken = bytes && thud_world_snapshot(world, bytes, size, NULL) == THUD_OK;
@@ -133,7 +134,7 @@ static void print_run(matrix *m, const plain_title *title, scene *s) {
     }
     printf("%s %s ", title->kind, title->name);
     if (done)
-        printf("%016" PRIx64 "\n", thud_world_hash(world));
+        printf("%016" PRIx64 "\n", thud_hash_of(world));
     else
         printf("refused: %s\n", m->reason);
     fflush(stdout);

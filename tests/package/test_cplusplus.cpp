@@ -24,7 +24,7 @@
 #include <thud/thud_reads.h>
 #include <thud/thud_rollback.h>
 #include <thud/thud_rules.h>
-#include <thud/thud_shapes.h>
+#include <thud/thud_geometry.h>
 #include <thud/thud_snapshot.h>
 #include <thud/thud_terrain.h>
 #include <thud/thud_version.h>
@@ -50,7 +50,7 @@ static void ball_falls_onto_floor(thud_world *world) {
     EXPECT(thud_body_create(world, &body, &floor) == THUD_OK);
     EXPECT(thud_shape_create_aabb(world, floor, &shape, thud_vec2{0, 0}, thud_vec2{10, 1},
                                   nullptr) == THUD_OK);
-    body.kind = THUD_DYNAMIC;
+    body.kind = THUD_BODY_DYNAMIC;
     body.position = thud_pos{0, 2};
     EXPECT(thud_body_create(world, &body, &ball) == THUD_OK);
     EXPECT(thud_shape_create_circle(world, ball, &shape, thud_vec2{0, 0}, 0.5f, nullptr) ==
@@ -59,30 +59,31 @@ static void ball_falls_onto_floor(thud_world *world) {
         EXPECT(thud_world_step(world) == THUD_OK);
     }
     thud_body_state state;
-    EXPECT(thud_body_get(world, ball, &state) == THUD_OK);
+    EXPECT(thud_body_get_state(world, ball, &state) == THUD_OK);
     EXPECT(state.position.y > 0.49 && state.position.y < 0.51);
     EXPECT(thud_body_set_velocity(world, thud_body_id{0, 0}, thud_vec2{0, 0}, 0) ==
            THUD_ERROR_STALE);
     bool hit = false;
-    EXPECT(thud_world_cast_ray(world, thud_pos{0, 5}, 0, -9, nullptr, &hit, nullptr) == THUD_OK);
+    thud_ray ray = {thud_pos{0, 5}, 0, -9, nullptr};
+    EXPECT(thud_world_cast_ray(world, &ray, &hit, nullptr) == THUD_OK);
     EXPECT(hit);
     thud_body_options light = {};
-    light.kind = THUD_DYNAMIC;
+    light.kind = THUD_BODY_DYNAMIC;
     light.density = 0.5f;
     EXPECT(thud_position_of(world, thud_body_make(world, thud_aabb_at(9, 9, 1, 1), &light)).x == 9);
-    thud_met met = {};
-    EXPECT(!thud_world_next_meeting(world, 2, 2, &met));
+    thud_event_pair met = {};
+    EXPECT(!thud_world_next_event_pair(world, 2, 2, &met));
     int bodies = 0;
-    EXPECT(thud_world_bodies(world, nullptr, 0, &bodies) == THUD_OK);
+    EXPECT(thud_world_get_bodies(world, nullptr, 0, &bodies) == THUD_OK);
     EXPECT(bodies == 3);
 }
 
 static void geometry_answers(thud_world *world) {
-    thud_shape_instance disc = {THUD_CIRCLE, 0, 3, 1, 0, 0.5, 0};
+    thud_geometry disc = {THUD_SHAPE_CIRCLE, 0, 3, 1, 0, 0.5, 0};
     thud_minkowski sum;
     EXPECT(thud_minkowski_sum(&disc, &disc, &sum) == THUD_OK);
     thud_volume around;
-    EXPECT(thud_volume_around_shape(THUD_AABB, &disc, &around) == THUD_OK);
+    EXPECT(thud_volume_around_shape(THUD_SHAPE_AABB, &disc, &around) == THUD_OK);
     thud_mover mover = thud_default_mover(disc);
     EXPECT(thud_mover_move(world, &mover, thud_vec2{1, -1}, 1.0 / 60, nullptr) == THUD_OK);
     thud_uv uv[2] = {{0, 0}, {1, 1}}, at;

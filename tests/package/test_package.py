@@ -23,14 +23,14 @@ int main() {
     thud_world *world;
     if (thud_world_create(&def, &world) != THUD_OK) return 1;
     thud_world_step(world);
-    int wrong = thud_world_stats(world).steps != 1;
+    int wrong = thud_stats_of(world).steps != 1;
     thud_world_destroy(world);
     return wrong;
 }
 """
 FINDS = """cmake_minimum_required(VERSION 3.22)
 project(game LANGUAGES CXX)
-find_package(thud 0.1 REQUIRED)
+find_package(thud 0.2 REQUIRED)
 add_executable(game game.cpp)
 target_link_libraries(game PRIVATE thud::thud)
 """
@@ -118,7 +118,7 @@ class PackageTest(unittest.TestCase):
         project(folder, FINDS.replace("thud::thud", "thud"))
         run("cmake", "-B", folder / "build", "-S", folder)
         run("cmake", "--build", folder / "build")
-        project(folder, FINDS.replace("thud 0.1", "thud 0.2"))
+        project(folder, FINDS.replace("thud 0.2", "thud 0.3"))
         with self.assertRaisesRegex(AssertionError, "considered but not accepted"):
             run("cmake", "-B", folder / "later", "-S", folder,
                 f"-DCMAKE_PREFIX_PATH={self.prefix}", f"-DCMAKE_CXX_COMPILER={CXX}")

@@ -46,7 +46,7 @@ static inline void run_whole(stage *t, int steps) {
     const scene *s = &t->scene;
     for (int i = 0; i < steps; i++) {
         OK(scene_step_thud(&s->fields, t->world));
-        assert_int_equal(thud_world_events(t->world).quarantined_count, 0);
+        assert_int_equal(thud_events_of(t->world).quarantined_count, 0);
     }
     for (int i = 0; i < s->body_count; i++) {
         thud_body_state b = body(t, i);
@@ -63,7 +63,7 @@ static inline void restored_goes_on(const char *name, int before, int after) {
     for (int i = 0; i < before; i++)
         OK(scene_step_thud(&a.scene.fields, a.world));
     size_t size;
-    OK(thud_world_snapshot_size(a.world, &size));
+    OK(thud_world_get_snapshot_size(a.world, &size));
     void *bytes = malloc(size);
     OK(thud_world_snapshot(a.world, bytes, size, NULL));
     OK(thud_world_restore(b.world, bytes, size));
@@ -72,7 +72,7 @@ static inline void restored_goes_on(const char *name, int before, int after) {
         OK(scene_step_thud(&a.scene.fields, a.world));
         OK(scene_step_thud(&b.scene.fields, b.world));
     }
-    assert_true(thud_world_hash(a.world) == thud_world_hash(b.world));
+    assert_true(thud_hash_of(a.world) == thud_hash_of(b.world));
     close_stage(&a);
     close_stage(&b);
 }

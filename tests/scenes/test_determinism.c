@@ -7,6 +7,7 @@
 #include "scenes.h"
 
 #include <thud/thud_lists.h>
+#include <thud/thud_testing.h>
 
 static const char *const SCENES[] = {"tall_stack", "circle_pit", "mixed_terrain", "tumbler_half",
                                      "smash",      "platformer", "gas",           "slopes",
@@ -31,9 +32,9 @@ static uint64_t motion_of(const char *name, int most, const thud_world_def *def,
         OK(scene_step_thud(&s.fields, world));
     uint64_t hash = 0xcbf29ce484222325u;
     int count = 0;
-    OK(thud_world_bodies(world, NULL, 0, &count));
+    OK(thud_world_get_bodies(world, NULL, 0, &count));
     thud_body_id *all = malloc((size_t)count * sizeof *all);
-    OK(thud_world_bodies(world, all, count, &count));
+    OK(thud_world_get_bodies(world, all, count, &count));
     for (int i = 0; i < count; i++) {
         thud_body_state b = state_of(world, all[i]);
         float values[3] = {b.velocity.x, b.velocity.y, b.angular_velocity};
@@ -52,7 +53,7 @@ static uint64_t motion_of(const char *name, int most, const thud_world_def *def,
 
 static uint64_t motion_after(const char *name, bool baseline, double shift_x, double shift_y) {
     thud_world_def def = thud_default_world_def();
-    def.baseline_simd = baseline;
+    thud_world_def_set_baseline_simd(&def, baseline);
     return motion_of(name, 600, &def, shift_x, shift_y);
 }
 
@@ -89,7 +90,7 @@ static void every_broadphase_gives_the_same_bits(void **state) {
         for (int k = 0; k < 4; k++) {
             thud_world_def def = thud_default_world_def();
             def.broadphase = others[k / 2];
-            def.baseline_simd = k % 2;
+            thud_world_def_set_baseline_simd(&def, k % 2);
             if (motion_of(SCENES[i], 600, &def, 0, 0) != by_grid) {
                 fail_msg("%s differs with %s", SCENES[i], thud_broadphase_name(def.broadphase));
             }
@@ -106,7 +107,7 @@ static void bisected_and_swept_scenes_have_the_same_bits_everywhere(void **state
         def.detection = kinds[i % 2];
         uint64_t wanted = motion_of(scenes[i / 2], 150, &def, 0, 0);
         thud_world_def other = def;
-        other.baseline_simd = true;
+        thud_world_def_set_baseline_simd(&other, true);
         other.broadphase = &thud_broadphase_all;
         if (motion_of(scenes[i / 2], 150, &other, 0, 0) != wanted ||
             motion_of(scenes[i / 2], 150, &def, 1e7, -1e7) != wanted) {

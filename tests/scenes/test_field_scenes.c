@@ -16,15 +16,17 @@ static double displaced(const stage *t, int index) {
     for (int i = 0; i < from->shape_count; i++) {
         const scene_shape *shape = &t->scene.shapes[from->first_shape + i];
         double c = cos(shape->angle), s = sin(shape->angle), area;
-        thud_shape_instance placed = {.kind = shape->kind == SCENE_CIRCLE ? THUD_CIRCLE : THUD_OBB,
-                                      .x = b.position.x + b.cosine * shape->x - b.sine * shape->y,
-                                      .y = b.position.y + b.sine * shape->x + b.cosine * shape->y,
-                                      .c = b.cosine * c - b.sine * s,
-                                      .s = b.sine * c + b.cosine * s,
-                                      .hx = shape->hx,
-                                      .hy = shape->hy};
+        thud_geometry placed = {.kind = shape->kind == SCENE_CIRCLE ? THUD_SHAPE_CIRCLE
+                                                                    : THUD_SHAPE_OBB,
+                                .x = b.position.x + b.cosine * shape->x - b.sine * shape->y,
+                                .y = b.position.y + b.sine * shape->x + b.cosine * shape->y,
+                                .c = b.cosine * c - b.sine * s,
+                                .s = b.sine * c + b.cosine * s,
+                                .hx = shape->hx,
+                                .hy = shape->hy};
         double x, y;
-        OK(thud_shape_below(&placed, 0, f->water_level, 0, 1, &area, &x, &y));
+        OK(thud_geometry_area_below(&placed, (thud_half_plane){0, f->water_level, 0, 1}, &area, &x,
+                                    &y));
         sum += f->water_density * area;
     }
     return sum;

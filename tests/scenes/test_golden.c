@@ -23,7 +23,7 @@ static uint64_t hash_of(const scene_info *info) {
     OK(scene_build_thud(&s, NULL, &world, NULL, NULL));
     for (int i = 0; i < 120; i++)
         OK(scene_step_thud(&s.fields, world));
-    uint64_t hash = thud_world_hash(world);
+    uint64_t hash = thud_hash_of(world);
     thud_world_destroy(world);
     scene_free(&s);
     return hash;

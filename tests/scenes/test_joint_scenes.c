@@ -20,7 +20,7 @@ static double run_for_gap(const stage *t, int steps) {
     double widest = 0;
     for (int i = 0; i < steps; i++) {
         OK(thud_world_step(t->world));
-        widest = fmax(widest, thud_world_error(t->world).joint_gap_max);
+        widest = fmax(widest, thud_step_error_of(t->world).joint_gap_max);
     }
     return widest;
 }
@@ -163,7 +163,7 @@ static int run_until_sling_breaks(const stage *t, double time_step) {
     int broken = 0, steps = 0;
     while (!broken && steps * time_step < 4) {
         OK(thud_world_step(t->world));
-        thud_world_joint_events(t->world, &broken);
+        thud_joint_events_of(t->world, &broken);
         steps++;
     }
     return steps;
@@ -203,7 +203,7 @@ static void trebuchet_hits_the_tower(void **state) {
         for (int i = 0; i < 400; i++) {
             int count = 0;
             OK(thud_world_step(t.world));
-            thud_world_joint_events(t.world, &count);
+            thud_joint_events_of(t.world, &count);
             broken += count;
         }
         for (int i = t.scene.body_count - 40; i < t.scene.body_count; i++)
@@ -297,13 +297,15 @@ static void dolls_bend_no_further_than_their_limits(void **state) {
     stage t = open_stage("ragdolls", 4, &thud_quality_high);
     run(t.world, 400);
     thud_joint_id joints[40];
-    assert_int_equal(thud_world_joints(t.world, joints, 40), 40);
+    int count;
+    OK(thud_world_get_joints(t.world, joints, 40, &count));
+    assert_int_equal(count, 40);
     for (int i = 0; i < 40; i++) {
         thud_joint_state joint;
-        OK(thud_joint_get(t.world, joints[i], &joint));
+        OK(thud_joint_get_state(t.world, joints[i], &joint));
         const scene_drive *turn = &t.scene.joints[i].drive[SCENE_TURN];
-        assert_true(joint.value[THUD_TURN] > turn->lower - 0.05);
-        assert_true(joint.value[THUD_TURN] < turn->upper + 0.05);
+        assert_true(joint.value[THUD_DIRECTION_TURN] > turn->lower - 0.05);
+        assert_true(joint.value[THUD_DIRECTION_TURN] < turn->upper + 0.05);
     }
     close_stage(&t);
 }

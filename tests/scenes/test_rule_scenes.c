@@ -78,7 +78,7 @@ static void planks_let_rise_and_hold_and_carry_by_kind(void **state) {
 
 static int body_count(const stage *t) {
     int count;
-    OK(thud_world_bodies(t->world, NULL, 0, &count));
+    OK(thud_world_get_bodies(t->world, NULL, 0, &count));
     return count;
 }
 
@@ -87,12 +87,12 @@ static double whole_mass(const stage *t) {
     thud_body_id ids[400];
     int count;
     double sum = 0;
-    OK(thud_world_bodies(t->world, ids, 400, &count));
+    OK(thud_world_get_bodies(t->world, ids, 400, &count));
     for (int i = 0; i < count; i++) {
         thud_body_state b = state_of(t->world, ids[i]);
         assert_true(isfinite(b.position.x) && fabs(b.position.x) < 30);
         assert_true(isfinite(b.position.y) && b.position.y >= -0.5);
-        if (b.kind == THUD_DYNAMIC)
+        if (b.kind == THUD_BODY_DYNAMIC)
             sum += (double)b.mass;
     }
     return sum;
@@ -103,13 +103,13 @@ static void crates_break_into_four_by_the_impulses_that_reached_their_limit(void
     enum { CRATES = 36, FIRST = 3, LANDING = 40, STACK = 4 };
     for (int q = 0; q < QUALITIES; q++) {
         stage t = open_stage("crates", CRATES, qualities[q]);
-        const float most = (float)t.scene.fields.rules[0].most_impulse;
+        const float most = (float)t.scene.fields.rules[0].event_impulse;
         double mass = whole_mass(&t);
         int breaking = 0;
         for (int step = 0; step < 900; step++) {
             int before = body_count(&t), events, whole = 0;
             OK(scene_step_thud(&t.scene.fields, t.world));
-            const thud_impulse_event *e = thud_world_impulses(t.world, &events);
+            const thud_impulse_event *e = thud_impulse_events_of(t.world, &events);
             for (int i = 0; i < events; i++)
                 assert_true(e[i].impulse > most);
             for (int i = 0; i < CRATES; i++)
@@ -137,10 +137,10 @@ static void crates_break_into_four_by_the_impulses_that_reached_their_limit(void
 /* ---- meetings ---- */
 
 /* How bodies of kinds a and b meet by the present rules. */
-static thud_meeting meeting(const stage *t, int a, int b) {
+static thud_rule_kind rule_kind_of(const stage *t, int a, int b) {
     thud_rule rule;
-    OK(thud_world_rule(t->world, 2u << a, 2u << b, &rule, NULL, NULL));
-    return rule.meeting;
+    OK(thud_world_get_rule(t->world, 2u << a, 2u << b, &rule, NULL, NULL));
+    return rule.kind;
 }
 
 /* Pairs of bodies, one of each kind, whose centres are nearer than 0.5 m, less than the width of
@@ -159,17 +159,17 @@ static void kinds_meet_by_the_timetable(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
         stage t = open_stage("meetings", 100, qualities[q]);
-        assert_int_equal(meeting(&t, 0, 1), THUD_IGNORE);
-        assert_int_equal(meeting(&t, 2, 3), THUD_ONE_WAY);
+        assert_int_equal(rule_kind_of(&t, 0, 1), THUD_RULE_IGNORE);
+        assert_int_equal(rule_kind_of(&t, 2, 3), THUD_RULE_ONE_WAY);
         run_whole(&t, 61);
-        assert_int_equal(meeting(&t, 0, 1), THUD_COLLIDE);
-        assert_int_equal(meeting(&t, 0, 2), THUD_IGNORE);
-        assert_int_equal(meeting(&t, 1, 1), THUD_COLLIDE);
+        assert_int_equal(rule_kind_of(&t, 0, 1), THUD_RULE_COLLIDE);
+        assert_int_equal(rule_kind_of(&t, 0, 2), THUD_RULE_IGNORE);
+        assert_int_equal(rule_kind_of(&t, 1, 1), THUD_RULE_COLLIDE);
         run_whole(&t, 30);
-        assert_int_equal(meeting(&t, 1, 1), THUD_IGNORE);
+        assert_int_equal(rule_kind_of(&t, 1, 1), THUD_RULE_IGNORE);
         run_whole(&t, 600);
-        assert_int_equal(meeting(&t, 2, 3), THUD_COLLIDE);
-        assert_int_equal(meeting(&t, 1, 3), THUD_ONE_WAY);
+        assert_int_equal(rule_kind_of(&t, 2, 3), THUD_RULE_COLLIDE);
+        assert_int_equal(rule_kind_of(&t, 1, 3), THUD_RULE_ONE_WAY);
         /* Bodies of kinds that ignore each other overlap, those of kinds that collide do not. */
         int apart = overlaps(&t, 0, 1) + overlaps(&t, 0, 3) + overlaps(&t, 1, 2) +
                     overlaps(&t, 2, 3) + overlaps(&t, 0, 0) + overlaps(&t, 2, 2);

@@ -27,20 +27,20 @@ static uint64_t run(const scene *s, int steps) {
     thud_result result = scene_build_thud(s, NULL, &world, ids, &failed_body);
     if (result != THUD_OK)
         fail_msg("%s: body %d: %s", s->name, failed_body, thud_result_text(result));
-    assert_int_equal(thud_world_stats(world).bodies, s->body_count);
+    assert_int_equal(thud_stats_of(world).bodies, s->body_count);
     for (int i = 0; i < steps; i++) {
         assert_int_equal(scene_step_thud(&s->fields, world), THUD_OK);
-        assert_int_equal(thud_world_events(world).quarantined_count, 0);
+        assert_int_equal(thud_events_of(world).quarantined_count, 0);
     }
     for (int i = 0; i < s->body_count; i++) {
         thud_body_state state;
         if (s->fields.breaks != 0 && !thud_body_is_valid(world, ids[i]))
             continue;
-        assert_int_equal(thud_body_get(world, ids[i], &state), THUD_OK);
+        assert_int_equal(thud_body_get_state(world, ids[i], &state), THUD_OK);
         if (!isfinite(state.position.x) || !isfinite(state.position.y))
             fail_msg("%s: body %d is lost", s->name, i);
     }
-    uint64_t hash = thud_world_hash(world);
+    uint64_t hash = thud_hash_of(world);
     thud_world_destroy(world);
     free(ids);
     return hash;
@@ -110,7 +110,7 @@ static void detection_lanes_keep_bullets_that_continuous_and_swept_look_after(vo
             if (s.bodies[i].kind != SCENE_DYNAMIC || s.shapes[s.bodies[i].first_shape].hx != bullet)
                 continue;
             bullets += step == 0;
-            assert_int_equal(thud_body_get(world, ids[i], &body), THUD_OK);
+            assert_int_equal(thud_body_get_state(world, ids[i], &body), THUD_OK);
             int lane = (int)((s.bodies[i].x / width + 0.5) * LANES);
             passed[lane] |= body.position.y > first_wall;
         }

@@ -60,13 +60,13 @@ static void walk(double slip[TEXTURE_ROWS]) {
         thud_manifold feet[16];
         int found = 0;
         run(world, 1);
-        OK(thud_body_contacts(world, bodies[0], feet, 16, &found));
+        OK(thud_body_get_contacts(world, bodies[0], feet, 16, &found));
         for (int i = 0; i < found && i < 16; i++) {
             const thud_manifold *m = &feet[i];
             if (m->point_count == 0 || !(m->normal_impulse[0] > 0))
                 continue;
             thud_vec2 v;
-            OK(thud_body_velocity_at(world, m->body_b, m->point[0], &v));
+            OK(thud_body_get_velocity_at(world, m->body_b, m->point[0], &v));
             int row = row_at(&s, m->point[0].x);
             slip[row] += fabs((double)v.x * m->normal.y - (double)v.y * m->normal.x);
             count[row]++;

@@ -6,11 +6,15 @@
 #include <thud/thud_joint.h>
 
 static inline bool is_driven(thud_joint_kind kind, int direction) {
-    enum { ALONG = 1 << THUD_ALONG, ACROSS = 1 << THUD_ACROSS, TURN = 1 << THUD_TURN };
+    enum {
+        ALONG = 1 << THUD_DIRECTION_ALONG,
+        ACROSS = 1 << THUD_DIRECTION_ACROSS,
+        TURN = 1 << THUD_DIRECTION_TURN
+    };
     static const unsigned driven[THUD_JOINT_KIND_COUNT] = {
-        [THUD_DISTANCE] = ALONG,     [THUD_HINGE] = TURN,
-        [THUD_SLIDER] = ALONG,       [THUD_WELD] = ALONG | ACROSS | TURN,
-        [THUD_WHEEL] = ALONG | TURN, [THUD_TARGET] = ALONG | ACROSS | TURN,
+        [THUD_JOINT_DISTANCE] = ALONG,     [THUD_JOINT_HINGE] = TURN,
+        [THUD_JOINT_SLIDER] = ALONG,       [THUD_JOINT_WELD] = ALONG | ACROSS | TURN,
+        [THUD_JOINT_WHEEL] = ALONG | TURN, [THUD_JOINT_TARGET] = ALONG | ACROSS | TURN,
     };
     return driven[kind] >> direction & 1u;
 }

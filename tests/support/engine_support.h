@@ -72,27 +72,27 @@ static inline thud_shape_id add_shape(thud_world *world, thud_body_id body, floa
 }
 
 static inline thud_body_id add_ball(thud_world *world, double x, double y, float r) {
-    thud_body_id id = add_body(world, THUD_DYNAMIC, x, y, 0);
+    thud_body_id id = add_body(world, THUD_BODY_DYNAMIC, x, y, 0);
     add_shape(world, id, r, 0, false, NULL);
     return id;
 }
 
 static inline thud_body_id add_box(thud_world *world, double x, double y, float hx, float hy) {
-    thud_body_id id = add_body(world, THUD_DYNAMIC, x, y, 0);
+    thud_body_id id = add_body(world, THUD_BODY_DYNAMIC, x, y, 0);
     add_shape(world, id, hx, hy, false, NULL);
     return id;
 }
 
 /* Adds a static box whose top is at y = 0, and which reaches from x = -100 to 100. */
 static inline thud_body_id add_floor(thud_world *world, const thud_shape_def *def) {
-    thud_body_id id = add_body(world, THUD_STATIC, 0, -1, 0);
+    thud_body_id id = add_body(world, THUD_BODY_STATIC, 0, -1, 0);
     add_shape(world, id, 100, 1, true, def);
     return id;
 }
 
 static inline thud_body_state state_of(const thud_world *world, thud_body_id id) {
     thud_body_state state;
-    OK(thud_body_get(world, id, &state));
+    OK(thud_body_get_state(world, id, &state));
     return state;
 }
 

@@ -5,7 +5,7 @@
 #ifndef GEOMETRY_EXACT_H
 #define GEOMETRY_EXACT_H
 
-#include "thud/thud_shapes.h"
+#include "thud/thud_geometry.h"
 
 #include <float.h>
 #include <math.h>
@@ -53,9 +53,11 @@ typedef struct solid {
 } solid;
 
 /* The shape's polygon with this centre and rotation (c, si). */
-static inline solid solid_at(const thud_shape_instance *s, vec center, real c, real si) {
-    solid out = {.count = 1, .v = {center}, .radius = s->kind == THUD_CIRCLE ? (real)s->hx : 0.0L};
-    if (s->kind != THUD_CIRCLE) {
+static inline solid solid_at(const thud_geometry *s, vec center, real c, real si) {
+    solid out = {.count = 1,
+                 .v = {center},
+                 .radius = s->kind == THUD_SHAPE_CIRCLE ? (real)s->hx : 0.0L};
+    if (s->kind != THUD_SHAPE_CIRCLE) {
         out.count = 4;
         for (int i = 0; i < 4; i++) {
             real u = i == 1 || i == 2 ? (real)s->hx : -(real)s->hx;
@@ -67,14 +69,13 @@ static inline solid solid_at(const thud_shape_instance *s, vec center, real c, r
 }
 
 /* The shape's polygon, relative to (x, y). */
-static inline solid solid_of(const thud_shape_instance *s, double x, double y) {
+static inline solid solid_of(const thud_geometry *s, double x, double y) {
     return solid_at(s, vec_of((real)s->x - x, (real)s->y - y), s->c, s->s);
 }
 
 /* The shape's polygon after the share t of its motion m, relative to (x, y). */
-static inline solid solid_after(const thud_shape_instance *s, thud_motion m, real t, double x,
-                                double y) {
-    bool turns = s->kind == THUD_OBB && m.turn != 0.0;
+static inline solid solid_after(const thud_geometry *s, thud_motion m, real t, double x, double y) {
+    bool turns = s->kind == THUD_SHAPE_OBB && m.turn != 0.0;
     real c = turns ? cosl(m.turn * t) : 1.0L, si = turns ? sinl(m.turn * t) : 0.0L;
     return solid_at(s, vec_of((real)s->x - x + m.dx * t, (real)s->y - y + m.dy * t),
                     s->c * c - s->s * si, s->s * c + s->c * si);

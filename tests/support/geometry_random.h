@@ -5,12 +5,12 @@
 #define GEOMETRY_RANDOM_H
 
 #include "share.h"
-/* State of the generator. */
-#include "thud/thud_shapes.h"
+#include "thud/thud_geometry.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+/* State of the generator. */
 typedef struct source {
     uint64_t state; /* not 0 */
 } source;
@@ -31,20 +31,20 @@ static inline int draw_below(source *r, int count) {
     return (int)(draw_bits(r) >> 33) % count;
 }
 
-static inline void set_angle(thud_shape_instance *shape, double angle) {
-    shape->c = shape->kind == THUD_OBB ? cos(angle) : 1.0;
-    shape->s = shape->kind == THUD_OBB ? sin(angle) : 0.0;
+static inline void set_angle(thud_geometry *shape, double angle) {
+    shape->c = shape->kind == THUD_SHAPE_OBB ? cos(angle) : 1.0;
+    shape->s = shape->kind == THUD_SHAPE_OBB ? sin(angle) : 0.0;
 }
 
 /* A shape of any kind about the origin; a fifth of the boxes are needles with a half width of
  * 1e-5. */
-static inline thud_shape_instance draw_shape(source *r) {
-    thud_shape_instance shape = {.kind = (thud_shape_kind)draw_below(r, 3), .c = 1.0};
+static inline thud_geometry draw_shape(source *r) {
+    thud_geometry shape = {.kind = (thud_shape_kind)draw_below(r, 3), .c = 1.0};
     shape.x = draw(r, -1.5, 1.5);
     shape.y = draw(r, -1.5, 1.5);
     shape.hx = exp(draw(r, -2.0, 0.7));
-    shape.hy = shape.kind == THUD_CIRCLE ? 0.0 : exp(draw(r, -2.0, 0.7));
-    if (shape.kind != THUD_CIRCLE && draw_below(r, 5) == 0) {
+    shape.hy = shape.kind == THUD_SHAPE_CIRCLE ? 0.0 : exp(draw(r, -2.0, 0.7));
+    if (shape.kind != THUD_SHAPE_CIRCLE && draw_below(r, 5) == 0) {
         shape.hx = 1e-5;
     }
     set_angle(&shape, draw(r, -4.0, 4.0));
@@ -52,8 +52,8 @@ static inline thud_shape_instance draw_shape(source *r) {
 }
 
 /* A point of the outline, relative to the shape's centre; `turn` in [0, 1) goes once around it. */
-static inline thud_pos outline(const thud_shape_instance *shape, double turn) {
-    if (shape->kind == THUD_CIRCLE) {
+static inline thud_pos outline(const thud_geometry *shape, double turn) {
+    if (shape->kind == THUD_SHAPE_CIRCLE) {
         double angle = turn * 6.283185307179586;
         return (thud_pos){shape->hx * cos(angle), shape->hx * sin(angle)};
     }
@@ -67,8 +67,8 @@ static inline thud_pos outline(const thud_shape_instance *shape, double turn) {
 }
 
 /* Signed distance of a point (given relative to the shape's centre) from the shape. */
-static inline double point_distance(const thud_shape_instance *shape, double x, double y) {
-    if (shape->kind == THUD_CIRCLE) {
+static inline double point_distance(const thud_geometry *shape, double x, double y) {
+    if (shape->kind == THUD_SHAPE_CIRCLE) {
         return sqrt(x * x + y * y) - shape->hx;
     }
     double u = fabs(shape->c * x + shape->s * y) - shape->hx;
@@ -77,9 +77,9 @@ static inline double point_distance(const thud_shape_instance *shape, double x, 
     return u > 0.0 || v > 0.0 ? sqrt(over_u * over_u + over_v * over_v) : u > v ? u : v;
 }
 
-static inline double outline_length(const thud_shape_instance *shape) {
-    return shape->kind == THUD_CIRCLE ? 6.283185307179586 * shape->hx
-                                      : 4.0 * (shape->hx + shape->hy);
+static inline double outline_length(const thud_geometry *shape) {
+    return shape->kind == THUD_SHAPE_CIRCLE ? 6.283185307179586 * shape->hx
+                                            : 4.0 * (shape->hx + shape->hy);
 }
 
 /* How many random cases a pair of kinds gets: THUD_CASES of the environment, or else the share of
@@ -91,12 +91,12 @@ static inline int case_count(int usual) {
 }
 
 /* A shape of one kind about the origin, none of them a needle. */
-static inline thud_shape_instance draw_shape_of(source *r, thud_shape_kind kind) {
-    thud_shape_instance shape = {.kind = kind, .c = 1.0};
+static inline thud_geometry draw_shape_of(source *r, thud_shape_kind kind) {
+    thud_geometry shape = {.kind = kind, .c = 1.0};
     shape.x = draw(r, -1.5, 1.5);
     shape.y = draw(r, -1.5, 1.5);
     shape.hx = exp(draw(r, -2.0, 0.7));
-    shape.hy = kind == THUD_CIRCLE ? 0.0 : exp(draw(r, -2.0, 0.7));
+    shape.hy = kind == THUD_SHAPE_CIRCLE ? 0.0 : exp(draw(r, -2.0, 0.7));
     set_angle(&shape, draw(r, -4.0, 4.0));
     return shape;
 }

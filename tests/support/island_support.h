@@ -28,7 +28,7 @@ static inline thud_world *world_of(const thud_quality *quality) {
 static inline thud_body_id add_heavy(thud_world *world, double x, double y, float half,
                                      float density) {
     thud_shape_def def = thud_default_shape_def();
-    thud_body_id id = add_body(world, THUD_DYNAMIC, x, y, 0);
+    thud_body_id id = add_body(world, THUD_BODY_DYNAMIC, x, y, 0);
     def.density = density;
     add_shape(world, id, half, half, false, &def);
     return id;

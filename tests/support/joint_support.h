@@ -34,7 +34,7 @@ static inline thud_joint_id make(thud_world *world, thud_joint_def def) {
 
 static inline thud_joint_state joint_of(const thud_world *world, thud_joint_id id) {
     thud_joint_state state;
-    OK(thud_joint_get(world, id, &state));
+    OK(thud_joint_get_state(world, id, &state));
     return state;
 }
 

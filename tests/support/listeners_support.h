@@ -51,7 +51,7 @@ static inline void mix_contact(const thud_world *world, ear *e, const thud_conta
  * shapes' settings and without impulses. */
 static inline bool opinion(thud_world *world, const thud_contact *contact, thud_contact_settings *s,
                            ear *e) {
-    int steps = (int)thud_world_stats(world).steps;
+    int steps = (int)thud_stats_of(world).steps;
     int which = (int)(contact->shape_a.index1 * 7 + contact->shape_b.index1) + steps / 6;
     mix_contact(world, e, contact);
     mix(e, s, sizeof *s);
@@ -153,12 +153,12 @@ static inline thud_world *make_scene(thud_world_def def, thud_body_id bodies[BOD
         points[i] = (thud_pos){i - 10, 0.4 + 0.3 * (i % 3)};
     }
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 21};
-    OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, 0, 0, 0), &plain, &line,
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0), &plain, &line,
                                  NULL));
     uint64_t seed = 11;
     for (int i = 0; i < BODIES; i++) {
         thud_body_def body = thud_default_body_def();
-        body.kind = i % 20 == 7 ? THUD_KINEMATIC : THUD_DYNAMIC;
+        body.kind = i % 20 == 7 ? THUD_BODY_KINEMATIC : THUD_BODY_DYNAMIC;
         body.position = (thud_pos){i % 10 * 1.3 - 6, 1.5 + i / 10 * 1.2};
         body.angle = i % 3 == 2 ? 0 : random_in(&seed, -1, 1);
         body.velocity.x = (float)(i % 20 == 7 ? 1 : random_in(&seed, -3, 3));

@@ -28,21 +28,21 @@ static inline bool body_listed(const thud_body_id *list, int count, thud_body_id
 static inline bool is_among_bodies(const thud_world *world, thud_body_id body) {
     thud_body_id list[ROOM];
     int count;
-    OK(thud_world_bodies(world, list, ROOM, &count));
+    OK(thud_world_get_bodies(world, list, ROOM, &count));
     return body_listed(list, count, body);
 }
 
 static inline bool is_among_awake(const thud_world *world, thud_body_id body) {
     thud_body_id list[ROOM];
     int count;
-    OK(thud_world_awake_bodies(world, list, ROOM, &count));
+    OK(thud_world_get_awake_bodies(world, list, ROOM, &count));
     return body_listed(list, count, body);
 }
 
 static inline bool is_among_shapes(const thud_world *world, thud_shape_id shape) {
     thud_shape_id list[ROOM];
     int count, i = 0;
-    OK(thud_world_shapes(world, list, ROOM, &count));
+    OK(thud_world_get_shapes(world, list, ROOM, &count));
     while (i < count && !same_shape(list[i], shape)) {
         i++;
     }
@@ -52,7 +52,7 @@ static inline bool is_among_shapes(const thud_world *world, thud_shape_id shape)
 /* How many shapes overlap the sensor. */
 static inline int sensed_by(const thud_world *world, thud_shape_id sensor) {
     int count;
-    OK(thud_sensor_overlaps(world, sensor, NULL, 0, &count));
+    OK(thud_shape_get_sensor_overlaps(world, sensor, NULL, 0, &count));
     return count;
 }
 
@@ -65,7 +65,7 @@ typedef struct watch {
 
 /* Updates the watch; returns how many bodies moved. */
 static inline int look(watch *w, const thud_world *world) {
-    OK(thud_world_moved_bodies(world, w->seen, ROOM, w->list, ROOM, &w->count));
+    OK(thud_world_get_moved_bodies(world, w->seen, ROOM, w->list, ROOM, &w->count));
     return w->count;
 }
 

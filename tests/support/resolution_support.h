@@ -21,7 +21,7 @@ static inline thud_world *make_world_with(const thud_detection *detection,
 /* Adds a body of a form: 0 a circle of radius 0.5, 1 an AABB, 2 an OBB of half extents 0.5. */
 static inline thud_body_id add_kind(thud_world *world, int kind, double x, double y,
                                     const thud_shape_def *def) {
-    thud_body_id body = add_body(world, THUD_DYNAMIC, x, y, 0);
+    thud_body_id body = add_body(world, THUD_BODY_DYNAMIC, x, y, 0);
     add_shape(world, body, 0.5f, kind ? 0.5f : 0, kind == 1, def);
     return body;
 }

@@ -37,7 +37,7 @@ static inline thud_body_id add(thud_world *w, thud_body_kind body_kind, uint32_t
 
 static inline thud_body_state get(thud_world *w, thud_body_id body) {
     thud_body_state state;
-    OK(thud_body_get(w, body, &state));
+    OK(thud_body_get_state(w, body, &state));
     return state;
 }
 
@@ -47,10 +47,10 @@ static inline void steps(thud_world *w, int count) {
     }
 }
 
-/* The default rule with another way of meeting. */
-static inline thud_rule meeting(thud_meeting how) {
+/* The default rule with another kind. */
+static inline thud_rule rule_of_kind(thud_rule_kind kind) {
     thud_rule rule = thud_default_rule();
-    rule.meeting = how;
+    rule.kind = kind;
     return rule;
 }
 

@@ -17,7 +17,7 @@ typedef struct saved {
 static inline saved save(const thud_world *world) {
     saved made = {NULL, 0};
     size_t written = 0;
-    OK(thud_world_snapshot_size(world, &made.size));
+    OK(thud_world_get_snapshot_size(world, &made.size));
     made.bytes = malloc(made.size);
     assert_non_null(made.bytes);
     OK(thud_world_snapshot(world, made.bytes, made.size, &written));
@@ -42,16 +42,16 @@ static inline void mix(uint64_t *digest, const void *values, size_t bytes) {
 
 /* Digest of the world's hash, poses, events, errors and statistics, without times and memory. */
 static inline uint64_t digest_of(thud_world *world) {
-    uint64_t digest = thud_world_hash(world);
+    uint64_t digest = thud_hash_of(world);
     int count = 0;
-    const thud_pose *poses = thud_world_poses(world, (thud_pos){0, 0}, 0.5, &count);
+    const thud_pose *poses = thud_poses_of(world, (thud_pos){0, 0}, 0.5, &count);
     for (int i = 0; i < count; i++) {
         /* else the slot has no body, and its other values mean nothing */
         if (poses[i].x == poses[i].x) {
             MIX(poses[i]);
         }
     }
-    thud_events e = thud_world_events(world);
+    thud_events e = thud_events_of(world);
     mix(&digest, e.begin, (size_t)e.begin_count * sizeof *e.begin);
     mix(&digest, e.end, (size_t)e.end_count * sizeof *e.end);
     mix(&digest, e.sensor_begin, (size_t)e.sensor_begin_count * sizeof *e.sensor_begin);
@@ -63,16 +63,16 @@ static inline uint64_t digest_of(thud_world *world) {
         MIX(e.hit[i].point);
         MIX(e.hit[i].speed);
     }
-    thud_step_error error = thud_world_error(world);
+    thud_step_error error = thud_step_error_of(world);
     MIX(error.penetration_max);
     MIX(error.penetration_mean);
     MIX(error.residual);
     MIX(error.energy_change);
     MIX(error.shortfall);
     double limit;
-    OK(thud_world_bisection_limit(world, &limit));
+    OK(thud_world_get_bisection_limit(world, &limit));
     MIX(limit);
-    thud_stats s = thud_world_stats(world);
+    thud_stats s = thud_stats_of(world);
     const uint64_t counts[] = {s.steps,
                                (uint64_t)s.bodies,
                                (uint64_t)s.shapes,
@@ -139,13 +139,13 @@ static inline yard make_yard(const thud_world_def *def) {
     }
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 33};
     thud_shape_def plain = thud_default_shape_def(), sensor = plain;
-    OK(thud_shape_create_terrain(y.world, add_body(y.world, THUD_STATIC, 0, 0, 0), &plain, &line,
-                                 &y.ground));
-    y.ball = add_body(y.world, THUD_DYNAMIC, -5, 3, 0);
+    OK(thud_shape_create_terrain(y.world, add_body(y.world, THUD_BODY_STATIC, 0, 0, 0), &plain,
+                                 &line, &y.ground));
+    y.ball = add_body(y.world, THUD_BODY_DYNAMIC, -5, 3, 0);
     y.ball_shape = add_shape(y.world, y.ball, 0.5f, 0, false, NULL);
     y.box = add_box(y.world, 5, 3, 0.5f, 0.4f);
     sensor.sensor = true;
-    add_shape(y.world, add_body(y.world, THUD_STATIC, 0, 2, 0), 3, 2, true, &sensor);
+    add_shape(y.world, add_body(y.world, THUD_BODY_STATIC, 0, 2, 0), 3, 2, true, &sensor);
     for (int i = 0; i < 12; i++) {
         y.heap[i] = add_box(y.world, 0.3 * (i % 3), 2 + i, 0.5f, 0.4f);
     }

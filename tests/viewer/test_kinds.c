@@ -17,10 +17,10 @@ static void open_scene(session *s, const char *name) {
     assert_true(session_load(s, &entry));
 }
 
-static thud_meeting meeting(const session *s, int a, int b) {
+static thud_rule_kind rule_kind_of(const session *s, int a, int b) {
     thud_rule rule = {0};
-    assert_int_equal(thud_world_rule(s->world, 2u << a, 2u << b, &rule, NULL, NULL), THUD_OK);
-    return rule.meeting;
+    assert_int_equal(thud_world_get_rule(s->world, 2u << a, 2u << b, &rule, NULL, NULL), THUD_OK);
+    return rule.kind;
 }
 
 static void every_pair_of_kinds_is_chosen_in_its_turn(void **state) {
@@ -64,12 +64,12 @@ static void meeting_that_a_user_set_stays_against_the_timetable(void **state) {
     session_step(&s);
     while (s.pair[0] != 0 || s.pair[1] != 1)
         session_next_pair(&s);
-    assert_int_equal(meeting(&s, 0, 1), THUD_IGNORE);
+    assert_int_equal(rule_kind_of(&s, 0, 1), THUD_RULE_IGNORE);
     session_next_meeting(&s);
     for (int i = 0; i < 120; i++) /* during these steps the timetable would let them collide */
         session_step(&s);
-    assert_int_equal(meeting(&s, 0, 1), THUD_ONE_WAY);
-    assert_int_equal(meeting(&s, 0, 2), THUD_IGNORE); /* as the timetable sets it */
+    assert_int_equal(rule_kind_of(&s, 0, 1), THUD_RULE_ONE_WAY);
+    assert_int_equal(rule_kind_of(&s, 0, 2), THUD_RULE_IGNORE); /* as the timetable sets it */
     session_free(&s);
 }
 
@@ -80,11 +80,12 @@ static void kind_and_itself_collide_or_ignore_each_other(void **state) {
     session_step(&s);
     while (s.pair[0] != 2 || s.pair[1] != 2)
         session_next_pair(&s);
-    static const thud_meeting expected[] = {THUD_IGNORE, THUD_COLLIDE, THUD_IGNORE};
+    static const thud_rule_kind expected[] = {THUD_RULE_IGNORE, THUD_RULE_COLLIDE,
+                                              THUD_RULE_IGNORE};
     for (int i = 0; i < 3; i++) {
         session_next_meeting(&s);
         session_step(&s);
-        assert_int_equal(meeting(&s, 2, 2), expected[i]);
+        assert_int_equal(rule_kind_of(&s, 2, 2), expected[i]);
     }
     session_free(&s);
 }

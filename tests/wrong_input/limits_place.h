@@ -24,7 +24,7 @@ typedef struct place {
     thud_shape_id round, flat, line;
     thud_shape_def shape;
     thud_mover mover;
-    thud_shape_instance box;
+    thud_geometry box;
     thud_motion rest;
     thud_contact_settings *settings; /* written by the prologue; null: none */
     thud_result heard;
@@ -91,17 +91,17 @@ static void place_make(place *p, double scale) {
     thud_world_def def = def_of(p);
     OK(thud_world_create(&def, &p->world));
     set_listeners(p->world, ask, NULL, p);
-    p->ball = body_of(p, THUD_DYNAMIC, 0);
-    p->stone = body_of(p, THUD_DYNAMIC, 50);
-    p->slab = body_of(p, THUD_STATIC, 1);
-    p->lift = body_of(p, THUD_KINEMATIC, 100);
-    p->ground = body_of(p, THUD_STATIC, 0);
+    p->ball = body_of(p, THUD_BODY_DYNAMIC, 0);
+    p->stone = body_of(p, THUD_BODY_DYNAMIC, 50);
+    p->slab = body_of(p, THUD_BODY_STATIC, 1);
+    p->lift = body_of(p, THUD_BODY_KINEMATIC, 100);
+    p->ground = body_of(p, THUD_BODY_STATIC, 0);
     float half = (float)scale;
     OK(thud_shape_create_circle(p->world, p->ball, &p->shape, (thud_vec2){0, 0}, half, &p->round));
     OK(thud_shape_create_aabb(p->world, p->slab, &p->shape, (thud_vec2){0, 0},
                               (thud_vec2){half, half}, &p->flat));
     OK(thud_shape_create_terrain(p->world, p->ground, &p->shape, &line, &p->line));
-    p->box = (thud_shape_instance){THUD_AABB, 0, 0, 1, 0, 1, 1};
+    p->box = (thud_geometry){THUD_SHAPE_AABB, 0, 0, 1, 0, 1, 1};
     p->mover = thud_default_mover(p->box);
     OK(thud_minkowski_sum(&p->box, &p->box, &p->sum));
 }

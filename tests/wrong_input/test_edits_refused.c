@@ -62,15 +62,15 @@ static thud_result set_half_extents(place *p) {
 }
 
 static thud_result move_slab(place *p) {
-    return thud_body_set_kind(p->v.world, p->slab, THUD_KINEMATIC);
+    return thud_body_set_kind(p->v.world, p->slab, THUD_BODY_KINEMATIC);
 }
 
 static thud_result drop_slab(place *p) {
-    return thud_body_set_kind(p->v.world, p->slab, THUD_DYNAMIC);
+    return thud_body_set_kind(p->v.world, p->slab, THUD_BODY_DYNAMIC);
 }
 
 static thud_result stop_ball(place *p) {
-    return thud_body_set_kind(p->v.world, p->ball, THUD_STATIC);
+    return thud_body_set_kind(p->v.world, p->ball, THUD_BODY_STATIC);
 }
 
 static thud_result set_damping(place *p) {
@@ -129,14 +129,14 @@ enum { EDITS = sizeof edits / sizeof *edits };
 static void make_place(place *p, thud_world_def def) {
     *p = (place){.asked = -1};
     village_make(&p->v, def);
-    p->slab = add_body(p->v.world, THUD_STATIC, 0, -50, 0);
+    p->slab = add_body(p->v.world, THUD_BODY_STATIC, 0, -50, 0);
     p->slab_shape = add_shape(p->v.world, p->slab, 150, 1, false, NULL);
     for (int i = 0; i < 250; i++) {
-        p->ball = add_body(p->v.world, THUD_DYNAMIC, 1.1 * (i - 125), -48.5, 0);
+        p->ball = add_body(p->v.world, THUD_BODY_DYNAMIC, 1.1 * (i - 125), -48.5, 0);
         p->ball_shape = add_shape(p->v.world, p->ball, 0.5f, 0, false, NULL);
     }
-    p->box_shape =
-        add_shape(p->v.world, add_body(p->v.world, THUD_DYNAMIC, 160, 90, 0), 1, 1, false, NULL);
+    p->box_shape = add_shape(p->v.world, add_body(p->v.world, THUD_BODY_DYNAMIC, 160, 90, 0), 1, 1,
+                             false, NULL);
     for (int i = 0; i < 10; i++) {
         village_step(&p->v);
     }
@@ -154,7 +154,7 @@ static void try_all(place *p) {
     if (p->asked >= 0) {
         thud_pos position;
         p->asked++;
-        OK(thud_body_position(p->v.world, p->ball, &position));
+        OK(thud_body_get_position(p->v.world, p->ball, &position));
         OK(thud_shape_set_user_data(p->v.world, p->ball_shape, 5));
     }
 }
@@ -183,7 +183,7 @@ static void every_change_is_refused_inside_callbacks(void **state) {
     for (int i = 0; i < 5; i++) {
         village_step(&here.v);
         village_step(&twin.v);
-        assert_int_equal(thud_world_hash(here.v.world), thud_world_hash(twin.v.world));
+        assert_int_equal(thud_hash_of(here.v.world), thud_hash_of(twin.v.world));
     }
     assert_true(here.asked > 500);
     assert_true(here.v.told >= here.asked * EDITS);
@@ -197,7 +197,7 @@ static void every_change_is_refused_inside_callbacks(void **state) {
  * each failure changes nothing. Returns the number of failures. */
 static long fail_until_done(place *here, const edit *e) {
     for (long failures = 0;; failures++) {
-        uint64_t hash = thud_world_hash(here->v.world);
+        uint64_t hash = thud_hash_of(here->v.world);
         char *before = village_text(&here->v);
         memory_allowed = failures;
         thud_result result = e->make(here);
@@ -207,7 +207,7 @@ static long fail_until_done(place *here, const edit *e) {
             return failures;
         }
         char *after = village_text(&here->v);
-        if (result != THUD_ERROR_MEMORY || thud_world_hash(here->v.world) != hash) {
+        if (result != THUD_ERROR_MEMORY || thud_hash_of(here->v.world) != hash) {
             fail_msg("%s: '%s', or the world has changed", e->name, thud_result_text(result));
         }
         free(before);
@@ -232,7 +232,7 @@ static void every_change_without_memory_changes_nothing(void **state) {
         for (int k = 0; k < 40; k++) {
             village_step(&here.v);
             village_step(&twin.v);
-            if (thud_world_hash(here.v.world) != thud_world_hash(twin.v.world)) {
+            if (thud_hash_of(here.v.world) != thud_hash_of(twin.v.world)) {
                 fail_msg("%s: differs at step %d from a call that never failed", edits[i].name, k);
             }
         }
@@ -277,10 +277,10 @@ RANGE_CALL(mass, (m.mass = x, thud_body_set_mass(w, p->ball, &m)))
 RANGE_CALL(inertia, (m.inertia = x, thud_body_set_mass(w, p->ball, &m)))
 RANGE_CALL(center_x, (m.center.x = x, thud_body_set_mass(w, p->ball, &m)))
 RANGE_CALL(center_y, (m.center.y = x, thud_body_set_mass(w, p->ball, &m)))
-RANGE_CALL(force, (v.x = x, thud_body_apply_force_at(w, p->ball, v, at)))
+RANGE_CALL(force, (v.x = x, thud_body_apply_force(w, p->ball, v, at)))
 RANGE_CALL(impulse, (v.y = x, thud_body_apply_center_impulse(w, p->ball, v)))
 RANGE_CALL(spin, thud_body_apply_angular_impulse(w, p->ball, x))
-RANGE_CALL(far_force, (at.x = (double)x, thud_body_apply_force_at(w, p->ball, v, at)))
+RANGE_CALL(far_force, (at.x = (double)x, thud_body_apply_force(w, p->ball, v, at)))
 RANGE_CALL(target_angle, thud_body_set_target(w, p->v.lift, (thud_pos){-6, 1}, (double)x))
 
 /* The ranges of edits for a ball of mass and inertia 1. */
@@ -300,9 +300,9 @@ static const range ranges[] = {
     {"inertia", inertia, THUD_MASS_MIN, THUD_MASS_MAX},
     {"center x", center_x, -16384, 16384},
     {"center y", center_y, -16384, 16384},
-    {"force", force, -THUD_PUSH_MAX, THUD_PUSH_MAX},
-    {"impulse", impulse, -THUD_PUSH_MAX, THUD_PUSH_MAX},
-    {"angular impulse", spin, -THUD_PUSH_MAX, THUD_PUSH_MAX},
+    {"force", force, -THUD_FORCE_MAX, THUD_FORCE_MAX},
+    {"impulse", impulse, -THUD_FORCE_MAX, THUD_FORCE_MAX},
+    {"angular impulse", spin, -THUD_FORCE_MAX, THUD_FORCE_MAX},
     {"place of a force", far_force, -1e9f, 1e9f},
     {"angle of a target", target_angle, -1e6f, 1e6f},
 };
@@ -314,9 +314,9 @@ static void make_lone(place *p, int which) {
     thud_mass one = {1, 1, {0, 0}};
     *p = (place){.asked = -1};
     village_make(&p->v, weightless());
-    p->slab = add_body(p->v.world, THUD_STATIC, 0, -500, 0);
+    p->slab = add_body(p->v.world, THUD_BODY_STATIC, 0, -500, 0);
     p->slab_shape = add_shape(p->v.world, p->slab, 1, 1, false, NULL);
-    p->ball = add_body(p->v.world, THUD_DYNAMIC, 0, 0, 0);
+    p->ball = add_body(p->v.world, THUD_BODY_DYNAMIC, 0, 0, 0);
     p->ball_shape = add_shape(p->v.world, p->ball, 0.5f, 0, false, NULL);
     p->box_shape = add_shape(p->v.world, p->ball, 1, 1, false, NULL);
     if (which >= 15) {
@@ -333,12 +333,12 @@ static void ranges_are_those_that_headers_state(void **state) {
         make_lone(&p, i);
         float beyond[] = {nextafterf(r->least, -INFINITY), nextafterf(r->most, INFINITY), NAN,
                           -INFINITY, INFINITY};
-        uint64_t hash = thud_world_hash(p.v.world);
+        uint64_t hash = thud_hash_of(p.v.world);
         for (int k = 0; k < 5; k++) {
             int told = p.v.told;
             thud_result result = r->make(&p, beyond[k]);
             if (result != THUD_ERROR_INVALID || p.v.told != told + 1 ||
-                thud_world_hash(p.v.world) != hash) {
+                thud_hash_of(p.v.world) != hash) {
                 fail_msg("%s: %g is not refused, or changes something", r->name, (double)beyond[k]);
             }
         }

@@ -40,11 +40,11 @@ static void strike_to_and_fro(thud_world *w, thud_body_id b) {
 }
 
 static void force(thud_world *w, thud_body_id b) {
-    OK(thud_body_apply_force(w, b, (thud_vec2){-HUGE_VALUE, HUGE_VALUE}, 0));
+    OK(thud_body_apply_center_force(w, b, (thud_vec2){-HUGE_VALUE, HUGE_VALUE}));
 }
 
 static void force_down(thud_world *w, thud_body_id b) {
-    OK(thud_body_apply_force(w, b, (thud_vec2){0, -HUGE_VALUE}, 0));
+    OK(thud_body_apply_center_force(w, b, (thud_vec2){0, -HUGE_VALUE}));
 }
 
 static void force_twice(thud_world *w, thud_body_id b) {
@@ -53,13 +53,13 @@ static void force_twice(thud_world *w, thud_body_id b) {
 }
 
 static void twist(thud_world *w, thud_body_id b) {
-    OK(thud_body_apply_force(w, b, (thud_vec2){0, 0}, HUGE_VALUE));
+    OK(thud_body_apply_torque(w, b, HUGE_VALUE));
 }
 
 static void force_there_and_back(thud_world *w, thud_body_id b) {
     force_twice(w, b);
     for (int i = 0; i < 2; i++) {
-        OK(thud_body_apply_force(w, b, (thud_vec2){HUGE_VALUE, -HUGE_VALUE}, 0));
+        OK(thud_body_apply_center_force(w, b, (thud_vec2){HUGE_VALUE, -HUGE_VALUE}));
     }
 }
 
@@ -168,7 +168,7 @@ static void blow_to_one_of_a_stack_leaves_the_others_finite(void **state) {
         dealt->deal(s.world, victim);
         for (int step = 0; step < 240; step++) {
             run(s.world, 1);
-            thud_events e = thud_world_events(s.world);
+            thud_events e = thud_events_of(s.world);
             for (int k = 0; k < e.quarantined_count; k++) {
                 quarantined++;
                 if (e.quarantined[k].index1 != victim.index1) {
@@ -191,7 +191,7 @@ static void blow_to_one_of_a_stack_leaves_the_others_finite(void **state) {
 static thud_body_id add_doomed(thud_world *w, double x) {
     thud_body_def def = thud_default_body_def();
     thud_body_id body;
-    def.kind = THUD_DYNAMIC;
+    def.kind = THUD_BODY_DYNAMIC;
     def.position = (thud_pos){x, 0.5};
     def.gravity_scale = HUGE_VALUE;
     OK(thud_body_create(w, &def, &body));
@@ -208,7 +208,7 @@ static void body_that_overflows_is_quarantined_and_the_rest_goes_on_without_it(v
         for (int step = 0; step < 120; step++) {
             run(s.world, 1);
             run(without.world, 1);
-            thud_events e = thud_world_events(s.world);
+            thud_events e = thud_events_of(s.world);
             assert_int_equal(e.quarantined_count, step == 0);
             if (step == 0) {
                 assert_int_equal(e.quarantined[0].index1, doomed.index1);
@@ -250,7 +250,7 @@ static pile usual_pile(void) {
               .body = thud_default_body_def(),
               .shape = thud_default_shape_def(),
               .size = 0.5};
-    p.body.kind = THUD_DYNAMIC;
+    p.body.kind = THUD_BODY_DYNAMIC;
     return p;
 }
 
@@ -259,7 +259,7 @@ enum { PILE = 12 };
 static void fill_pile(const pile *p, thud_world *w, thud_body_id made[PILE]) {
     float half = (float)p->size;
     thud_body_def body = p->body;
-    thud_body_id floor = add_body(w, THUD_STATIC, p->x, p->y - p->size, 0);
+    thud_body_id floor = add_body(w, THUD_BODY_STATIC, p->x, p->y - p->size, 0);
     add_shape(w, floor, 20 * half, half, true, &p->shape);
     for (int i = 0; i < PILE; i++) {
         body.position =
@@ -281,7 +281,7 @@ static void pile_stays_finite(const pile *p, const char *name) {
         fill_pile(p, w, made);
         for (int step = 0; step < steps; step++) {
             run(w, 1);
-            if (thud_world_events(w).quarantined_count) {
+            if (thud_events_of(w).quarantined_count) {
                 fail_msg("%s, %s at %s, step %d: a body is quarantined", name,
                          thud_detection_name(detections[d]), def.quality->name, step);
             }
@@ -292,7 +292,7 @@ static void pile_stays_finite(const pile *p, const char *name) {
                          thud_detection_name(detections[d]), def.quality->name, k);
             }
         }
-        thud_measure m = thud_world_measure(w);
+        thud_measure m = thud_measure_of(w);
         assert_true(isfinite(m.kinetic_energy + m.potential_energy + m.penetration_max));
         thud_world_destroy(w);
     }
@@ -365,7 +365,7 @@ static void body_that_flies_past_the_edge_of_the_world_flies_on(void **state) {
         run(w, 40);
         near_to(state_of(w, box).position.x, 1.039e9, 1);
         near_to(state_of(w, box).position.y, -1.004e9, 1);
-        OK(thud_world_cast_ray(w, (thud_pos){-1e9, -1e9}, 2e9, 0, NULL, &hit, NULL));
+        OK(thud_world_cast_ray(w, &(thud_ray){(thud_pos){-1e9, -1e9}, 2e9, 0, NULL}, &hit, NULL));
         assert_false(hit);
         thud_world_destroy(w);
     }

@@ -25,8 +25,8 @@ typedef struct call {
 
 static thud_result create_body(village *v) {
     thud_body_def def = thud_default_body_def();
-    def.kind = THUD_DYNAMIC;
-    def.position = (thud_pos){60 + 2.0 * thud_world_stats(v->world).bodies, 3};
+    def.kind = THUD_BODY_DYNAMIC;
+    def.position = (thud_pos){60 + 2.0 * thud_stats_of(v->world).bodies, 3};
     return thud_body_create(v->world, &def, &v->bare);
 }
 
@@ -119,24 +119,33 @@ static bool go_on(thud_shape_id shape, void *context) {
 }
 
 static thud_result cast_ray(village *v) {
-    return thud_world_cast_ray(v->world, (thud_pos){-20, 0.5}, 60, 0, NULL, NULL, NULL);
+    return thud_world_cast_ray(v->world, &(thud_ray){(thud_pos){-20, 0.5}, 60, 0, NULL}, NULL,
+                               NULL);
 }
 
 static thud_result cast_ray_all(village *v) {
-    return thud_world_cast_ray_all(v->world, (thud_pos){-20, 0.5}, 60, 0, NULL, NULL, 0, NULL);
+    return thud_world_cast_ray_all(v->world, &(thud_ray){(thud_pos){-20, 0.5}, 60, 0, NULL}, NULL,
+                                   0, NULL);
 }
 
 static thud_result cast_circle_all(village *v) {
     thud_ray_hit hits[8];
-    return thud_world_cast_circle_all(v->world, (thud_pos){-20, 3}, 2, 60, 0, NULL, hits, 8, NULL);
+    return thud_world_cast_shape_all(v->world,
+                                     &(thud_shape_cast){(thud_pos){-20, 3}, thud_circle_at(0, 0, 2),
+                                                        60, 0, NULL},
+                                     hits, 8, NULL);
 }
 
 static thud_result cast_box(village *v) {
-    return thud_world_cast_box(v->world, (thud_pos){-20, 3}, 2, 1, 1, 60, 0, NULL, NULL, NULL);
+    return thud_world_cast_shape(v->world,
+                                 &(thud_shape_cast){(thud_pos){-20, 3}, thud_obb_at(0, 0, 2, 1, 1),
+                                                    60, 0, NULL},
+                                 NULL, NULL);
 }
 
 static thud_result overlap(village *v) {
-    return thud_world_overlap_circle(v->world, (thud_pos){3, 1}, 50, NULL, go_on, NULL);
+    return thud_world_overlap_shape(v->world, (thud_pos){3, 1}, thud_circle_at(0, 0, 50), NULL,
+                                    go_on, NULL);
 }
 
 static thud_result closest(village *v) {
@@ -145,14 +154,15 @@ static thud_result closest(village *v) {
 
 static thud_result volume(village *v) {
     thud_volume around;
-    return thud_body_volume(v->world, v->box, THUD_OBB, (thud_pos){0, 0}, &around);
+    return thud_body_get_volume(v->world, v->box, THUD_SHAPE_OBB, (thud_pos){0, 0}, &around);
 }
 
 /* A cast inside a cast, at each hit. */
 static double look_again(const thud_ray_hit *hit, void *context) {
     village *v = context;
     bool any = false;
-    thud_result result = thud_world_cast_ray(v->world, hit->point, 0, -9, NULL, &any, NULL);
+    thud_result result =
+        thud_world_cast_ray(v->world, &(thud_ray){hit->point, 0, -9, NULL}, &any, NULL);
     if (result != THUD_OK) {
         v->told = 0; /* the call is repeated with memory, or not at all */
     }
@@ -160,7 +170,8 @@ static double look_again(const thud_ray_hit *hit, void *context) {
 }
 
 static thud_result cast_each(village *v) {
-    return thud_world_cast_ray_each(v->world, (thud_pos){-60, 20}, 120, 1, NULL, look_again, v);
+    return thud_world_cast_ray_each(v->world, &(thud_ray){(thud_pos){-60, 20}, 120, 1, NULL},
+                                    look_again, v);
 }
 
 static thud_result cast_rays(village *v) {
@@ -173,7 +184,7 @@ static thud_result cast_rays(village *v) {
 
 static thud_result bounds(village *v) {
     thud_pos lower, upper;
-    return thud_shape_bounds(v->world, v->box_shape, &lower, &upper);
+    return thud_shape_get_bounds(v->world, v->box_shape, &lower, &upper);
 }
 
 static thud_result explode(village *v) {
@@ -192,7 +203,7 @@ static thud_result roll(village *v) {
 
 static thud_result poses(village *v) {
     int count;
-    return thud_world_poses(v->world, (thud_pos){0, 0}, 1, &count) ? THUD_OK : THUD_ERROR_MEMORY;
+    return thud_poses_of(v->world, (thud_pos){0, 0}, 1, &count) ? THUD_OK : THUD_ERROR_MEMORY;
 }
 
 static thud_result draw(village *v) {
@@ -201,7 +212,7 @@ static thud_result draw(village *v) {
 }
 
 static thud_result make_body(village *v) {
-    thud_shape_instance at = thud_circle_at(60 + 2.0 * thud_world_stats(v->world).bodies, 3, 0.5);
+    thud_geometry at = thud_circle_at(60 + 2.0 * thud_stats_of(v->world).bodies, 3, 0.5);
     return thud_body_make(v->world, at, NULL).index1 ? THUD_OK : THUD_ERROR_MEMORY;
 }
 
@@ -268,8 +279,8 @@ enum { CALLS = sizeof calls / sizeof *calls };
 /* Makes the call with failing allocations. Returns the number of failures before it succeeded. */
 static long make_with_failures(village *here, village *twin, const call *c) {
     for (long failures = 0;; failures++) {
-        uint64_t hash = thud_world_hash(here->world);
-        thud_stats before = thud_world_stats(here->world);
+        uint64_t hash = thud_hash_of(here->world);
+        thud_stats before = thud_stats_of(here->world);
         here->told = 0;
         memory_allowed = failures;
         thud_result result = c->make(here);
@@ -282,8 +293,8 @@ static long make_with_failures(village *here, village *twin, const call *c) {
         if (result != THUD_ERROR_MEMORY || here->told != 1) {
             fail_msg("%s: '%s', %d messages", c->name, thud_result_text(result), here->told);
         }
-        thud_stats after = thud_world_stats(here->world);
-        if (thud_world_hash(here->world) != hash || after.bodies != before.bodies ||
+        thud_stats after = thud_stats_of(here->world);
+        if (thud_hash_of(here->world) != hash || after.bodies != before.bodies ||
             after.shapes != before.shapes || after.steps != before.steps) {
             fail_msg("%s: the world has changed after %ld failures", c->name, failures);
         }
@@ -313,7 +324,7 @@ static long check_call(const call *c) {
     for (int i = 0; i < 90; i++) {
         village_step(&here);
         village_step(&twin);
-        if (thud_world_hash(here.world) != thud_world_hash(twin.world)) {
+        if (thud_hash_of(here.world) != thud_hash_of(twin.world)) {
             fail_msg("%s: differs at step %d from a call that never failed", c->name, i);
         }
     }

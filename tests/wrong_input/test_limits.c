@@ -125,27 +125,29 @@ static thud_result drive(place *p, const row *r, double x, thud_joint_kind kind,
 }
 
 static thud_result drive_along(place *p, const row *r, double x) {
-    return drive(p, r, x, THUD_SLIDER, THUD_ALONG, THUD_JOINT_LENGTH_MAX * (float)p->scale);
+    return drive(p, r, x, THUD_JOINT_SLIDER, THUD_DIRECTION_ALONG,
+                 THUD_JOINT_LENGTH_MAX * (float)p->scale);
 }
 
 static thud_result drive_turn(place *p, const row *r, double x) {
-    return drive(p, r, x, THUD_HINGE, THUD_TURN, THUD_JOINT_TURN_MAX);
+    return drive(p, r, x, THUD_JOINT_HINGE, THUD_DIRECTION_TURN, THUD_JOINT_ANGLE_MAX);
 }
 
 static thud_result frame(place *p, const row *r, double x) {
-    thud_joint_def def = joint_def(p, THUD_HINGE);
+    thud_joint_def def = joint_def(p, THUD_JOINT_HINGE);
     put(&def.frame_b, r, x);
     return thud_joint_create(p->world, &def, NULL);
 }
 
 static thud_result rod(place *p, const row *r, double x) {
-    thud_joint_def def = joint_def(p, THUD_DISTANCE);
+    thud_joint_def def = joint_def(p, THUD_JOINT_DISTANCE);
     put(&def, r, x);
     return thud_joint_create(p->world, &def, NULL);
 }
 
 static thud_result gear(place *p, const row *r, double x) {
-    thud_joint_def hinge = joint_def(p, THUD_HINGE), def = thud_default_joint_def(THUD_GEAR);
+    thud_joint_def hinge = joint_def(p, THUD_JOINT_HINGE),
+                   def = thud_default_joint_def(THUD_JOINT_GEAR);
     OK(thud_joint_create(p->world, &hinge, &def.gear[0]));
     hinge.body_b = p->stone;
     OK(thud_joint_create(p->world, &hinge, &def.gear[1]));
@@ -177,17 +179,17 @@ static thud_result mover(place *p, const row *r, double x) {
 
 static thud_result instance(place *p, const row *r, double x) {
     put(&p->box, r, x);
-    return thud_placed_check(&p->box);
+    return thud_geometry_check(&p->box);
 }
 
 static thud_result motion(place *p, const row *r, double x) {
     thud_motion one = {0};
     put(&one, r, x);
-    return thud_shapes_time_of_impact(&p->box, one, &p->box, p->rest, 0, &p->hit, &p->x);
+    return thud_geometry_time_of_impact(&p->box, one, &p->box, p->rest, 0, &p->hit, &p->x);
 }
 
 static thud_result below(place *p, double x, double ny) {
-    return thud_shape_below(&p->box, x, 0, 0, ny, &p->x, &p->y, &p->z);
+    return thud_geometry_area_below(&p->box, (thud_half_plane){x, 0, 0, ny}, &p->x, &p->y, &p->z);
 }
 
 static thud_result sum(place *p, const row *r, double x) {
@@ -346,11 +348,11 @@ static void directions_are_of_length_1_within_their_limit(void **state) {
         place p;
         place_make(&p, 1);
         double near = sign * 0.49 * THUD_UNIT_ERROR, far = sign * 0.51 * THUD_UNIT_ERROR;
-        thud_shape_instance box = {THUD_OBB, 0, 0, 0, 1 + near, 1, 1};
-        assert_int_equal(thud_placed_check(&box), THUD_OK);
+        thud_geometry box = {THUD_SHAPE_OBB, 0, 0, 0, 1 + near, 1, 1};
+        assert_int_equal(thud_geometry_check(&box), THUD_OK);
         assert_int_equal(thud_volume_check(&box), THUD_OK);
         box.s = 1 + far;
-        assert_int_equal(thud_placed_check(&box), THUD_ERROR_INVALID);
+        assert_int_equal(thud_geometry_check(&box), THUD_ERROR_INVALID);
         assert_int_equal(thud_volume_check(&box), THUD_ERROR_INVALID);
         p.mover.up = (thud_vec2){0, (float)(1 + sign * 0.4 * THUD_UNIT_ERROR)};
         OK(thud_mover_move(p.world, &p.mover, (thud_vec2){0, 0}, 0.1, NULL));
@@ -368,10 +370,10 @@ static void steps_hold_what_turns_to_the_limit(void **state) {
     place p;
     place_make(&p, 1);
     thud_body_state s;
-    OK(thud_body_set_velocity(p.world, p.lift, (thud_vec2){0, 0}, 2 * THUD_SPIN_MAX));
+    OK(thud_body_set_velocity(p.world, p.lift, (thud_vec2){0, 0}, 2 * THUD_ANGULAR_SPEED_MAX));
     OK(thud_world_step(p.world));
-    OK(thud_body_get(p.world, p.lift, &s));
-    assert_true(s.angular_velocity == THUD_SPIN_MAX);
+    OK(thud_body_get_state(p.world, p.lift, &s));
+    assert_true(s.angular_velocity == THUD_ANGULAR_SPEED_MAX);
     thud_world_destroy(p.world);
 }
 

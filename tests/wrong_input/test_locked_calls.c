@@ -24,7 +24,8 @@ static void hit(village *v) {
 }
 
 static void pull(village *v) {
-    OK(thud_body_apply_force(v->world, v->ball, (thud_vec2){50, 0}, 1));
+    OK(thud_body_apply_center_force(v->world, v->ball, (thud_vec2){50, 0}));
+    OK(thud_body_apply_torque(v->world, v->ball, 1));
 }
 
 /* Puts a body to sleep. */
@@ -76,7 +77,7 @@ static void create_sharp_sighted(village *v) {
     for (int i = 0; i < 3; i++) {
         thud_body_def def = thud_default_body_def();
         thud_body_id body;
-        def.kind = THUD_DYNAMIC;
+        def.kind = THUD_BODY_DYNAMIC;
         def.position = (thud_pos){-9 + 2 * i, 5};
         def.velocity.y = -300;
         def.detection = sharp[i];
@@ -155,7 +156,7 @@ enum { EDITS = sizeof edits / sizeof *edits };
 
 /* ---- calls that are refused ---- */
 
-static void never(thud_vec2 p, thud_draw_style style, void *context) {
+static void never(thud_vec2 p, thud_style style, void *context) {
     (void)p, (void)style, (void)context;
     fail_msg("%s", "drawn inside a callback");
 }
@@ -219,20 +220,22 @@ static void ask_everything(village *v) {
     thud_volume volume;
     bool found = false;
     int count = 0, touching = 0;
-    OK(thud_world_cast_ray(w, (thud_pos){190, 9}, 0, -20, NULL, &found, &hit_));
+    OK(thud_world_cast_ray(w, &(thud_ray){(thud_pos){190, 9}, 0, -20, NULL}, &found, &hit_));
     assert_true(found && hit_.shape.index1 == v->hill.index1);
-    OK(thud_world_cast_ray_all(w, (thud_pos){-50, 9}, 0, -20, NULL, hits, 8, &count));
+    OK(thud_world_cast_ray_all(w, &(thud_ray){(thud_pos){-50, 9}, 0, -20, NULL}, hits, 8, &count));
     assert_int_equal(count, 1);
-    OK(thud_world_cast_circle_all(w, high, 1, -9, -20, NULL, hits, 8, &count));
+    OK(thud_world_cast_shape_all(w,
+                                 &(thud_shape_cast){high, thud_circle_at(0, 0, 1), -9, -20, NULL},
+                                 hits, 8, &count));
     assert_true(count >= 1);
     OK(thud_world_overlap_aabb(w, (thud_pos){-99, -1}, (thud_pos){99, 0.25}, NULL, count_shape,
                                &touching));
     assert_true(touching >= 3);
     OK(thud_world_closest(w, (thud_pos){185, 1}, 50, NULL, &found, &nearest));
     assert_true(found && nearest.shape.index1 == v->hill.index1);
-    OK(thud_body_volume(w, v->floor, THUD_CIRCLE, high, &volume));
-    assert_true(thud_world_measure(w).kinetic_energy > 0);
-    (void)thud_world_events(w);
+    OK(thud_body_get_volume(w, v->floor, THUD_SHAPE_CIRCLE, high, &volume));
+    assert_true(thud_measure_of(w).kinetic_energy > 0);
+    (void)thud_events_of(w);
 }
 
 /* ---- the callbacks ---- */
@@ -291,7 +294,8 @@ static bool pass(const thud_mover *mover, const thud_mover_hit *hit_, thud_vec2 
 /* A step, a query and a mover's move, each of which calls its callback. */
 static void go_on(caller *c) {
     village_step(&c->v);
-    OK(thud_world_overlap_circle(c->v.world, (thud_pos){3, 1}, 3, NULL, overlap, c));
+    OK(thud_world_overlap_shape(c->v.world, (thud_pos){3, 1}, thud_circle_at(0, 0, 3), NULL,
+                                overlap, c));
 }
 
 static void make_caller(caller *c, site s, const thud_detection *detection) {
@@ -310,10 +314,10 @@ static void make_caller(caller *c, site s, const thud_detection *detection) {
 /* Fails if the two worlds differ in hash, statistics or events. */
 static void alike(const caller *a, const caller *b, const char *name, int step) {
     const thud_world *one = a->v.world, *other = b->v.world;
-    thud_stats s = thud_world_stats(one), t = thud_world_stats(other);
-    thud_events e = thud_world_events(one), f = thud_world_events(other);
-    if (thud_world_hash(one) != thud_world_hash(other) || s.bodies != t.bodies ||
-        s.shapes != t.shapes || s.contacts != t.contacts || s.awake_bodies != t.awake_bodies ||
+    thud_stats s = thud_stats_of(one), t = thud_stats_of(other);
+    thud_events e = thud_events_of(one), f = thud_events_of(other);
+    if (thud_hash_of(one) != thud_hash_of(other) || s.bodies != t.bodies || s.shapes != t.shapes ||
+        s.contacts != t.contacts || s.awake_bodies != t.awake_bodies ||
         e.begin_count != f.begin_count || e.end_count != f.end_count) {
         fail_msg("%s in callback %d: step %d differs from that after the same edit between steps",
                  name, (int)a->site, step);

@@ -13,7 +13,8 @@ static void listen(thud_result result, const char *message, void *context) {
 static thud_shape_id add_line(thud_world *world, double x, double y, const thud_terrain *line) {
     thud_shape_def def = thud_default_shape_def();
     thud_shape_id shape;
-    OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, x, y, 0), &def, line, &shape));
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, x, y, 0), &def, line,
+                                 &shape));
     return shape;
 }
 
@@ -34,7 +35,7 @@ static void add_grounds(village *v) {
 
 /* Creates handles that are stale; their slots have new bodies. */
 static void add_and_destroy(village *v) {
-    v->gone = add_body(v->world, THUD_DYNAMIC, 0, 50, 0);
+    v->gone = add_body(v->world, THUD_BODY_DYNAMIC, 0, 50, 0);
     v->gone_shape = add_shape(v->world, v->gone, 1, 0, false, NULL);
     run(v->world, 1);
     OK(thud_body_destroy(v->world, v->gone));
@@ -51,32 +52,32 @@ void village_make(village *v, thud_world_def def) {
     thud_shape_def bouncy = thud_default_shape_def(), sensor = thud_default_shape_def();
     bouncy.restitution = 1;
     sensor.sensor = true;
-    v->ball = add_body(v->world, THUD_DYNAMIC, 0, 5, 0);
+    v->ball = add_body(v->world, THUD_BODY_DYNAMIC, 0, 5, 0);
     v->ball_shape = add_shape(v->world, v->ball, 0.5f, 0, false, &bouncy);
     assert_int_equal(v->ball.index1, v->gone.index1);
-    v->box = add_body(v->world, THUD_DYNAMIC, 3, 0.5, 0);
+    v->box = add_body(v->world, THUD_BODY_DYNAMIC, 3, 0.5, 0);
     v->box_shape = add_shape(v->world, v->box, 0.5f, 0.5f, false, NULL);
     for (int i = 1; i < 4; i++) {
         add_box(v->world, 3, 0.5 + i, 0.5f, 0.5f);
     }
-    v->plank = add_body(v->world, THUD_DYNAMIC, 8, 0.25, 0);
+    v->plank = add_body(v->world, THUD_BODY_DYNAMIC, 8, 0.25, 0);
     v->plank_shape = add_shape(v->world, v->plank, 2, 0.25f, true, NULL);
-    add_shape(v->world, add_body(v->world, THUD_STATIC, 0, 1, 0), 1, 1, true, &sensor);
-    v->lift = add_body(v->world, THUD_KINEMATIC, -6, 1, 0);
+    add_shape(v->world, add_body(v->world, THUD_BODY_STATIC, 0, 1, 0), 1, 1, true, &sensor);
+    v->lift = add_body(v->world, THUD_BODY_KINEMATIC, -6, 1, 0);
     add_shape(v->world, v->lift, 1, 0.25f, false, NULL);
     OK(thud_body_set_velocity(v->world, v->lift, (thud_vec2){0, 0.25f}, 0.5f));
     v->switched_off = add_box(v->world, 12, 0.5, 0.5f, 0.5f);
     OK(thud_body_set_enabled(v->world, v->switched_off, false));
-    v->bare = add_body(v->world, THUD_DYNAMIC, 20, 300, 0);
+    v->bare = add_body(v->world, THUD_BODY_DYNAMIC, 20, 300, 0);
     v->mover = thud_default_mover(
-        (thud_shape_instance){.kind = THUD_CIRCLE, .x = -12, .y = 0.5, .c = 1, .hx = 0.4});
+        (thud_geometry){.kind = THUD_SHAPE_CIRCLE, .x = -12, .y = 0.5, .c = 1, .hx = 0.4});
     run(v->world, 20);
 }
 
 /* The mover walks to and fro, so that it stays on the ground. */
 void village_step(village *v) {
     OK(thud_world_step(v->world));
-    float x = (thud_world_stats(v->world).steps / 32) & 1 ? 0.5f : -0.5f;
+    float x = (thud_stats_of(v->world).steps / 32) & 1 ? 0.5f : -0.5f;
     OK(thud_mover_move(v->world, &v->mover, (thud_vec2){x, -2}, 1.0 / 60, NULL));
 }
 
@@ -102,7 +103,7 @@ void village_body_text(const thud_world *world, thud_body_id body, char *out, si
 
 static void shape_text(const thud_world *world, thud_shape_id shape, char *out, size_t size) {
     thud_shape_state s;
-    OK(thud_shape_get(world, shape, &s));
+    OK(thud_shape_get_state(world, shape, &s));
     int n = snprintf(out, size,
                      "shape %u: kind %d of %u at %a %a half %a %a angle %a density %a friction %a "
                      "bounce %a speed %a filter %x %x %d sensor %d data %llu\n",
@@ -129,7 +130,7 @@ typedef struct text {
 
 static void say_line(text *t, const village *v, const char *name, thud_shape_id shape) {
     thud_terrain line;
-    OK(thud_shape_terrain(v->world, shape, &line));
+    OK(thud_shape_get_terrain(v->world, shape, &line));
     SAY(t, "%s: kind %d slope %a from %a by %a:", name, (int)line.kind, line.slope, line.x0,
         line.spacing);
     for (int i = 0; i < line.count; i++) {
@@ -139,17 +140,17 @@ static void say_line(text *t, const village *v, const char *name, thud_shape_id 
 }
 
 static void say_world(text *t, const village *v) {
-    thud_stats s = thud_world_stats(v->world);
-    thud_measure m = thud_world_measure(v->world);
-    thud_events e = thud_world_events(v->world);
+    thud_stats s = thud_stats_of(v->world);
+    thud_measure m = thud_measure_of(v->world);
+    thud_events e = thud_events_of(v->world);
     double limit;
-    OK(thud_world_bisection_limit(v->world, &limit));
+    OK(thud_world_get_bisection_limit(v->world, &limit));
     SAY(t,
         "world: hash %llx steps %llu bodies %d shapes %d awake %d pairs %d contacts %d colours %d "
         "blocks %d bytes %llu allocations %llu\n",
-        (unsigned long long)thud_world_hash(v->world), (unsigned long long)s.steps, s.bodies,
-        s.shapes, s.awake_bodies, s.pairs, s.contacts, s.colours, s.blocks,
-        (unsigned long long)s.bytes, (unsigned long long)s.step_allocations);
+        (unsigned long long)thud_hash_of(v->world), (unsigned long long)s.steps, s.bodies, s.shapes,
+        s.awake_bodies, s.pairs, s.contacts, s.colours, s.blocks, (unsigned long long)s.bytes,
+        (unsigned long long)s.step_allocations);
     SAY(t, "detection: impacts %d held %d %a unbisectable %d motions %d %d %d %d limit %a\n",
         s.impacts, s.held_bodies, s.held_seconds, s.unbisectable, s.motion_pairs, s.motion_circles,
         s.motion_boxes, s.motion_exact, limit);
@@ -196,7 +197,7 @@ char *village_text(const village *v) {
         char line[1024];
         shape_text(v->world, list.at[i], line, sizeof line);
         SAY(&t, "%s", line);
-        OK(thud_shape_get(v->world, list.at[i], &state));
+        OK(thud_shape_get_state(v->world, list.at[i], &state));
         village_body_text(v->world, state.body, line, sizeof line);
         SAY(&t, "%s", line);
     }

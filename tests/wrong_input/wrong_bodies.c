@@ -5,7 +5,7 @@ void wrong_bodies(void **state) {
     wrong_pair *p = *state;
     thud_world *w = p->here.world;
     thud_body_def def = thud_default_body_def();
-    def.kind = THUD_DYNAMIC;
+    def.kind = THUD_BODY_DYNAMIC;
     const thud_body_def good = def;
 #define BAD(field, value) \
     def = good;           \
@@ -57,31 +57,31 @@ void wrong_body_edits(void **state) {
         REFUSED(INVALID, thud_body_set_velocity(w, ball, zero, f));
         REFUSED(INVALID, thud_body_apply_impulse(w, ball, (thud_vec2){f, 0}, here));
         REFUSED(INVALID, thud_body_apply_impulse(w, ball, (thud_vec2){0, f}, here));
-        REFUSED(INVALID, thud_body_apply_force(w, ball, (thud_vec2){f, 0}, 0));
-        REFUSED(INVALID, thud_body_apply_force(w, ball, (thud_vec2){0, f}, 0));
-        REFUSED(INVALID, thud_body_apply_force(w, ball, zero, f));
+        REFUSED(INVALID, thud_body_apply_center_force(w, ball, (thud_vec2){f, 0}));
+        REFUSED(INVALID, thud_body_apply_center_force(w, ball, (thud_vec2){0, f}));
+        REFUSED(INVALID, thud_body_apply_torque(w, ball, f));
     }
     /* Bodies with AABBs cannot be turned, and forces, impulses and velocities of bodies that these
      * cannot move are refused. */
-    REFUSED(INVALID, thud_body_shapes(w, ball, wrong_out.shapes, -1, &wrong_out.count));
+    REFUSED(INVALID, thud_body_get_shapes(w, ball, wrong_out.shapes, -1, &wrong_out.count));
     REFUSED(INVALID, thud_body_set_transform(w, p->here.plank, here, 0.1));
     REFUSED(INVALID, thud_body_set_transform(w, floor, here, 1));
     REFUSED(INVALID, thud_body_set_velocity(w, floor, zero, 0));
     REFUSED(INVALID, thud_body_apply_impulse(w, floor, one, here));
     REFUSED(INVALID, thud_body_apply_impulse(w, lift, one, here));
-    REFUSED(INVALID, thud_body_apply_force(w, floor, one, 0));
-    REFUSED(INVALID, thud_body_apply_force(w, lift, one, 0));
+    REFUSED(INVALID, thud_body_apply_center_force(w, floor, one));
+    REFUSED(INVALID, thud_body_apply_center_force(w, lift, one));
     REFUSED(INVALID, thud_body_set_awake(w, floor, true));
     REFUSED(INVALID, thud_body_set_awake(w, lift, false));
     REFUSED_UNTOLD(NULL, thud_body_set_transform(NULL, ball, here, 0));
     REFUSED_UNTOLD(NULL, thud_body_set_velocity(NULL, ball, one, 0));
     REFUSED_UNTOLD(NULL, thud_body_apply_impulse(NULL, ball, one, here));
-    REFUSED_UNTOLD(NULL, thud_body_apply_force(NULL, ball, one, 0));
+    REFUSED_UNTOLD(NULL, thud_body_apply_center_force(NULL, ball, one));
     REFUSED_UNTOLD(NULL, thud_body_set_awake(NULL, ball, true));
     REFUSED_UNTOLD(NULL, thud_body_set_enabled(NULL, ball, false));
     REFUSED_UNTOLD(NULL, thud_body_set_user_data(NULL, ball, 7));
-    REFUSED_UNTOLD(NULL, thud_body_get(NULL, ball, &wrong_out.body_state));
-    REFUSED_UNTOLD(NULL, thud_body_shapes(NULL, ball, wrong_out.shapes, 4, &wrong_out.count));
+    REFUSED_UNTOLD(NULL, thud_body_get_state(NULL, ball, &wrong_out.body_state));
+    REFUSED_UNTOLD(NULL, thud_body_get_shapes(NULL, ball, wrong_out.shapes, 4, &wrong_out.count));
     REFUSED_UNTOLD(NULL, thud_body_destroy(NULL, ball));
 }
 
@@ -130,17 +130,17 @@ void wrong_handles(void **state) {
     for (int i = 0; i < COUNT(bodies); i++) {
         thud_body_id b = bodies[i];
         assert_false(thud_body_is_valid(w, b));
-        REFUSED(STALE, thud_body_get(w, b, &wrong_out.body_state));
+        REFUSED(STALE, thud_body_get_state(w, b, &wrong_out.body_state));
         REFUSED(STALE, thud_body_destroy(w, b));
         REFUSED(STALE, thud_body_set_transform(w, b, here, 0));
         REFUSED(STALE, thud_body_set_velocity(w, b, one, 0));
         REFUSED(STALE, thud_body_apply_impulse(w, b, one, here));
-        REFUSED(STALE, thud_body_apply_force(w, b, one, 0));
+        REFUSED(STALE, thud_body_apply_center_force(w, b, one));
         REFUSED(STALE, thud_body_set_awake(w, b, true));
         REFUSED(STALE, thud_body_set_enabled(w, b, false));
         REFUSED(STALE, thud_body_set_user_data(w, b, 7));
-        REFUSED(STALE, thud_body_shapes(w, b, wrong_out.shapes, 4, &wrong_out.count));
-        REFUSED(STALE, thud_body_volume(w, b, THUD_AABB, here, &wrong_out.volume));
+        REFUSED(STALE, thud_body_get_shapes(w, b, wrong_out.shapes, 4, &wrong_out.count));
+        REFUSED(STALE, thud_body_get_volume(w, b, THUD_SHAPE_AABB, here, &wrong_out.volume));
         REFUSED(STALE, thud_shape_create_circle(w, b, &def, one, 1, &wrong_out.shape));
         REFUSED(STALE, thud_shape_create_aabb(w, b, &def, one, one, &wrong_out.shape));
         REFUSED(STALE, thud_shape_create_obb(w, b, &def, one, one, 0, &wrong_out.shape));
@@ -149,9 +149,9 @@ void wrong_handles(void **state) {
     for (int i = 0; i < COUNT(shapes); i++) {
         thud_shape_id s = shapes[i];
         assert_false(thud_shape_is_valid(w, s));
-        REFUSED(STALE, thud_shape_get(w, s, &wrong_out.shape_state));
+        REFUSED(STALE, thud_shape_get_state(w, s, &wrong_out.shape_state));
         REFUSED(STALE, thud_shape_destroy(w, s));
-        REFUSED(STALE, thud_shape_terrain(w, s, &wrong_out.terrain));
+        REFUSED(STALE, thud_shape_get_terrain(w, s, &wrong_out.terrain));
         REFUSED(STALE, thud_shape_set_heights(w, s, 0, heights, 2));
         REFUSED(STALE, thud_shape_dig(w, s, here, 1));
         REFUSED(STALE, thud_shape_raise(w, s, 0, 1, 1));

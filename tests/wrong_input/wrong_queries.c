@@ -7,20 +7,20 @@ static bool count_shape(thud_shape_id shape, void *context) {
     return true;
 }
 
-/* Shapes that thud_placed_check refuses. */
-static const thud_shape_instance no_shapes[] = {
-    {.kind = THUD_CIRCLE, .c = 1, .hx = NAN},
-    {.kind = THUD_CIRCLE, .c = 1, .hx = 0},
-    {.kind = THUD_CIRCLE, .c = 1, .hx = -1},
-    {.kind = THUD_CIRCLE, .x = NAN, .c = 1, .hx = 1},
-    {.kind = THUD_AABB, .c = 1, .hx = 1, .hy = 0},
-    {.kind = THUD_AABB, .c = 0.6, .s = 0.8, .hx = 1, .hy = 1},
-    {.kind = THUD_OBB, .c = 0, .s = 0, .hx = 1, .hy = 1},
-    {.kind = THUD_OBB, .c = 1, .s = INFINITY, .hx = 1, .hy = 1},
-    {.kind = THUD_TERRAIN, .c = 1, .hx = 1, .hy = 1},
+/* Shapes that thud_geometry_check refuses. */
+static const thud_geometry no_shapes[] = {
+    {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = NAN},
+    {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = 0},
+    {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = -1},
+    {.kind = THUD_SHAPE_CIRCLE, .x = NAN, .c = 1, .hx = 1},
+    {.kind = THUD_SHAPE_AABB, .c = 1, .hx = 1, .hy = 0},
+    {.kind = THUD_SHAPE_AABB, .c = 0.6, .s = 0.8, .hx = 1, .hy = 1},
+    {.kind = THUD_SHAPE_OBB, .c = 0, .s = 0, .hx = 1, .hy = 1},
+    {.kind = THUD_SHAPE_OBB, .c = 1, .s = INFINITY, .hx = 1, .hy = 1},
+    {.kind = THUD_SHAPE_TERRAIN, .c = 1, .hx = 1, .hy = 1},
     {.kind = (thud_shape_kind)99, .c = 1, .hx = 1, .hy = 1},
 };
-static const thud_shape_instance disc = {.kind = THUD_CIRCLE, .c = 1, .hx = 1};
+static const thud_geometry disc = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = 1};
 static const double not_a_length[] = {NAN, INFINITY, -INFINITY, 0, -1};
 
 void wrong_rays_and_casts(void **state) {
@@ -31,52 +31,84 @@ void wrong_rays_and_casts(void **state) {
     int *count = &wrong_out.count;
     EACH(x, not_a_place) {
         thud_pos nowhere = {x, 0}, nor_here = {0, x};
-        REFUSED(INVALID, thud_world_cast_ray(w, nowhere, 1, 0, NULL, OUT_FLAG, hit));
-        REFUSED(INVALID, thud_world_cast_ray(w, nor_here, 1, 0, NULL, OUT_FLAG, hit));
-        REFUSED(INVALID, thud_world_cast_ray(w, from, x, 0, NULL, OUT_FLAG, hit));
-        REFUSED(INVALID, thud_world_cast_ray(w, from, 0, x, NULL, OUT_FLAG, hit));
-        REFUSED(INVALID, thud_world_cast_ray_all(w, nowhere, 1, 0, NULL, hits, 4, count));
-        REFUSED(INVALID, thud_world_cast_ray_all(w, from, 0, x, NULL, hits, 4, count));
-        REFUSED(INVALID, thud_world_cast_shape(w, nowhere, &disc, 1, 0, NULL, OUT_FLAG, hit));
-        REFUSED(INVALID, thud_world_cast_shape_all(w, from, &disc, x, 0, NULL, hits, 4, count));
-        REFUSED(INVALID, thud_world_cast_circle(w, nor_here, 1, 1, 0, NULL, OUT_FLAG, hit));
-        REFUSED(INVALID, thud_world_cast_circle_all(w, from, 1, x, 0, NULL, hits, 4, count));
-        REFUSED(INVALID, thud_world_cast_box(w, nowhere, 1, 1, 0, 1, 0, NULL, OUT_FLAG, hit));
-        REFUSED(INVALID, thud_world_cast_box_all(w, from, 1, 1, 0, 0, x, NULL, hits, 4, count));
+        REFUSED(INVALID, thud_world_cast_ray(w, &(thud_ray){nowhere, 1, 0, NULL}, OUT_FLAG, hit));
+        REFUSED(INVALID, thud_world_cast_ray(w, &(thud_ray){nor_here, 1, 0, NULL}, OUT_FLAG, hit));
+        REFUSED(INVALID, thud_world_cast_ray(w, &(thud_ray){from, x, 0, NULL}, OUT_FLAG, hit));
+        REFUSED(INVALID, thud_world_cast_ray(w, &(thud_ray){from, 0, x, NULL}, OUT_FLAG, hit));
+        REFUSED(INVALID,
+                thud_world_cast_ray_all(w, &(thud_ray){nowhere, 1, 0, NULL}, hits, 4, count));
+        REFUSED(INVALID, thud_world_cast_ray_all(w, &(thud_ray){from, 0, x, NULL}, hits, 4, count));
+        REFUSED(INVALID, thud_world_cast_shape(w, &(thud_shape_cast){nowhere, disc, 1, 0, NULL},
+                                               OUT_FLAG, hit));
+        REFUSED(INVALID, thud_world_cast_shape_all(w, &(thud_shape_cast){from, disc, x, 0, NULL},
+                                                   hits, 4, count));
+        REFUSED(INVALID, thud_world_cast_shape(w,
+                                               &(thud_shape_cast){nor_here, thud_circle_at(0, 0, 1),
+                                                                  1, 0, NULL},
+                                               OUT_FLAG, hit));
+        REFUSED(INVALID, thud_world_cast_shape_all(w,
+                                                   &(thud_shape_cast){from, thud_circle_at(0, 0, 1),
+                                                                      x, 0, NULL},
+                                                   hits, 4, count));
+        REFUSED(INVALID, thud_world_cast_shape(
+                             w, &(thud_shape_cast){nowhere, thud_obb_at(0, 0, 1, 1, 0), 1, 0, NULL},
+                             OUT_FLAG, hit));
+        REFUSED(INVALID, thud_world_cast_shape_all(
+                             w, &(thud_shape_cast){from, thud_obb_at(0, 0, 1, 1, 0), 0, x, NULL},
+                             hits, 4, count));
     }
     EACH(x, not_a_length) {
-        REFUSED(INVALID, thud_world_cast_circle(w, from, x, 1, 0, NULL, OUT_FLAG, hit));
-        REFUSED(INVALID, thud_world_cast_circle_all(w, from, x, 1, 0, NULL, hits, 4, count));
-        REFUSED(INVALID, thud_world_cast_box(w, from, x, 1, 0, 1, 0, NULL, OUT_FLAG, hit));
-        REFUSED(INVALID, thud_world_cast_box_all(w, from, 1, x, 1, 1, 0, NULL, hits, 4, count));
+        REFUSED(INVALID,
+                thud_world_cast_shape(w,
+                                      &(thud_shape_cast){from, thud_circle_at(0, 0, x), 1, 0, NULL},
+                                      OUT_FLAG, hit));
+        REFUSED(INVALID, thud_world_cast_shape_all(w,
+                                                   &(thud_shape_cast){from, thud_circle_at(0, 0, x),
+                                                                      1, 0, NULL},
+                                                   hits, 4, count));
+        REFUSED(INVALID, thud_world_cast_shape(w,
+                                               &(thud_shape_cast){from, thud_obb_at(0, 0, x, 1, 0),
+                                                                  1, 0, NULL},
+                                               OUT_FLAG, hit));
+        REFUSED(INVALID, thud_world_cast_shape_all(
+                             w, &(thud_shape_cast){from, thud_obb_at(0, 0, 1, x, 1), 1, 0, NULL},
+                             hits, 4, count));
     }
     EACH(x, not_an_angle) {
-        REFUSED(INVALID, thud_world_cast_box(w, from, 1, 1, x, 1, 0, NULL, OUT_FLAG, hit));
-        REFUSED(INVALID, thud_world_cast_box_all(w, from, 1, 1, x, 1, 0, NULL, hits, 4, count));
+        REFUSED(INVALID, thud_world_cast_shape(w,
+                                               &(thud_shape_cast){from, thud_obb_at(0, 0, 1, 1, x),
+                                                                  1, 0, NULL},
+                                               OUT_FLAG, hit));
+        REFUSED(INVALID, thud_world_cast_shape_all(
+                             w, &(thud_shape_cast){from, thud_obb_at(0, 0, 1, 1, x), 1, 0, NULL},
+                             hits, 4, count));
     }
     for (int i = 0; i < COUNT(no_shapes); i++) {
-        const thud_shape_instance *none = &no_shapes[i];
-        REFUSED(INVALID, thud_world_cast_shape(w, from, none, 1, 0, NULL, OUT_FLAG, hit));
-        REFUSED(INVALID, thud_world_cast_shape_all(w, from, none, 1, 0, NULL, hits, 4, count));
+        const thud_geometry *none = &no_shapes[i];
+        REFUSED(INVALID, thud_world_cast_shape(w, &(thud_shape_cast){from, *none, 1, 0, NULL},
+                                               OUT_FLAG, hit));
+        REFUSED(INVALID, thud_world_cast_shape_all(w, &(thud_shape_cast){from, *none, 1, 0, NULL},
+                                                   hits, 4, count));
     }
-    REFUSED(INVALID, thud_world_cast_ray_all(w, from, 0, -9, NULL, hits, -1, count));
-    REFUSED(INVALID, thud_world_cast_shape_all(w, from, &disc, 0, -9, NULL, hits, -1, count));
-    REFUSED(INVALID, thud_world_cast_circle_all(w, from, 1, 0, -9, NULL, hits, INT32_MIN, count));
-    REFUSED(INVALID, thud_world_cast_box_all(w, from, 1, 1, 0, 0, -9, NULL, hits, -1, count));
-    REFUSED(NULL, thud_world_cast_ray_all(w, from, 0, -9, NULL, NULL, 4, count));
-    REFUSED(NULL, thud_world_cast_shape_all(w, from, &disc, 0, -9, NULL, NULL, 4, count));
-    REFUSED(NULL, thud_world_cast_circle_all(w, from, 1, 0, -9, NULL, NULL, 1, count));
-    REFUSED(NULL, thud_world_cast_box_all(w, from, 1, 1, 0, 0, -9, NULL, NULL, 1, count));
-    REFUSED(NULL, thud_world_cast_shape(w, from, NULL, 1, 0, NULL, OUT_FLAG, hit));
-    REFUSED(NULL, thud_world_cast_shape_all(w, from, NULL, 1, 0, NULL, hits, 4, count));
-    REFUSED_UNTOLD(NULL, thud_world_cast_ray(NULL, from, 1, 0, NULL, OUT_FLAG, hit));
-    REFUSED_UNTOLD(NULL, thud_world_cast_ray_all(NULL, from, 1, 0, NULL, hits, 4, count));
-    REFUSED_UNTOLD(NULL, thud_world_cast_shape(NULL, from, &disc, 1, 0, NULL, OUT_FLAG, hit));
-    REFUSED_UNTOLD(NULL, thud_world_cast_shape_all(NULL, from, &disc, 1, 0, NULL, hits, 4, count));
-    REFUSED_UNTOLD(NULL, thud_world_cast_circle(NULL, from, 1, 1, 0, NULL, OUT_FLAG, hit));
-    REFUSED_UNTOLD(NULL, thud_world_cast_circle_all(NULL, from, 1, 1, 0, NULL, hits, 4, count));
-    REFUSED_UNTOLD(NULL, thud_world_cast_box(NULL, from, 1, 1, 0, 1, 0, NULL, OUT_FLAG, hit));
-    REFUSED_UNTOLD(NULL, thud_world_cast_box_all(NULL, from, 1, 1, 0, 1, 0, NULL, hits, 4, count));
+    REFUSED(INVALID, thud_world_cast_ray_all(w, &(thud_ray){from, 0, -9, NULL}, hits, -1, count));
+    REFUSED(INVALID, thud_world_cast_shape_all(w, &(thud_shape_cast){from, disc, 0, -9, NULL}, hits,
+                                               -1, count));
+    REFUSED(INVALID, thud_world_cast_shape_all(w,
+                                               &(thud_shape_cast){from, thud_circle_at(0, 0, 1), 0,
+                                                                  -9, NULL},
+                                               hits, INT32_MIN, count));
+    REFUSED(NULL, thud_world_cast_ray_all(w, &(thud_ray){from, 0, -9, NULL}, NULL, 4, count));
+    REFUSED(NULL, thud_world_cast_shape_all(w, &(thud_shape_cast){from, disc, 0, -9, NULL}, NULL, 4,
+                                            count));
+    REFUSED(NULL, thud_world_cast_shape(w, NULL, OUT_FLAG, hit));
+    REFUSED(NULL, thud_world_cast_shape_all(w, NULL, hits, 4, count));
+    REFUSED_UNTOLD(NULL, thud_world_cast_ray(NULL, &(thud_ray){from, 1, 0, NULL}, OUT_FLAG, hit));
+    REFUSED_UNTOLD(NULL,
+                   thud_world_cast_ray_all(NULL, &(thud_ray){from, 1, 0, NULL}, hits, 4, count));
+    REFUSED_UNTOLD(NULL, thud_world_cast_shape(NULL, &(thud_shape_cast){from, disc, 1, 0, NULL},
+                                               OUT_FLAG, hit));
+    REFUSED_UNTOLD(NULL, thud_world_cast_shape_all(NULL, &(thud_shape_cast){from, disc, 1, 0, NULL},
+                                                   hits, 4, count));
 }
 
 void wrong_overlaps_and_closest(void **state) {
@@ -87,53 +119,55 @@ void wrong_overlaps_and_closest(void **state) {
     thud_closest_hit *hit = &wrong_out.closest_hit;
     EACH(x, not_a_place) {
         thud_pos nowhere = {x, 0}, nor_here = {0, x};
-        REFUSED(INVALID, thud_world_overlap_shape(w, nowhere, &disc, NULL, count_shape, &asked));
-        REFUSED(INVALID, thud_world_overlap_circle(w, nor_here, 1, NULL, count_shape, &asked));
+        REFUSED(INVALID, thud_world_overlap_shape(w, nowhere, disc, NULL, count_shape, &asked));
+        REFUSED(INVALID, thud_world_overlap_shape(w, nor_here, thud_circle_at(0, 0, 1), NULL,
+                                                  count_shape, &asked));
         REFUSED(INVALID, thud_world_overlap_aabb(w, nowhere, from, NULL, count_shape, &asked));
         REFUSED(INVALID, thud_world_overlap_aabb(w, from, nor_here, NULL, count_shape, &asked));
-        REFUSED(INVALID, thud_world_overlap_obb(w, nowhere, 1, 1, 1, NULL, count_shape, &asked));
+        REFUSED(INVALID, thud_world_overlap_shape(w, nowhere, thud_obb_at(0, 0, 1, 1, 1), NULL,
+                                                  count_shape, &asked));
         REFUSED(INVALID, thud_world_closest(w, nowhere, 10, NULL, OUT_FLAG, hit));
         REFUSED(INVALID, thud_world_closest(w, nor_here, 10, NULL, OUT_FLAG, hit));
-        REFUSED(INVALID, thud_body_volume(w, p->here.box, THUD_OBB, nowhere, &wrong_out.volume));
+        REFUSED(INVALID,
+                thud_body_get_volume(w, p->here.box, THUD_SHAPE_OBB, nowhere, &wrong_out.volume));
     }
     EACH(x, not_a_length) {
-        REFUSED(INVALID, thud_world_overlap_circle(w, from, x, NULL, count_shape, &asked));
-        REFUSED(INVALID, thud_world_overlap_obb(w, from, x, 1, 1, NULL, count_shape, &asked));
-        REFUSED(INVALID, thud_world_overlap_obb(w, from, 1, x, 1, NULL, count_shape, &asked));
+        REFUSED(INVALID, thud_world_overlap_shape(w, from, thud_circle_at(0, 0, x), NULL,
+                                                  count_shape, &asked));
+        REFUSED(INVALID, thud_world_overlap_shape(w, from, thud_obb_at(0, 0, x, 1, 1), NULL,
+                                                  count_shape, &asked));
+        REFUSED(INVALID, thud_world_overlap_shape(w, from, thud_obb_at(0, 0, 1, x, 1), NULL,
+                                                  count_shape, &asked));
     }
     EACH(x, not_an_angle) {
-        REFUSED(INVALID, thud_world_overlap_obb(w, from, 1, 1, x, NULL, count_shape, &asked));
+        REFUSED(INVALID, thud_world_overlap_shape(w, from, thud_obb_at(0, 0, 1, 1, x), NULL,
+                                                  count_shape, &asked));
     }
     for (int i = 0; i < COUNT(no_shapes); i++) {
         REFUSED(INVALID,
-                thud_world_overlap_shape(w, from, &no_shapes[i], NULL, count_shape, &asked));
+                thud_world_overlap_shape(w, from, no_shapes[i], NULL, count_shape, &asked));
     }
     const double not_a_distance[] = {NAN, INFINITY, -INFINITY, -1e-9, 1.1e9, 1e300};
     EACH(x, not_a_distance) {
         REFUSED(INVALID, thud_world_closest(w, from, x, NULL, OUT_FLAG, hit));
     }
     REFUSED(INVALID, thud_world_overlap_aabb(w, from, (thud_pos){2, 2}, NULL, count_shape, &asked));
-    REFUSED(NULL, thud_world_overlap_shape(w, from, NULL, NULL, count_shape, &asked));
-    REFUSED(NULL, thud_world_overlap_shape(w, from, &disc, NULL, NULL, NULL));
-    REFUSED(NULL, thud_world_overlap_circle(w, from, 1, NULL, NULL, NULL));
+    REFUSED(NULL, thud_world_overlap_shape(w, from, disc, NULL, NULL, NULL));
     REFUSED(NULL, thud_world_overlap_aabb(w, from, from, NULL, NULL, NULL));
-    REFUSED(NULL, thud_world_overlap_obb(w, from, 1, 1, 1, NULL, NULL, NULL));
-    REFUSED_UNTOLD(NULL, thud_world_overlap_shape(NULL, from, &disc, NULL, count_shape, &asked));
-    REFUSED_UNTOLD(NULL, thud_world_overlap_circle(NULL, from, 1, NULL, count_shape, &asked));
+    REFUSED_UNTOLD(NULL, thud_world_overlap_shape(NULL, from, disc, NULL, count_shape, &asked));
     REFUSED_UNTOLD(NULL, thud_world_overlap_aabb(NULL, from, from, NULL, count_shape, &asked));
-    REFUSED_UNTOLD(NULL, thud_world_overlap_obb(NULL, from, 1, 1, 1, NULL, count_shape, &asked));
     REFUSED_UNTOLD(NULL, thud_world_closest(NULL, from, 10, NULL, OUT_FLAG, hit));
     assert_int_equal(asked, 0);
     /* A body with an endless line, or without shapes, has no bounding volume. */
     thud_volume *volume = &wrong_out.volume;
     thud_shape_state plain;
-    OK(thud_shape_get(w, p->here.plain, &plain));
-    REFUSED(INVALID, thud_body_volume(w, plain.body, THUD_AABB, from, volume));
-    REFUSED(INVALID, thud_body_volume(w, p->here.bare, THUD_AABB, from, volume));
-    REFUSED(INVALID, thud_body_volume(w, p->here.box, THUD_TERRAIN, from, volume));
-    REFUSED(INVALID, thud_body_volume(w, p->here.box, (thud_shape_kind)-1, from, volume));
-    REFUSED(NULL, thud_body_volume(w, p->here.box, THUD_AABB, from, NULL));
-    REFUSED_UNTOLD(NULL, thud_body_volume(NULL, p->here.box, THUD_AABB, from, volume));
+    OK(thud_shape_get_state(w, p->here.plain, &plain));
+    REFUSED(INVALID, thud_body_get_volume(w, plain.body, THUD_SHAPE_AABB, from, volume));
+    REFUSED(INVALID, thud_body_get_volume(w, p->here.bare, THUD_SHAPE_AABB, from, volume));
+    REFUSED(INVALID, thud_body_get_volume(w, p->here.box, THUD_SHAPE_TERRAIN, from, volume));
+    REFUSED(INVALID, thud_body_get_volume(w, p->here.box, (thud_shape_kind)-1, from, volume));
+    REFUSED(NULL, thud_body_get_volume(w, p->here.box, THUD_SHAPE_AABB, from, NULL));
+    REFUSED_UNTOLD(NULL, thud_body_get_volume(NULL, p->here.box, THUD_SHAPE_AABB, from, volume));
 }
 
 void wrong_movers(void **state) {
@@ -176,7 +210,7 @@ void wrong_movers(void **state) {
     BAD(INVALID, shape.x, 1e10);
     BAD(INVALID, shape.hx, 0);
     BAD(INVALID, shape.hx, -1);
-    BAD(INVALID, shape.kind, THUD_TERRAIN);
+    BAD(INVALID, shape.kind, THUD_SHAPE_TERRAIN);
     BAD(INVALID, shape.kind, (thud_shape_kind)77);
     BAD(INVALID, up.y, 0.5f);
     BAD(INVALID, skin, 0);

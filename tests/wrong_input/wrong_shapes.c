@@ -58,7 +58,7 @@ void wrong_shapes(void **state) {
     REFUSED_UNTOLD(NULL, thud_shape_create_circle(NULL, box, &good, zero, 1, &wrong_out.shape));
     REFUSED_UNTOLD(NULL, thud_shape_create_aabb(NULL, box, &good, zero, one, &wrong_out.shape));
     REFUSED_UNTOLD(NULL, thud_shape_create_obb(NULL, box, &good, zero, one, 0, &wrong_out.shape));
-    REFUSED_UNTOLD(NULL, thud_shape_get(NULL, p->here.hill, &wrong_out.shape_state));
+    REFUSED_UNTOLD(NULL, thud_shape_get_state(NULL, p->here.hill, &wrong_out.shape_state));
     REFUSED_UNTOLD(NULL, thud_shape_destroy(NULL, p->here.hill));
 }
 
@@ -125,8 +125,8 @@ void wrong_terrains(void **state) {
     REFUSED(NULL, thud_shape_create_terrain(w, floor, NULL, &plain, &wrong_out.shape));
     REFUSED(NULL, thud_shape_create_terrain(w, floor, &def, NULL, &wrong_out.shape));
     REFUSED_UNTOLD(NULL, thud_shape_create_terrain(NULL, floor, &def, &plain, &wrong_out.shape));
-    REFUSED(INVALID, thud_shape_terrain(w, p->here.box_shape, &wrong_out.terrain));
-    REFUSED_UNTOLD(NULL, thud_shape_terrain(NULL, p->here.hill, &wrong_out.terrain));
+    REFUSED(INVALID, thud_shape_get_terrain(w, p->here.box_shape, &wrong_out.terrain));
+    REFUSED_UNTOLD(NULL, thud_shape_get_terrain(NULL, p->here.hill, &wrong_out.terrain));
 }
 
 void wrong_terrain_edits(void **state) {

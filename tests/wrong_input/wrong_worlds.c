@@ -28,10 +28,10 @@ static thud_result step_forever(wrong_pair *p, double elapsed, int max_steps) {
                               &wrong_out.number);
 }
 
-/* thud_world_poses returns no result code: a refusal is null with count 0. */
+/* thud_world_get_poses returns no result code: a refusal is null with count 0. */
 static thud_result poses(thud_world *world, thud_pos origin, double alpha) {
     int count = 7;
-    const thud_pose *got = thud_world_poses(world, origin, alpha, &count);
+    const thud_pose *got = thud_poses_of(world, origin, alpha, &count);
     if (got || count) {
         return THUD_OK;
     }
@@ -108,8 +108,8 @@ void wrong_worlds(void **state) {
     BAD_QUALITY(contact_stiffness, 0.6f);
     BAD_QUALITY(contact_damping, -1);
     BAD_QUALITY(detection, NULL);
-    BAD_QUALITY(sag_limit, NAN);
-    BAD_QUALITY(sag_limit, -1);
+    BAD_QUALITY(overlap_limit, NAN);
+    BAD_QUALITY(overlap_limit, -1);
     BAD_QUALITY(island_limit, 0);
 #undef BAD_QUALITY
 #undef BAD
@@ -145,14 +145,14 @@ void wrong_settings(void **state) {
     bad[1].contact_stiffness = 0.6f;
     bad[2].contact_damping = NAN;
     bad[3].detection = NULL;
-    bad[4].sag_limit = NAN;
+    bad[4].overlap_limit = NAN;
     bad[5].island_limit = -1;
     for (int i = 0; i < COUNT(bad); i++) {
         REFUSED(INVALID, thud_world_set_quality(w, &bad[i]));
     }
     REFUSED(NULL, thud_world_set_quality(w, NULL));
-    REFUSED(NULL, thud_world_bisection_limit(w, NULL));
-    REFUSED_UNTOLD(NULL, thud_world_bisection_limit(NULL, &wrong_out.number));
+    REFUSED(NULL, thud_world_get_bisection_limit(w, NULL));
+    REFUSED_UNTOLD(NULL, thud_world_get_bisection_limit(NULL, &wrong_out.number));
     REFUSED_UNTOLD(NULL, thud_world_set_quality(NULL, &thud_quality_default));
     REFUSED_UNTOLD(NULL, thud_world_set_gravity(NULL, (thud_vec2){0, 0}));
     REFUSED_UNTOLD(NULL, thud_world_set_time_step(NULL, 0.01));
@@ -171,11 +171,11 @@ void wrong_settings(void **state) {
     REFUSED_UNTOLD(NULL, poses(NULL, (thud_pos){0, 0}, 0.5));
     /* Functions without a result code return zeros. */
     thud_world_destroy(NULL);
-    assert_int_equal(thud_world_events(NULL).begin_count, 0);
-    assert_int_equal(thud_world_stats(NULL).bodies, 0);
-    assert_true(thud_world_measure(NULL).kinetic_energy == 0);
-    assert_true(thud_world_error(NULL).residual == 0);
-    (void)thud_world_hash(NULL);
+    assert_int_equal(thud_events_of(NULL).begin_count, 0);
+    assert_int_equal(thud_stats_of(NULL).bodies, 0);
+    assert_true(thud_measure_of(NULL).kinetic_energy == 0);
+    assert_true(thud_step_error_of(NULL).residual == 0);
+    (void)thud_hash_of(NULL);
     assert_true(thud_stage_name((thud_stage)-1)[0] && thud_stage_name(THUD_STAGE_COUNT)[0]);
     assert_true(thud_result_text((thud_result)-1)[0] && thud_result_text((thud_result)99)[0]);
     assert_string_equal(thud_broadphase_name(NULL), "");

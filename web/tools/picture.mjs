@@ -101,7 +101,7 @@ function* shapePaths({ world, hidden = [] }, place, ramp) {
     const [w, h] = [hx * place.scale, hy * place.scale];
     if (kind === KINDS.terrain) {
       const id = { kind: "shape", index: handles[4 * row] - 1, generation: handles[4 * row + 1] };
-      yield { style: GROUND, path: ground(world.terrain(id), place, bx, by) };
+      yield { style: GROUND, path: ground(world.terrainOf(id), place, bx, by) };
       continue;
     }
     if (!place.sees(center, Math.hypot(w, h))) continue;
@@ -148,7 +148,7 @@ function ground(terrain, place, x, y) {
 function* overlayPaths({ world, show = [] }, place) {
   if (show.length === 0) return;
   const [halfX, halfY] = [WIDTH / 2 / place.scale, HEIGHT / 2 / place.scale];
-  const { shapes, lines } = world.debugDraw({
+  const { shapes, lines } = world.draw({
     ...Object.fromEntries(show.map((name) => [name, true])),
     origin: place.origin,
     lower: [place.origin[0] - halfX, place.origin[1] - halfY],

@@ -31,11 +31,11 @@ function use(world) {
   world.poses(0);
   const { handles } = world.shapeTable();
   const shape = { kind: "shape", index: handles[0] - 1, generation: handles[1] };
-  if (world.shapeState(shape).kind === "terrain") world.terrain(shape);
-  world.bodyState(world.shapeState(shape).body);
+  if (world.shapeStateOf(shape).kind === "terrain") world.terrainOf(shape);
+  world.bodyStateOf(world.shapeStateOf(shape).body);
   world.shapeTableAwake();
   world.stats();
-  world.error();
+  world.stepError();
   world.hash();
   world.snapshot(); // the page takes snapshots from the start; restore is called by a visitor only
 }

@@ -96,8 +96,8 @@ function buildBox2d(b2, thudWorld, gravity) {
   def.delete();
   let bodies = 0;
   for (const id of bodiesOf(thudWorld)) {
-    const state = thudWorld.bodyState(id);
-    const shapes = thudWorld.shapesOf(id).map((shape) => thudWorld.shapeState(shape));
+    const state = thudWorld.bodyStateOf(id);
+    const shapes = thudWorld.shapesOf(id).map((shape) => thudWorld.shapeStateOf(shape));
     const bodyDef = b2.b2DefaultBodyDef();
     bodyDef.type = b2.b2BodyType[BOX2D_TYPES[state.kind]];
     bodyDef.position.Set(...state.position);

@@ -8,6 +8,9 @@
  * there; JavaScript changes some and then calls the function that reads them. Options are doubles,
  * which may have any value.
  *
+ * api_body_set_kind calls thud_body_set_kind, and a reader such as thud_body_get_shapes has the
+ * export api_body_shapes, without get.
+ *
  * A function that returns int and can fail returns a thud_result. A handle is two numbers, index1
  * and generation; thud itself refuses stale handles. Lists of any length go through growing buffers
  * of this layer, and are valid until the next call that fills the same buffer. */
@@ -57,7 +60,7 @@ thud_query_filter api_filter(const struct filter_options *options);
 
 /* The shape of a query or mover, with its centre at the origin. `hx`: the radius of a circle, or
  * half the width; `hy`: half the height; `angle`: radians, of an OBB. */
-thud_shape_instance api_placed(int kind, double hx, double hy, double angle);
+thud_geometry api_placed(int kind, double hx, double hy, double angle);
 
 static inline thud_body_id api_body(uint32_t index1, uint32_t generation) {
     return (thud_body_id){index1, generation};

@@ -1,6 +1,5 @@
 /* api_body.c: exports that create, read and move bodies, apply forces to them, and list their
- * shapes and contacts. Each calls the function of thud.h with the same name; api.h has the
- * conventions. */
+ * shapes and contacts. api.h has the conventions. */
 #include "api.h"
 
 #include <stdlib.h>
@@ -59,9 +58,9 @@ int api_body_is_valid(const thud_world *world, uint32_t index1, uint32_t generat
 }
 
 /* Slots out: body_state. */
-int api_body_get(const thud_world *world, uint32_t index1, uint32_t generation) {
+int api_body_state(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_body_state state;
-    thud_result result = thud_body_get(world, api_body(index1, generation), &state);
+    thud_result result = thud_body_get_state(world, api_body(index1, generation), &state);
     if (result != THUD_OK)
         return result;
     struct body_state *s = &api_slots.body_state;
@@ -102,10 +101,14 @@ int api_body_apply_impulse(thud_world *world, uint32_t index1, uint32_t generati
                                    (thud_vec2){(float)x, (float)y}, (thud_pos){point_x, point_y});
 }
 
-int api_body_apply_force(thud_world *world, uint32_t index1, uint32_t generation, double x,
-                         double y, double torque) {
-    return thud_body_apply_force(world, api_body(index1, generation),
-                                 (thud_vec2){(float)x, (float)y}, (float)torque);
+int api_body_apply_center_force(thud_world *world, uint32_t index1, uint32_t generation, double x,
+                                double y) {
+    return thud_body_apply_center_force(world, api_body(index1, generation),
+                                        (thud_vec2){(float)x, (float)y});
+}
+
+int api_body_apply_torque(thud_world *world, uint32_t index1, uint32_t generation, double torque) {
+    return thud_body_apply_torque(world, api_body(index1, generation), (float)torque);
 }
 
 int api_body_set_awake(thud_world *world, uint32_t index1, uint32_t generation, int awake) {
@@ -124,7 +127,7 @@ int api_body_set_user_data(thud_world *world, uint32_t index1, uint32_t generati
 int api_body_shapes(const thud_world *world, uint32_t index1, uint32_t generation) {
     int count = 0;
     thud_body_id body = api_body(index1, generation);
-    thud_result result = thud_body_shapes(world, body, NULL, 0, &count);
+    thud_result result = thud_body_get_shapes(world, body, NULL, 0, &count);
     if (result != THUD_OK)
         return result;
     api_buffer_clear(&shape_list);
@@ -132,7 +135,7 @@ int api_body_shapes(const thud_world *world, uint32_t index1, uint32_t generatio
         api_buffer_push(&shape_list, &(thud_shape_id){0}, sizeof(thud_shape_id));
     if (shape_list.failed)
         return THUD_ERROR_MEMORY;
-    result = thud_body_shapes(world, body, (thud_shape_id *)shape_list.data, count, &count);
+    result = thud_body_get_shapes(world, body, (thud_shape_id *)shape_list.data, count, &count);
     api_slots.list.address = (double)(uintptr_t)shape_list.data;
     api_slots.list.count = count;
     return result;
@@ -142,13 +145,13 @@ int api_body_shapes(const thud_world *world, uint32_t index1, uint32_t generatio
 int api_body_contacts(thud_world *world, uint32_t index1, uint32_t generation) {
     thud_body_id body = api_body(index1, generation);
     int count = 0;
-    thud_result result = thud_body_contacts(world, body, NULL, 0, &count);
+    thud_result result = thud_body_get_contacts(world, body, NULL, 0, &count);
     if (result != THUD_OK)
         return result;
     thud_manifold *all = malloc(sizeof *all * (size_t)(count + 1));
     if (all == NULL)
         return THUD_ERROR_MEMORY;
-    result = thud_body_contacts(world, body, all, count, &count);
+    result = thud_body_get_contacts(world, body, all, count, &count);
     api_buffer_clear(&contact_rows);
     for (int i = 0; i < count && result == THUD_OK; i++) {
         const thud_manifold *m = &all[i];

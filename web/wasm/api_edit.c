@@ -1,5 +1,5 @@
-/* api_edit.c: exports that change bodies and shapes: the setters of thud_edits.h and thud_locks.h
- * under the same names; api.h has the conventions. */
+/* api_edit.c: exports that change bodies and shapes: the setters of thud_edits.h and thud_locks.h.
+ * api.h has the conventions. */
 #include "api.h"
 
 #include <thud/thud_edits.h>
@@ -99,7 +99,7 @@ int api_body_set_locks(thud_world *world, uint32_t index1, uint32_t generation, 
 /* Slots out: number, the sum of 1 where x is locked and 2 where y is. */
 int api_body_locks(const thud_world *world, uint32_t index1, uint32_t generation) {
     bool x = false, y = false;
-    thud_result result = thud_body_locks(world, api_body(index1, generation), &x, &y);
+    thud_result result = thud_body_get_locks(world, api_body(index1, generation), &x, &y);
     api_slots.number.value = x + 2 * y;
     return result;
 }

@@ -71,8 +71,8 @@ int api_body_apply_buoyancy(thud_world *world, uint32_t index1, uint32_t generat
     return thud_body_apply_buoyancy(world, api_body(index1, generation), &water);
 }
 
-int api_body_apply_rolling(thud_world *world, uint32_t index1, uint32_t generation,
-                           double coefficient) {
+int api_body_apply_rolling_resistance(thud_world *world, uint32_t index1, uint32_t generation,
+                                      double coefficient) {
     return thud_body_apply_rolling_resistance(world, api_body(index1, generation),
                                               (float)coefficient);
 }
@@ -86,7 +86,7 @@ int api_body_apply_grip(thud_world *world, uint32_t index1, uint32_t generation,
 
 /* ---- tyres ---- */
 
-/* The maximum of thrust, brake and grip: mass * length / s^2 (THUD_PUSH_MAX). */
+/* The maximum of thrust, brake and grip: mass * length / s^2 (THUD_FORCE_MAX). */
 static const double MOST_FORCE = 1e30;
 
 /* The point of a body to which the tyre's impulses are applied. */
@@ -100,7 +100,7 @@ typedef struct pushed {
 /* The speed of the point along a unit vector, length/s. */
 static double speed_along(const pushed *p, double x, double y) {
     thud_vec2 v = {0};
-    (void)thud_body_velocity_at(p->world, p->body, p->point, &v);
+    (void)thud_body_get_velocity_at(p->world, p->body, p->point, &v);
     return (double)v.x * x + (double)v.y * y;
 }
 
@@ -146,11 +146,11 @@ int api_body_apply_tyre(thud_world *world, uint32_t index1, uint32_t generation)
     thud_vec2 at = {(float)s.at[0], (float)s.at[1]};
     thud_result result = thud_sincos(s.steer, &sine, &cosine);
     if (result == THUD_OK)
-        result = thud_body_world_point(world, p.body, at, &p.point);
+        result = thud_body_get_world_point(world, p.body, at, &p.point);
     if (result == THUD_OK)
-        result = thud_body_get(world, p.body, &p.state);
+        result = thud_body_get_state(world, p.body, &p.state);
     if (result == THUD_OK)
-        result = thud_world_step_settings(world, &settings);
+        result = thud_world_get_step_settings(world, &settings);
     if (result != THUD_OK)
         return result;
 

@@ -5,9 +5,9 @@
 
 #include <thud/thud_minkowski.h>
 
-static thud_shape_instance placed(const struct placed *p) {
-    thud_shape_instance shape = api_placed(api_to_int(p->solid.kind), p->solid.half_extents[0],
-                                           p->solid.half_extents[1], p->solid.angle);
+static thud_geometry placed(const struct placed *p) {
+    thud_geometry shape = api_placed(api_to_int(p->solid.kind), p->solid.half_extents[0],
+                                     p->solid.half_extents[1], p->solid.angle);
     shape.x = p->center[0];
     shape.y = p->center[1];
     return shape;
@@ -19,7 +19,7 @@ static thud_motion motion(const double numbers[3]) {
 
 /* Two shapes and their motions. */
 typedef struct moving_pair {
-    thud_shape_instance a, b;
+    thud_geometry a, b;
     thud_motion by_a, by_b;
 } moving_pair;
 
@@ -30,13 +30,13 @@ static moving_pair pair_now(void) {
 }
 
 /* Slots out: closest_features. */
-int api_shapes_closest(void) {
+int api_geometry_closest(void) {
     moving_pair p = pair_now();
     thud_closest c;
-    thud_result result = thud_shapes_closest(&p.a, &p.b, &c);
+    thud_result result = thud_geometry_closest(&p.a, &p.b, &c);
     if (result == THUD_OK)
         api_slots.closest_features =
-            (struct closest_features){.overlaps = thud_shapes_overlap(&p.a, &p.b),
+            (struct closest_features){.overlaps = thud_geometry_overlap(&p.a, &p.b),
                                       .distance = c.distance,
                                       .normal = {c.nx, c.ny},
                                       .point_a = {c.ax, c.ay},
@@ -45,43 +45,43 @@ int api_shapes_closest(void) {
 }
 
 /* `target`: the distance at which the shapes count as meeting, a length. Slots out: meeting. */
-int api_shapes_time_of_impact(double target) {
+int api_geometry_time_of_impact(double target) {
     moving_pair p = pair_now();
     bool hit = false;
     double time = 1.0;
     thud_result result =
-        thud_shapes_time_of_impact(&p.a, p.by_a, &p.b, p.by_b, target, &hit, &time);
+        thud_geometry_time_of_impact(&p.a, p.by_a, &p.b, p.by_b, target, &hit, &time);
     if (result == THUD_OK)
         api_slots.meeting = (struct meeting){.found = hit, .time = time};
     return result;
 }
 
 /* `tolerance`: a fraction of the motion. Slots out: meeting. */
-int api_shapes_time_of_collision(double tolerance) {
+int api_geometry_time_of_collision(double tolerance) {
     moving_pair p = pair_now();
     bool collided = false;
     double time = 1.0;
     thud_result result =
-        thud_shapes_time_of_collision(&p.a, p.by_a, &p.b, p.by_b, tolerance, &collided, &time);
+        thud_geometry_time_of_collision(&p.a, p.by_a, &p.b, p.by_b, tolerance, &collided, &time);
     if (result == THUD_OK)
         api_slots.meeting = (struct meeting){
             .found = collided,
             .time = time,
-            .sure = thud_motion_is_bisectable(&p.a, p.by_a, &p.b, p.by_b),
+            .bisectable = thud_geometry_is_bisectable(&p.a, p.by_a, &p.b, p.by_b),
         };
     return result;
 }
 
 /* Slots out: meeting. */
-int api_circles_approach(void) {
+int api_geometry_approach(void) {
     moving_pair p = pair_now();
     thud_approach passing;
-    thud_result result = thud_circles_approach(&p.a, p.by_a, &p.b, p.by_b, &passing);
+    thud_result result = thud_geometry_approach(&p.a, p.by_a, &p.b, p.by_b, &passing);
     if (result == THUD_OK)
         api_slots.meeting = (struct meeting){.found = passing.hit,
                                              .time = passing.time,
-                                             .least = passing.least,
-                                             .least_time = passing.least_time};
+                                             .min_distance = passing.min_distance,
+                                             .min_distance_time = passing.min_distance_time};
     return result;
 }
 
@@ -89,12 +89,13 @@ int api_circles_approach(void) {
 int api_minkowski_cast(void) {
     moving_pair p = pair_now();
     thud_minkowski sum;
+    thud_segment path = {p.b.x - p.a.x, p.b.y - p.a.y, p.by_b.dx - p.by_a.dx,
+                         p.by_b.dy - p.by_a.dy};
     bool hit = false;
     double fraction = 1.0, nx = 0.0, ny = 0.0;
     thud_result result = thud_minkowski_sum(&p.a, &p.b, &sum);
     if (result == THUD_OK)
-        result = thud_minkowski_cast(&sum, p.b.x - p.a.x, p.b.y - p.a.y, p.by_b.dx - p.by_a.dx,
-                                     p.by_b.dy - p.by_a.dy, &hit, &fraction, &nx, &ny);
+        result = thud_minkowski_cast(&sum, path, &hit, &fraction, &nx, &ny);
     if (result == THUD_OK)
         api_slots.crossing = (struct crossing){hit, fraction, {nx, ny}};
     return result;
@@ -124,16 +125,16 @@ int api_volumes_overlap(void) {
  * move the test out of the loop. Slots out: number, of the tests that found an overlap. */
 int api_overlap_often(int exact, int count) {
     moving_pair p = pair_now();
-    const thud_shape_instance *sides[2] = {&p.a, &p.b};
-    thud_result result = exact ? thud_placed_check(&p.a) : thud_volume_check(&p.a);
+    const thud_geometry *sides[2] = {&p.a, &p.b};
+    thud_result result = exact ? thud_geometry_check(&p.a) : thud_volume_check(&p.a);
     if (result == THUD_OK)
-        result = exact ? thud_placed_check(&p.b) : thud_volume_check(&p.b);
+        result = exact ? thud_geometry_check(&p.b) : thud_volume_check(&p.b);
     double overlapping = 0.0;
     for (int i = 0; i < count && result == THUD_OK; i++) {
-        const thud_shape_instance *one = sides[i % 2], *other = sides[1 - i % 2];
+        const thud_geometry *one = sides[i % 2], *other = sides[1 - i % 2];
         bool overlap = false;
         if (exact)
-            overlap = thud_shapes_overlap(one, other);
+            overlap = thud_geometry_overlap(one, other);
         else
             result = thud_volumes_overlap(one, other, &overlap);
         overlapping += overlap;

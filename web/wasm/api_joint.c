@@ -27,8 +27,8 @@ static void tell_drive(const thud_drive *d, struct drive_options *s) {
  * engine accepts, `furthest`, or pi for the turn. */
 static thud_drive drive_in(const struct drive_options *s, thud_joint_kind kind,
                            thud_direction direction, double furthest) {
-    double most = direction == THUD_TURN ? (double)THUD_JOINT_TURN_MAX : furthest;
-    double least = kind == THUD_DISTANCE ? 0.0 : -most;
+    double most = direction == THUD_DIRECTION_TURN ? (double)THUD_JOINT_ANGLE_MAX : furthest;
+    double least = kind == THUD_JOINT_DISTANCE ? 0.0 : -most;
     return (thud_drive){.limited = !(s->lower == -INFINITY && s->upper == INFINITY),
                         .lower = (float)(s->lower == -INFINITY ? least : s->lower),
                         .upper = (float)(s->upper == INFINITY ? most : s->upper),
@@ -52,12 +52,12 @@ static thud_joint_frame frame_in(const struct frame_options *s) {
 /* Writes a joint's def to the slots joint_options. */
 static void tell_def(const thud_joint_def *def) {
     struct joint_options *s = &api_slots.joint_options;
-    bool gear = def->kind == THUD_GEAR;
+    bool gear = def->kind == THUD_JOINT_GEAR;
     s->collide_connected = def->collide_connected;
     s->break_force = def->break_force;
     s->break_torque = def->break_torque;
     s->only_reports = def->only_reports;
-    s->enabled = !def->disabled;
+    s->enabled = def->enabled;
     s->user_data = (double)def->user_data;
     s->pair_a.index1 = gear ? def->gear[0].index1 : def->body_a.index1;
     s->pair_a.generation = gear ? def->gear[0].generation : def->body_a.generation;
@@ -65,9 +65,9 @@ static void tell_def(const thud_joint_def *def) {
     s->pair_b.generation = gear ? def->gear[1].generation : def->body_b.generation;
     s->frame_a = frame_out(&def->frame_a);
     s->frame_b = frame_out(&def->frame_b);
-    tell_drive(&def->drive[THUD_ALONG], &s->along);
-    tell_drive(&def->drive[THUD_ACROSS], &s->across);
-    tell_drive(&def->drive[THUD_TURN], &s->turn);
+    tell_drive(&def->drive[THUD_DIRECTION_ALONG], &s->along);
+    tell_drive(&def->drive[THUD_DIRECTION_ACROSS], &s->across);
+    tell_drive(&def->drive[THUD_DIRECTION_TURN], &s->turn);
     s->making = (struct joint_making){.kind = def->kind, .rod = def->length, .ratio = def->ratio};
 }
 
@@ -93,7 +93,7 @@ int api_joint_options(const thud_world *world, uint32_t index1, uint32_t generat
 static thud_result settle_frame(const thud_world *world, thud_body_id id, bool from_place,
                                 double place[2], double turned, thud_joint_frame *frame) {
     thud_body_state body;
-    thud_result result = thud_body_get(world, id, &body);
+    thud_result result = thud_body_get_state(world, id, &body);
     if (result != THUD_OK)
         return result;
     double c, s, x = frame->position.x, y = frame->position.y;
@@ -141,7 +141,7 @@ static thud_result settle_frames(const thud_world *world, thud_joint_def *def) {
         result = settle_frame(world, def->body_b, out & 2, s->place_b, s->turned, &def->frame_b);
     double x = s->place_b[0] - s->place_a[0], y = s->place_b[1] - s->place_a[1];
     double between = sqrt(x * x + y * y);
-    const thud_drive *d = &def->drive[THUD_ALONG];
+    const thud_drive *d = &def->drive[THUD_DIRECTION_ALONG];
     bool rod = !d->limited && d->frequency == 0.0f && d->motor_force == 0.0f;
     bool rests = d->frequency > 0.0f && d->target == -INFINITY; /* the spring pulls to the length */
     /* A distance with another drive does not use its length: where the anchors coincide it keeps
@@ -158,20 +158,20 @@ int api_joint_create(thud_world *world, double furthest) {
     thud_joint_kind kind = (thud_joint_kind)api_to_int(s->making.kind);
     thud_joint_def def = thud_default_joint_def(kind);
     thud_result result = THUD_OK;
-    def.drive[THUD_ALONG] = drive_in(&s->along, kind, THUD_ALONG, furthest);
-    def.drive[THUD_ACROSS] = drive_in(&s->across, kind, THUD_ACROSS, furthest);
-    def.drive[THUD_TURN] = drive_in(&s->turn, kind, THUD_TURN, furthest);
+    def.drive[THUD_DIRECTION_ALONG] = drive_in(&s->along, kind, THUD_DIRECTION_ALONG, furthest);
+    def.drive[THUD_DIRECTION_ACROSS] = drive_in(&s->across, kind, THUD_DIRECTION_ACROSS, furthest);
+    def.drive[THUD_DIRECTION_TURN] = drive_in(&s->turn, kind, THUD_DIRECTION_TURN, furthest);
     def.length = (float)s->making.rod;
     def.ratio = (float)s->making.ratio;
     def.collide_connected = s->collide_connected != 0.0;
     def.break_force = (float)s->break_force;
     def.break_torque = (float)s->break_torque;
     def.only_reports = s->only_reports != 0.0;
-    def.disabled = s->enabled == 0.0;
+    def.enabled = s->enabled != 0.0;
     def.user_data = (uint64_t)s->user_data;
     uint32_t a = api_to_u32(s->pair_a.index1), a_generation = api_to_u32(s->pair_a.generation);
     uint32_t b = api_to_u32(s->pair_b.index1), b_generation = api_to_u32(s->pair_b.generation);
-    if (kind == THUD_GEAR) {
+    if (kind == THUD_JOINT_GEAR) {
         def.gear[0] = joint_id(a, a_generation);
         def.gear[1] = joint_id(b, b_generation);
     } else {
@@ -209,9 +209,9 @@ int api_joint_set_drive(thud_world *world, uint32_t index1, uint32_t generation,
                         double furthest) {
     const struct joint_options *s = &api_slots.joint_options;
     thud_drive drive =
-        drive_in(direction == THUD_ALONG    ? &s->along
-                 : direction == THUD_ACROSS ? &s->across
-                                            : &s->turn,
+        drive_in(direction == THUD_DIRECTION_ALONG    ? &s->along
+                 : direction == THUD_DIRECTION_ACROSS ? &s->across
+                                                      : &s->turn,
                  (thud_joint_kind)api_to_int(s->making.kind), (thud_direction)direction, furthest);
     return thud_joint_set_drive(world, joint_id(index1, generation), (thud_direction)direction,
                                 &drive);

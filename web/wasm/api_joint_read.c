@@ -8,9 +8,9 @@
 static api_buffer ids, event_rows, table_rows, table_handles;
 
 /* Slots out: joint_state. */
-int api_joint_get(const thud_world *world, uint32_t index1, uint32_t generation) {
+int api_joint_state(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_joint_state state;
-    thud_result result = thud_joint_get(world, (thud_joint_id){index1, generation}, &state);
+    thud_result result = thud_joint_get_state(world, (thud_joint_id){index1, generation}, &state);
     if (result == THUD_OK)
         api_slots.joint_state = (struct joint_state){
             .kind = state.kind,
@@ -42,10 +42,12 @@ static bool make_room(api_buffer *buffer, int count) {
 
 /* Writes the handles of all joints to `ids`; returns their number, or -1 where memory is short. */
 static int list_all(const thud_world *world) {
-    int count = thud_world_joints(world, NULL, 0);
+    int count = 0;
+    thud_world_get_joints(world, NULL, 0, &count);
     if (!make_room(&ids, count))
         return -1;
-    return thud_world_joints(world, (thud_joint_id *)ids.data, count);
+    thud_world_get_joints(world, (thud_joint_id *)ids.data, count, &count);
+    return count;
 }
 
 /* Slots out: list, of `ids`. */
@@ -63,20 +65,20 @@ int api_world_joints(const thud_world *world) {
 /* The handles of a body's joints. Slots out: list. */
 int api_body_joints(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_body_id body = api_body(index1, generation);
-    thud_body_state state;
-    thud_result result = thud_body_get(world, body, &state);
+    int count = 0;
+    thud_result result = thud_body_get_joints(world, body, NULL, 0, &count);
     if (result != THUD_OK)
         return result;
-    int count = thud_body_joints(world, body, NULL, 0);
     if (!make_room(&ids, count))
         return THUD_ERROR_MEMORY;
-    return tell_list(thud_body_joints(world, body, (thud_joint_id *)ids.data, count));
+    thud_body_get_joints(world, body, (thud_joint_id *)ids.data, count, &count);
+    return tell_list(count);
 }
 
 /* Slots out: list of joint_event. */
 int api_world_joint_events(const thud_world *world) {
     int count = 0;
-    const thud_joint_event *events = thud_world_joint_events(world, &count);
+    const thud_joint_event *events = thud_joint_events_of(world, &count);
     api_buffer_clear(&event_rows);
     for (int i = 0; i < count; i++) {
         const thud_joint_event *e = &events[i];
@@ -101,8 +103,8 @@ int api_world_joint_events(const thud_world *world) {
 static const struct {
     unsigned char locked, driven;
 } DIRECTIONS[THUD_JOINT_KIND_COUNT] = {
-    [THUD_DISTANCE] = {1, 1}, [THUD_HINGE] = {3, 4}, [THUD_SLIDER] = {6, 1},
-    [THUD_WELD] = {7, 7},     [THUD_WHEEL] = {2, 5}, [THUD_TARGET] = {0, 7},
+    [THUD_JOINT_DISTANCE] = {1, 1}, [THUD_JOINT_HINGE] = {3, 4}, [THUD_JOINT_SLIDER] = {6, 1},
+    [THUD_JOINT_WELD] = {7, 7},     [THUD_JOINT_WHEEL] = {2, 5}, [THUD_JOINT_TARGET] = {0, 7},
 };
 
 /* The limits of a row in each direction: equal where it is locked (0, or the length of a distance),
@@ -117,7 +119,7 @@ static void fill_limits(struct joint_row *row, const thud_joint_def *def) {
             bool limited = drives && d->limited;
             row->lower[i] = limited ? d->lower : -INFINITY;
             row->upper[i] = limited ? d->upper : INFINITY;
-        } else if (def->kind == THUD_DISTANCE) {
+        } else if (def->kind == THUD_JOINT_DISTANCE) {
             row->lower[i] = row->upper[i] = def->length;
         }
     }
@@ -136,9 +138,9 @@ static void fill_gear_anchor(float anchor[2], const thud_world *world, thud_join
     thud_joint_def def;
     thud_body_state a;
     if (thud_joint_get_def(world, id, &def) != THUD_OK ||
-        thud_body_get(world, def.body_a, &a) != THUD_OK)
+        thud_body_get_state(world, def.body_a, &a) != THUD_OK)
         return;
-    const thud_joint_frame *frame = a.kind == THUD_DYNAMIC ? &def.frame_a : &def.frame_b;
+    const thud_joint_frame *frame = a.kind == THUD_BODY_DYNAMIC ? &def.frame_a : &def.frame_b;
     anchor[0] = frame->position.x;
     anchor[1] = frame->position.y;
 }
@@ -152,11 +154,11 @@ static thud_result fill_row(struct joint_row *row, struct joint_handles *handles
     thud_body_state a, b;
     thud_result result = thud_joint_get_def(world, id, &def);
     if (result == THUD_OK)
-        result = thud_joint_get(world, id, &state);
+        result = thud_joint_get_state(world, id, &state);
     if (result == THUD_OK)
-        result = thud_body_get(world, state.body_a, &a);
+        result = thud_body_get_state(world, state.body_a, &a);
     if (result == THUD_OK)
-        result = thud_body_get(world, state.body_b, &b);
+        result = thud_body_get_state(world, state.body_b, &b);
     if (result != THUD_OK)
         return result;
     double c, s;
@@ -177,7 +179,7 @@ static thud_result fill_row(struct joint_row *row, struct joint_handles *handles
         .torque = state.torque,
     };
     fill_limits(row, &def);
-    if (def.kind == THUD_GEAR) {
+    if (def.kind == THUD_JOINT_GEAR) {
         fill_gear_anchor(row->anchor_a, world, def.gear[0]);
         fill_gear_anchor(row->anchor_b, world, def.gear[1]);
     }
@@ -207,12 +209,12 @@ static void place(float out[2], const thud_pose *pose, const float in[2]) {
  * step. */
 static bool has_bodies(const thud_world *world, thud_joint_id id) {
     thud_joint_state state;
-    return thud_joint_get(world, id, &state) == THUD_OK &&
+    return thud_joint_get_state(world, id, &state) == THUD_OK &&
            thud_body_is_valid(world, state.body_a) && thud_body_is_valid(world, state.body_b);
 }
 
-/* Fills a table of all joints, with bodies at their poses of thud_world_poses for this origin and
- * alpha; empty where those are refused. Slots out: joint_table, with a joint_row and a
+/* Fills a table of all joints, with bodies at their poses of thud_world_get_poses for this origin
+ * and alpha; empty where those are refused. Slots out: joint_table, with a joint_row and a
  * joint_handles for each joint. */
 int api_joint_table(thud_world *world, double x, double y, double alpha) {
     int count = list_all(world), bodies = 0;
@@ -237,7 +239,7 @@ int api_joint_table(thud_world *world, double x, double y, double alpha) {
     }
     if (table_rows.failed || table_handles.failed)
         return THUD_ERROR_MEMORY;
-    const thud_pose *poses = thud_world_poses(world, (thud_pos){x, y}, alpha, &bodies);
+    const thud_pose *poses = thud_poses_of(world, (thud_pos){x, y}, alpha, &bodies);
     struct joint_row *rows = (struct joint_row *)table_rows.data;
     for (int i = 0; i < count && poses; i++) {
         const thud_pose *a = &poses[(int)rows[i].slot_a], *b = &poses[(int)rows[i].slot_b];

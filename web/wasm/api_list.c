@@ -35,20 +35,20 @@ static int list_bodies(const thud_world *world,
 
 /* Slots out: list, here and in the next two. */
 int api_world_bodies(const thud_world *world) {
-    return list_bodies(world, thud_world_bodies);
+    return list_bodies(world, thud_world_get_bodies);
 }
 
 int api_world_awake_bodies(const thud_world *world) {
-    return list_bodies(world, thud_world_awake_bodies);
+    return list_bodies(world, thud_world_get_awake_bodies);
 }
 
 int api_world_shapes(const thud_world *world) {
     int count = 0;
-    thud_result result = thud_world_shapes(world, NULL, 0, &count);
+    thud_result result = thud_world_get_shapes(world, NULL, 0, &count);
     if (result == THUD_OK)
         result = make_room(&shapes, count);
     if (result == THUD_OK)
-        result = thud_world_shapes(world, (thud_shape_id *)shapes.data, count, &count);
+        result = thud_world_get_shapes(world, (thud_shape_id *)shapes.data, count, &count);
     return told(result, &shapes, count);
 }
 
@@ -57,8 +57,8 @@ int api_world_moved_bodies(const thud_world *world, thud_body_seen *seen, int sl
     int count = 0;
     thud_result result = make_room(&bodies, slots);
     if (result == THUD_OK)
-        result =
-            thud_world_moved_bodies(world, seen, slots, (thud_body_id *)bodies.data, slots, &count);
+        result = thud_world_get_moved_bodies(world, seen, slots, (thud_body_id *)bodies.data, slots,
+                                             &count);
     return told(result, &bodies, count);
 }
 
@@ -70,34 +70,35 @@ int api_body_seen_bytes(void) {
 /* The number of body slots that have ever been used. */
 int api_world_body_slots(const thud_world *world) {
     int slots = 0;
-    thud_world_slots(world, &slots, NULL);
+    thud_world_get_slot_counts(world, &slots, NULL);
     return slots;
 }
 
 /* Slots out: handle, zeros for an empty slot; also in the next. */
 int api_world_body_at(const thud_world *world, double slot) {
     thud_body_id id = {0};
-    thud_result result = thud_world_body_at(world, api_to_int(slot), &id);
+    thud_result result = thud_world_get_body_at(world, api_to_int(slot), &id);
     api_slots.handle = (struct handle){id.index1, id.generation};
     return result;
 }
 
 int api_world_shape_at(const thud_world *world, double slot) {
     thud_shape_id id = {0};
-    thud_result result = thud_world_shape_at(world, api_to_int(slot), &id);
+    thud_result result = thud_world_get_shape_at(world, api_to_int(slot), &id);
     api_slots.handle = (struct handle){id.index1, id.generation};
     return result;
 }
 
 /* Slots out: list. */
-int api_sensor_overlaps(const thud_world *world, uint32_t index1, uint32_t generation) {
+int api_shape_sensor_overlaps(const thud_world *world, uint32_t index1, uint32_t generation) {
     int count = 0;
     thud_shape_id sensor = api_shape(index1, generation);
-    thud_result result = thud_sensor_overlaps(world, sensor, NULL, 0, &count);
+    thud_result result = thud_shape_get_sensor_overlaps(world, sensor, NULL, 0, &count);
     if (result == THUD_OK)
         result = make_room(&shapes, count);
     if (result == THUD_OK)
-        result = thud_sensor_overlaps(world, sensor, (thud_shape_id *)shapes.data, count, &count);
+        result = thud_shape_get_sensor_overlaps(world, sensor, (thud_shape_id *)shapes.data, count,
+                                                &count);
     return told(result, &shapes, count);
 }
 
@@ -109,11 +110,11 @@ static struct pair_side side_of(const thud_pair_side *side) {
 }
 
 /* Slots out: pair. */
-int api_pair_get(const thud_world *world, uint32_t index1_a, uint32_t generation_a,
-                 uint32_t index1_b, uint32_t generation_b) {
+int api_world_pair(const thud_world *world, uint32_t index1_a, uint32_t generation_a,
+                   uint32_t index1_b, uint32_t generation_b) {
     thud_pair pair;
-    thud_result result = thud_pair_get(world, api_shape(index1_a, generation_a),
-                                       api_shape(index1_b, generation_b), &pair);
+    thud_result result = thud_world_get_pair(world, api_shape(index1_a, generation_a),
+                                             api_shape(index1_b, generation_b), &pair);
     if (result == THUD_OK)
         api_slots.pair = (struct pair){side_of(&pair.a), side_of(&pair.b)};
     return result;

@@ -1,18 +1,22 @@
-/* api_minkowski.c: the export that computes the Minkowski sum of two shapes, and the place of the
- * second shape in it. minkowski.ts computes its outline for drawing. */
+/* api_minkowski.c: the export that computes the Minkowski sum of shape a and the reflected shape b,
+ * and where the centre of b lies relative to the sum: whether in it or on its edge, where the
+ * shapes overlap, and the nearest point of its edge. From the vertices and the radius minkowski.ts
+ * computes the outline of the sum for drawing. */
 #include "api.h"
 
 #include <thud/thud_minkowski.h>
 
-static thud_shape_instance instance(const struct solid *s) {
-    return api_placed(api_to_int(s->kind), s->half_extents[0], s->half_extents[1], s->angle);
+/* The shape with its centre at the origin; a sum does not depend on the places of its shapes. */
+static thud_geometry geometry_of(const struct solid *shape) {
+    return api_placed(api_to_int(shape->kind), shape->half_extents[0], shape->half_extents[1],
+                      shape->angle);
 }
 
-/* Slots in: minkowski_pair. Slots out: minkowski_sum. */
+/* Slots in: minkowski_pair. Slots out: minkowski_sum; after an error they are as they were. */
 int api_minkowski_sum(void) {
     const struct minkowski_pair *pair = &api_slots.minkowski_pair;
     double distance = 0.0, nx = 0.0, ny = 0.0, x = pair->offset[0], y = pair->offset[1];
-    thud_shape_instance a = instance(&pair->a), b = instance(&pair->b);
+    thud_geometry a = geometry_of(&pair->a), b = geometry_of(&pair->b);
     thud_minkowski sum;
     bool overlaps = false;
     thud_result result = thud_minkowski_sum(&a, &b, &sum);
@@ -22,15 +26,16 @@ int api_minkowski_sum(void) {
         result = thud_minkowski_distance(&sum, x, y, &distance, &nx, &ny);
     if (result != THUD_OK)
         return result;
-    struct minkowski_sum *s = &api_slots.minkowski_sum;
-    s->overlaps = overlaps;
-    s->edge[0] = x - nx * distance;
-    s->edge[1] = y - ny * distance;
-    s->radius = sum.radius;
-    s->count = sum.count;
+    struct minkowski_sum *out = &api_slots.minkowski_sum;
+    out->overlaps = overlaps;
+    /* The distance is negative inside, and the normal (nx, ny) points out of the sum. */
+    out->edge[0] = x - nx * distance;
+    out->edge[1] = y - ny * distance;
+    out->radius = sum.radius;
+    out->count = sum.count;
     for (int i = 0; i < sum.count; i++) {
-        s->vertices[2 * i] = sum.vertices[i].x;
-        s->vertices[2 * i + 1] = sum.vertices[i].y;
+        out->vertices[2 * i] = sum.vertices[i].x;
+        out->vertices[2 * i + 1] = sum.vertices[i].y;
     }
     return THUD_OK;
 }

@@ -39,7 +39,7 @@ api_mover *api_mover_create(int kind, double x, double y, double hx, double hy, 
     api_mover *made = calloc(1, sizeof *made);
     if (made == NULL)
         return NULL;
-    thud_shape_instance shape = api_placed(kind, hx, hy, angle);
+    thud_geometry shape = api_placed(kind, hx, hy, angle);
     shape.x = x;
     shape.y = y;
     made->mover = thud_default_mover(shape);

@@ -1,6 +1,5 @@
 /* api_push.c: exports for further forces and impulses, points of bodies, and single values of
- * bodies and shapes: the functions of thud_forces.h and thud_reads.h under the same names. api.h
- * has the conventions. */
+ * bodies and shapes (thud_forces.h, thud_reads.h). api.h has the conventions. */
 #include "api.h"
 
 #include <thud/thud_forces.h>
@@ -16,10 +15,10 @@ int api_version(void) {
 
 /* ---- forces and impulses ---- */
 
-int api_body_apply_force_at(thud_world *world, uint32_t index1, uint32_t generation, double x,
-                            double y, double point_x, double point_y) {
-    return thud_body_apply_force_at(world, api_body(index1, generation),
-                                    (thud_vec2){(float)x, (float)y}, (thud_pos){point_x, point_y});
+int api_body_apply_force(thud_world *world, uint32_t index1, uint32_t generation, double x,
+                         double y, double point_x, double point_y) {
+    return thud_body_apply_force(world, api_body(index1, generation),
+                                 (thud_vec2){(float)x, (float)y}, (thud_pos){point_x, point_y});
 }
 
 int api_body_apply_center_impulse(thud_world *world, uint32_t index1, uint32_t generation, double x,
@@ -51,15 +50,15 @@ int api_body_velocity_at(const thud_world *world, uint32_t index1, uint32_t gene
                          double y) {
     thud_vec2 out = {0};
     thud_result result =
-        thud_body_velocity_at(world, api_body(index1, generation), (thud_pos){x, y}, &out);
+        thud_body_get_velocity_at(world, api_body(index1, generation), (thud_pos){x, y}, &out);
     return place(result, out.x, out.y);
 }
 
 int api_body_world_point(const thud_world *world, uint32_t index1, uint32_t generation, double x,
                          double y) {
     thud_pos out = {0};
-    thud_result result = thud_body_world_point(world, api_body(index1, generation),
-                                               (thud_vec2){(float)x, (float)y}, &out);
+    thud_result result = thud_body_get_world_point(world, api_body(index1, generation),
+                                                   (thud_vec2){(float)x, (float)y}, &out);
     return place(result, out.x, out.y);
 }
 
@@ -67,23 +66,23 @@ int api_body_local_point(const thud_world *world, uint32_t index1, uint32_t gene
                          double y) {
     thud_vec2 out = {0};
     thud_result result =
-        thud_body_local_point(world, api_body(index1, generation), (thud_pos){x, y}, &out);
+        thud_body_get_local_point(world, api_body(index1, generation), (thud_pos){x, y}, &out);
     return place(result, out.x, out.y);
 }
 
 int api_body_world_vector(const thud_world *world, uint32_t index1, uint32_t generation, double x,
                           double y) {
     thud_vec2 out = {0};
-    thud_result result = thud_body_world_vector(world, api_body(index1, generation),
-                                                (thud_vec2){(float)x, (float)y}, &out);
+    thud_result result = thud_body_get_world_vector(world, api_body(index1, generation),
+                                                    (thud_vec2){(float)x, (float)y}, &out);
     return place(result, out.x, out.y);
 }
 
 int api_body_local_vector(const thud_world *world, uint32_t index1, uint32_t generation, double x,
                           double y) {
     thud_vec2 out = {0};
-    thud_result result = thud_body_local_vector(world, api_body(index1, generation),
-                                                (thud_vec2){(float)x, (float)y}, &out);
+    thud_result result = thud_body_get_local_vector(world, api_body(index1, generation),
+                                                    (thud_vec2){(float)x, (float)y}, &out);
     return place(result, out.x, out.y);
 }
 
@@ -92,7 +91,7 @@ int api_body_local_vector(const thud_world *world, uint32_t index1, uint32_t gen
 /* Slots out: place. */
 int api_body_position(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_pos out = {0};
-    thud_result result = thud_body_position(world, api_body(index1, generation), &out);
+    thud_result result = thud_body_get_position(world, api_body(index1, generation), &out);
     return place(result, out.x, out.y);
 }
 
@@ -101,7 +100,7 @@ int api_body_rotation(const thud_world *world, uint32_t index1, uint32_t generat
     double angle = 0.0;
     float cosine = 1.0f, sine = 0.0f;
     thud_result result =
-        thud_body_rotation(world, api_body(index1, generation), &angle, &cosine, &sine);
+        thud_body_get_rotation(world, api_body(index1, generation), &angle, &cosine, &sine);
     if (result == THUD_OK)
         api_slots.rotation = (struct rotation){angle, cosine, sine};
     return result;
@@ -112,7 +111,7 @@ int api_body_velocity(const thud_world *world, uint32_t index1, uint32_t generat
     thud_vec2 velocity = {0};
     float angular = 0.0f;
     thud_result result =
-        thud_body_velocity(world, api_body(index1, generation), &velocity, &angular);
+        thud_body_get_velocity(world, api_body(index1, generation), &velocity, &angular);
     if (result == THUD_OK)
         api_slots.motion = (struct motion){{velocity.x, velocity.y}, angular};
     return result;
@@ -121,7 +120,7 @@ int api_body_velocity(const thud_world *world, uint32_t index1, uint32_t generat
 /* Slots out: number. */
 int api_body_user_data(const thud_world *world, uint32_t index1, uint32_t generation) {
     uint64_t data = 0;
-    thud_result result = thud_body_user_data(world, api_body(index1, generation), &data);
+    thud_result result = thud_body_get_user_data(world, api_body(index1, generation), &data);
     if (result == THUD_OK)
         api_slots.number.value = (double)data;
     return result;
@@ -129,7 +128,7 @@ int api_body_user_data(const thud_world *world, uint32_t index1, uint32_t genera
 
 int api_shape_user_data(const thud_world *world, uint32_t index1, uint32_t generation) {
     uint64_t data = 0;
-    thud_result result = thud_shape_user_data(world, api_shape(index1, generation), &data);
+    thud_result result = thud_shape_get_user_data(world, api_shape(index1, generation), &data);
     if (result == THUD_OK)
         api_slots.number.value = (double)data;
     return result;
@@ -138,7 +137,7 @@ int api_shape_user_data(const thud_world *world, uint32_t index1, uint32_t gener
 /* Slots out: handle. */
 int api_shape_body(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_body_id body = {0};
-    thud_result result = thud_shape_body(world, api_shape(index1, generation), &body);
+    thud_result result = thud_shape_get_body(world, api_shape(index1, generation), &body);
     if (result == THUD_OK)
         api_slots.handle = (struct handle){body.index1, body.generation};
     return result;
@@ -160,7 +159,7 @@ int api_world_step_settings(const thud_world *world) {
                                       thud_detection_name(&thud_detection_continuous),
                                       thud_detection_name(&thud_detection_bisect)};
     thud_step_settings now;
-    thud_result result = thud_world_step_settings(world, &now);
+    thud_result result = thud_world_get_step_settings(world, &now);
     if (result != THUD_OK)
         return result;
     const thud_quality *q = &now.quality;

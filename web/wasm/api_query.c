@@ -24,17 +24,17 @@ static thud_query_filter filter_now(void) {
     return api_filter(&api_slots.filter_options);
 }
 
-thud_shape_instance api_placed(int kind, double hx, double hy, double angle) {
-    thud_shape_instance placed = {.kind = (thud_shape_kind)kind, .c = 1.0, .hx = hx, .hy = hy};
+thud_geometry api_placed(int kind, double hx, double hy, double angle) {
+    thud_geometry placed = {.kind = (thud_shape_kind)kind, .c = 1.0, .hx = hx, .hy = hy};
     switch (placed.kind) {
-    case THUD_CIRCLE:
+    case THUD_SHAPE_CIRCLE:
         placed.hy = 0.0;
         break;
-    case THUD_OBB:
+    case THUD_SHAPE_OBB:
         api_sincos(angle, &placed.s, &placed.c);
         break;
-    case THUD_AABB:
-    case THUD_TERRAIN: /* refused by the engine */
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_TERRAIN: /* refused by the engine */
         break;
     }
     return placed;
@@ -53,10 +53,11 @@ static struct ray_hit row_of(const thud_ray_hit *hit) {
 /* Slots out: first_hit. */
 int api_cast_ray(thud_world *world, double x, double y, double dx, double dy) {
     thud_query_filter filter = filter_now();
+    thud_ray ray = {{x, y}, dx, dy, &filter};
     bool hit = false;
-    thud_ray_hit ray = {0};
-    thud_result result = thud_world_cast_ray(world, (thud_pos){x, y}, dx, dy, &filter, &hit, &ray);
-    api_slots.first_hit = (struct first_hit){hit, row_of(&ray)};
+    thud_ray_hit first = {0};
+    thud_result result = thud_world_cast_ray(world, &ray, &hit, &first);
+    api_slots.first_hit = (struct first_hit){hit, row_of(&first)};
     return result;
 }
 
@@ -64,12 +65,11 @@ int api_cast_ray(thud_world *world, double x, double y, double dx, double dy) {
 int api_cast_shape(thud_world *world, int kind, double x, double y, double hx, double hy,
                    double angle, double dx, double dy) {
     thud_query_filter filter = filter_now();
-    thud_shape_instance shape = api_placed(kind, hx, hy, angle);
+    thud_shape_cast cast = {{x, y}, api_placed(kind, hx, hy, angle), dx, dy, &filter};
     bool hit = false;
-    thud_ray_hit met = {0};
-    thud_result result =
-        thud_world_cast_shape(world, (thud_pos){x, y}, &shape, dx, dy, &filter, &hit, &met);
-    api_slots.first_hit = (struct first_hit){hit, row_of(&met)};
+    thud_ray_hit first = {0};
+    thud_result result = thud_world_cast_shape(world, &cast, &hit, &first);
+    api_slots.first_hit = (struct first_hit){hit, row_of(&first)};
     return result;
 }
 
@@ -77,7 +77,8 @@ int api_cast_shape(thud_world *world, int kind, double x, double y, double hx, d
 int api_cast_all(thud_world *world, int kind, double x, double y, double hx, double hy,
                  double angle, double dx, double dy) {
     thud_query_filter filter = filter_now();
-    thud_shape_instance shape = api_placed(kind, hx, hy, angle);
+    thud_ray ray = {{x, y}, dx, dy, &filter};
+    thud_shape_cast cast = {{x, y}, api_placed(kind, hx, hy, angle), dx, dy, &filter};
     static const thud_ray_hit none = {0};
     int count = ROOM, room = 0;
     while (room < count) { /* a second time where there are more hits than ROOM */
@@ -87,11 +88,8 @@ int api_cast_all(thud_world *world, int kind, double x, double y, double hx, dou
         if (hits.failed)
             return THUD_ERROR_MEMORY;
         thud_ray_hit *out = (thud_ray_hit *)hits.data;
-        thud_pos at = {x, y};
-        thud_result result =
-            kind < 0
-                ? thud_world_cast_ray_all(world, at, dx, dy, &filter, out, room, &count)
-                : thud_world_cast_shape_all(world, at, &shape, dx, dy, &filter, out, room, &count);
+        thud_result result = kind < 0 ? thud_world_cast_ray_all(world, &ray, out, room, &count)
+                                      : thud_world_cast_shape_all(world, &cast, out, room, &count);
         if (result != THUD_OK)
             return result;
     }
@@ -107,22 +105,22 @@ int api_cast_all(thud_world *world, int kind, double x, double y, double hx, dou
 
 /* Import of the module: calls the JavaScript listener of the cast with the hit in the slots
  * first_hit, and returns its limit, as a thud_cast_fn does. */
-extern double thud_met(void);
+extern double thud_cast_hit(void);
 
 static double met(const thud_ray_hit *hit, void *context) {
     (void)context;
     api_slots.first_hit = (struct first_hit){true, row_of(hit)};
-    return thud_met();
+    return thud_cast_hit();
 }
 
-/* Calls thud_met for each hit of a ray (kind -1) or a shape. */
+/* Calls thud_cast_hit for each hit of a ray (kind -1) or a shape. */
 int api_cast_each(thud_world *world, int kind, double x, double y, double hx, double hy,
                   double angle, double dx, double dy) {
     thud_query_filter filter = filter_now();
-    thud_shape_instance shape = api_placed(kind, hx, hy, angle);
-    thud_pos at = {x, y};
-    return kind < 0 ? thud_world_cast_ray_each(world, at, dx, dy, &filter, met, NULL)
-                    : thud_world_cast_shape_each(world, at, &shape, dx, dy, &filter, met, NULL);
+    thud_ray ray = {{x, y}, dx, dy, &filter};
+    thud_shape_cast cast = {{x, y}, api_placed(kind, hx, hy, angle), dx, dy, &filter};
+    return kind < 0 ? thud_world_cast_ray_each(world, &ray, met, NULL)
+                    : thud_world_cast_shape_each(world, &cast, met, NULL);
 }
 
 /* The first hit of each of `count` rays, four doubles each: origin and displacement. All have the
@@ -202,21 +200,21 @@ int api_overlap_aabb(thud_world *world, double lower_x, double lower_y, double u
 int api_overlap_shape(thud_world *world, int kind, double x, double y, double hx, double hy,
                       double angle) {
     thud_query_filter filter = filter_now();
-    thud_shape_instance shape = api_placed(kind, hx, hy, angle);
+    thud_geometry shape = api_placed(kind, hx, hy, angle);
     api_buffer_clear(&found);
     return collected(
-        thud_world_overlap_shape(world, (thud_pos){x, y}, &shape, &filter, collect, &found));
+        thud_world_overlap_shape(world, (thud_pos){x, y}, shape, &filter, collect, &found));
 }
 
 /* ---- one shape, whatever its filter ---- */
 
 /* Slots out: first_hit. */
-int api_shape_meets_ray(thud_world *world, uint32_t index1, uint32_t generation, double x, double y,
-                        double dx, double dy) {
+int api_shape_cast_ray(thud_world *world, uint32_t index1, uint32_t generation, double x, double y,
+                       double dx, double dy) {
     bool hit = false;
     thud_ray_hit ray = {0};
-    thud_result result = thud_shape_meets_ray(world, api_shape(index1, generation),
-                                              (thud_pos){x, y}, dx, dy, &hit, &ray);
+    thud_result result = thud_shape_cast_ray(world, api_shape(index1, generation), (thud_pos){x, y},
+                                             dx, dy, &hit, &ray);
     api_slots.first_hit = (struct first_hit){hit, row_of(&ray)};
     return result;
 }
@@ -244,7 +242,8 @@ int api_shape_closest_point(thud_world *world, uint32_t index1, uint32_t generat
 /* Slots out: bounds. */
 int api_shape_bounds(thud_world *world, uint32_t index1, uint32_t generation) {
     thud_pos lower = {0}, upper = {0};
-    thud_result result = thud_shape_bounds(world, api_shape(index1, generation), &lower, &upper);
+    thud_result result =
+        thud_shape_get_bounds(world, api_shape(index1, generation), &lower, &upper);
     api_slots.bounds = (struct bounds){{lower.x, lower.y}, {upper.x, upper.y}};
     return result;
 }

@@ -11,7 +11,7 @@ static api_buffer draw_shapes, draw_lines, draw_points;
 
 /* Slots out: events, with rows of event_pair, handles of bodies and rows of hit_event. */
 int api_world_events(const thud_world *world) {
-    thud_events events = thud_world_events(world);
+    thud_events events = thud_events_of(world);
     api_buffer_clear(&hits);
     for (int i = 0; i < events.hit_count; i++) {
         const thud_hit_event *hit = &events.hit[i];
@@ -48,7 +48,7 @@ int api_world_events(const thud_world *world) {
  * shape_row and a shape_handles for each shape. */
 int api_shape_table(const thud_world *world) {
     int slots = 0;
-    thud_result result = thud_world_slots(world, NULL, &slots);
+    thud_result result = thud_world_get_slot_counts(world, NULL, &slots);
     if (result != THUD_OK)
         return result;
     api_buffer_clear(&shape_rows);
@@ -57,11 +57,11 @@ int api_shape_table(const thud_world *world) {
         thud_shape_id id;
         thud_shape_state shape;
         thud_body_state body;
-        if (thud_world_shape_at(world, slot, &id) != THUD_OK || id.index1 == 0)
+        if (thud_world_get_shape_at(world, slot, &id) != THUD_OK || id.index1 == 0)
             continue;
-        result = thud_shape_get(world, id, &shape);
+        result = thud_shape_get_state(world, id, &shape);
         if (result == THUD_OK)
-            result = thud_body_get(world, shape.body, &body);
+            result = thud_body_get_state(world, shape.body, &body);
         if (result != THUD_OK)
             return result;
         if (!body.enabled)
@@ -97,7 +97,7 @@ int api_shape_table_awake(const thud_world *world) {
         thud_body_id id = api_body(handles[i].body[0], handles[i].body[1]);
         thud_body_state body = {0};
         uint8_t awake = 0;
-        if (thud_body_is_valid(world, id) && thud_body_get(world, id, &body) == THUD_OK)
+        if (thud_body_is_valid(world, id) && thud_body_get_state(world, id, &body) == THUD_OK)
             awake = body.awake;
         api_buffer_push(&awake_flags, &awake, 1);
     }
@@ -121,25 +121,25 @@ static void push_shape(thud_vec2 center, thud_vec2 half, float c, float s, bool 
     api_buffer_push(&draw_shapes, &row, sizeof row);
 }
 
-static void draw_circle(thud_vec2 center, float radius, float c, float s, thud_draw_style style,
+static void draw_circle(thud_vec2 center, float radius, float c, float s, thud_style style,
                         int island, void *context) {
     (void)context;
     push_shape(center, (thud_vec2){radius, radius}, c, s, true, style, island);
 }
 
-static void draw_box(thud_vec2 center, thud_vec2 half, float c, float s, thud_draw_style style,
+static void draw_box(thud_vec2 center, thud_vec2 half, float c, float s, thud_style style,
                      int island, void *context) {
     (void)context;
     push_shape(center, half, c, s, false, style, island);
 }
 
-static void draw_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context) {
+static void draw_line(thud_vec2 a, thud_vec2 b, thud_style style, void *context) {
     (void)context;
     struct draw_line row = {.from = {a.x, a.y}, .to = {b.x, b.y}, .style = (float)style};
     api_buffer_push(&draw_lines, &row, sizeof row);
 }
 
-static void draw_point(thud_vec2 p, thud_draw_style style, void *context) {
+static void draw_point(thud_vec2 p, thud_style style, void *context) {
     (void)context;
     struct draw_point row = {.place = {p.x, p.y}, .style = (float)style};
     api_buffer_push(&draw_points, &row, sizeof row);

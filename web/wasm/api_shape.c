@@ -99,9 +99,9 @@ int api_shape_is_valid(const thud_world *world, uint32_t index1, uint32_t genera
 }
 
 /* Slots out: shape_state. */
-int api_shape_get(const thud_world *world, uint32_t index1, uint32_t generation) {
+int api_shape_state(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_shape_state state;
-    thud_result result = thud_shape_get(world, api_shape(index1, generation), &state);
+    thud_result result = thud_shape_get_state(world, api_shape(index1, generation), &state);
     if (result != THUD_OK)
         return result;
     struct shape_state *s = &api_slots.shape_state;
@@ -129,7 +129,7 @@ int api_shape_get(const thud_world *world, uint32_t index1, uint32_t generation)
 /* Slots out: terrain; its points are valid until the next edit of the world. */
 int api_shape_terrain(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_terrain terrain;
-    thud_result result = thud_shape_terrain(world, api_shape(index1, generation), &terrain);
+    thud_result result = thud_shape_get_terrain(world, api_shape(index1, generation), &terrain);
     if (result != THUD_OK)
         return result;
     api_slots.terrain.kind = terrain.kind;

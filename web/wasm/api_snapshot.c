@@ -23,7 +23,7 @@ char *api_snapshot_room(uint32_t bytes) {
 /* Takes a snapshot. Slots out: list of bytes, valid until the next call of this file. */
 int api_world_snapshot(const thud_world *world) {
     size_t bytes = 0;
-    thud_result result = thud_world_snapshot_size(world, &bytes);
+    thud_result result = thud_world_get_snapshot_size(world, &bytes);
     if (result != THUD_OK)
         return result;
     char *to = api_snapshot_room((uint32_t)bytes);

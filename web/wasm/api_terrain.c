@@ -8,11 +8,11 @@ static thud_result find_ground(const thud_world *world, thud_shape_id shape, thu
                                thud_pos *origin) {
     thud_shape_state state;
     thud_body_state body;
-    thud_result result = thud_shape_terrain(world, shape, line);
+    thud_result result = thud_shape_get_terrain(world, shape, line);
     if (result == THUD_OK)
-        result = thud_shape_get(world, shape, &state);
+        result = thud_shape_get_state(world, shape, &state);
     if (result == THUD_OK)
-        result = thud_body_get(world, state.body, &body);
+        result = thud_body_get_state(world, state.body, &body);
     if (result == THUD_OK)
         *origin = body.position;
     return result;

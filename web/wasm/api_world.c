@@ -68,10 +68,10 @@ static const thud_quality *changed_quality(double number, const struct quality_o
         quality.islands = NULL;
     if (changes->islands == 1.0 && quality.islands == NULL) {
         quality.islands = thud_quality_default.islands;
-        quality.sag_limit = thud_quality_default.sag_limit;
+        quality.overlap_limit = thud_quality_default.overlap_limit;
         quality.island_limit = thud_quality_default.island_limit;
         quality.island_work = thud_quality_default.island_work;
-        quality.island_patience = thud_quality_default.island_patience;
+        quality.island_slow_steps = thud_quality_default.island_slow_steps;
     }
     return &quality;
 }
@@ -207,7 +207,7 @@ int api_world_set_sleeping(thud_world *world, int sleeping) {
 
 /* Slots out: stats. Returns the number of stages of a step. */
 int api_world_stats(const thud_world *world) {
-    thud_stats stats = thud_world_stats(world);
+    thud_stats stats = thud_stats_of(world);
     struct stats *s = &api_slots.stats;
     s->steps = (double)stats.steps;
     s->bodies = stats.bodies;
@@ -241,12 +241,12 @@ int api_world_stats(const thud_world *world) {
 
 /* Writes the speed, length/s, to the first slot; infinite without shapes. */
 int api_world_bisection_limit(thud_world *world) {
-    return thud_world_bisection_limit(world, api_slots.all);
+    return thud_world_get_bisection_limit(world, api_slots.all);
 }
 
 /* Slots out: step_error. */
-void api_world_error(const thud_world *world) {
-    thud_step_error error = thud_world_error(world);
+void api_world_step_error(const thud_world *world) {
+    thud_step_error error = thud_step_error_of(world);
     api_slots.step_error.penetration_max = error.penetration_max;
     api_slots.step_error.penetration_mean = error.penetration_mean;
     api_slots.step_error.residual = error.residual;
@@ -260,7 +260,7 @@ void api_world_error(const thud_world *world) {
 
 /* Slots out: measure. */
 void api_world_measure(const thud_world *world) {
-    thud_measure measure = thud_world_measure(world);
+    thud_measure measure = thud_measure_of(world);
     api_slots.measure.penetration_max = measure.penetration_max;
     api_slots.measure.penetration_mean = measure.penetration_mean;
     api_slots.measure.kinetic_energy = measure.kinetic_energy;
@@ -269,15 +269,15 @@ void api_world_measure(const thud_world *world) {
 
 /* Slots out: hash. */
 void api_world_hash(const thud_world *world) {
-    uint64_t hash = thud_world_hash(world);
+    uint64_t hash = thud_hash_of(world);
     api_slots.hash.upper = (double)(uint32_t)(hash >> 32);
     api_slots.hash.lower = (double)(uint32_t)hash;
 }
 
-/* The world's own array of poses, or null (thud_world_poses). Slots out: list, only its count. */
+/* The array of thud_world_get_poses, or null where it is refused. Slots out: list, its count. */
 const thud_pose *api_world_poses(thud_world *world, double x, double y, double alpha) {
     int count = 0;
-    const thud_pose *poses = thud_world_poses(world, (thud_pos){x, y}, alpha, &count);
+    const thud_pose *poses = thud_poses_of(world, (thud_pos){x, y}, alpha, &count);
     api_slots.list.count = count;
     return poses;
 }

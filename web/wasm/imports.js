@@ -7,5 +7,5 @@ mergeInto(LibraryManager.library, {
   thud_told: function () {},
   thud_filtered: function () { return 1; },
   thud_stepped: function () {},
-  thud_met: function () { return 1; },
+  thud_cast_hit: function () { return 1; },
 });

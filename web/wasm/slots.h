@@ -155,7 +155,7 @@ struct tyre_options {
 
 /* As thud_rule: friction, restitution or surface_speed NaN is that of the two shapes. */
 struct rule_options {
-    double meeting, solid_side[2], friction, restitution, surface_speed, most_impulse;
+    double kind, solid_side[2], friction, restitution, surface_speed, event_impulse;
 };
 
 struct rule_found {
@@ -262,7 +262,9 @@ struct minkowski_pair {
     double offset[2];
 };
 
-/* Places are relative to the first shape's centre; `radius`: of the rounded corners. */
+/* Places are relative to the first shape's centre. `edge`: the point of the sum's edge that is
+ * nearest to the offset; `radius`: of the rounded corners; `vertices`: x and y of `count` of them,
+ * counter-clockwise. */
 struct minkowski_sum {
     double overlaps, edge[2], radius, count, vertices[16];
 };
@@ -277,9 +279,9 @@ struct closest_features {
     double overlaps, distance, normal[2], point_a[2], point_b[2];
 };
 
-/* `sure`: the motions are so short that bisection cannot have missed a collision. */
+/* `bisectable`: the motions are so short that bisection cannot have missed a collision. */
 struct meeting {
-    double found, time, least, least_time, sure;
+    double found, time, min_distance, min_distance_time, bisectable;
 };
 
 struct crossing {

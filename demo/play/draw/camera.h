@@ -20,7 +20,7 @@ void camera_look(camera *c, thud_pos center, double height, double width);
 void camera_set_view(camera *c, SDL_FRect view);
 SDL_FPoint camera_to_screen(const camera *c, thud_pos p);
 thud_pos camera_to_world(const camera *c, float x, float y);
-/* The same for a position relative to the centre, as those of thud_world_poses, which are exact
+/* The same for a position relative to the centre, as those of thud_world_get_poses, which are exact
  * there. */
 SDL_FPoint camera_from_center(const camera *c, float x, float y);
 void camera_pan(camera *c, float dx, float dy); /* by pixels */

@@ -53,7 +53,7 @@ static void draw_water_over(canvas *c, const camera *view, const thud_terrain *t
 
 static void draw_water(canvas *c, const camera *view, session *s) {
     int count = 0;
-    const thud_pose *poses = thud_world_poses(s->world, view->center, s->alpha, &count);
+    const thud_pose *poses = thud_poses_of(s->world, view->center, s->alpha, &count);
     float level = (float)(s->scene.fields.water_level - view->center.y);
     for (int i = 0; i < s->body_count; i++) {
         const session_body *body = &s->bodies[i];
@@ -61,8 +61,8 @@ static void draw_water(canvas *c, const camera *view, session *s) {
         for (int k = 0; k < body->shape_count && slot < count; k++) {
             thud_terrain terrain;
             const session_shape *shape = &s->shapes[body->first_shape + k];
-            if (shape->kind == THUD_TERRAIN &&
-                thud_shape_terrain(s->world, shape->id, &terrain) == THUD_OK)
+            if (shape->kind == THUD_SHAPE_TERRAIN &&
+                thud_shape_get_terrain(s->world, shape->id, &terrain) == THUD_OK)
                 draw_water_over(c, view, &terrain, poses[slot], level);
         }
     }
@@ -86,7 +86,7 @@ static void draw_ring(canvas *c, const camera *view, const session *s, thud_pos 
 
 void draw_fields(canvas *c, const camera *view, session *s) {
     const scene_fields *fields = &s->scene.fields;
-    double step = (double)thud_world_stats(s->world).steps - 1 + s->alpha;
+    double step = (double)thud_stats_of(s->world).steps - 1 + s->alpha;
     if (fields->water_density > 0)
         draw_water(c, view, s);
     for (int i = 0; i < fields->blast_count; i++) {

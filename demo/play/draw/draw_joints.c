@@ -27,7 +27,7 @@ typedef struct placed {
 /* What drawing the joints needs, with the size of a joint by that of the scene's bodies. */
 static sketch begin(canvas *c, const camera *view, session *s) {
     sketch k = {.canvas = c, .view = view, .session = s};
-    k.poses = thud_world_poses(s->world, view->center, s->alpha, &k.pose_count);
+    k.poses = thud_poses_of(s->world, view->center, s->alpha, &k.pose_count);
     float wanted = 0.09f * (float)(s->scene.length_scale * view->scale);
     k.size = fmaxf(1.3f * c->unit, fminf(wanted, 4.5f * c->unit));
     return k;
@@ -62,7 +62,8 @@ static bool place_joint(const sketch *k, int index, placed *out) {
     out->made = &s->scene.joints[index];
     if (out->made->kind == SCENE_FILTER || out->made->kind == SCENE_GEAR ||
         !thud_joint_is_valid(s->world, s->joints[index]) ||
-        thud_joint_get(s->world, s->joints[index], &out->state) != THUD_OK || !out->state.enabled)
+        thud_joint_get_state(s->world, s->joints[index], &out->state) != THUD_OK ||
+        !out->state.enabled)
         return false;
     return frame_of(k, out->state.body_a, out->made, 0, &out->a, &out->axis_a) &&
            frame_of(k, out->state.body_b, out->made, 1, &out->b, &out->axis_b) &&

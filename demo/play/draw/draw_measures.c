@@ -17,9 +17,9 @@ static SDL_FPoint at(const camera *view, double x, double y) {
 }
 
 /* Draws the outline of a circle or box. */
-static void outline(canvas *c, const camera *view, const thud_shape_instance *s, float width,
+static void outline(canvas *c, const camera *view, const thud_geometry *s, float width,
                     SDL_Color color) {
-    if (s->kind == THUD_CIRCLE) {
+    if (s->kind == THUD_SHAPE_CIRCLE) {
         canvas_ring(c, at(view, s->x, s->y), (float)(s->hx * view->scale), width, color);
         return;
     }
@@ -36,10 +36,9 @@ static void dot(canvas *c, SDL_FPoint center, SDL_Color color) {
     canvas_circle(c, center, 3.5f * c->unit, (canvas_style){color, COLOR_TEXT_STRONG, c->unit});
 }
 
-void draw_closest(canvas *c, const camera *view, const thud_shape_instance *a,
-                  const thud_shape_instance *b) {
+void draw_closest(canvas *c, const camera *view, const thud_geometry *a, const thud_geometry *b) {
     thud_closest between;
-    if (thud_shapes_closest(a, b, &between) != THUD_OK)
+    if (thud_geometry_closest(a, b, &between) != THUD_OK)
         return;
     SDL_Color color = between.distance < 0 ? COLOR_CONTACT : COLOR_TOUCHING;
     SDL_FPoint from = at(view, between.ax, between.ay), to = at(view, between.bx, between.by);
@@ -54,9 +53,9 @@ void draw_closest(canvas *c, const camera *view, const thud_shape_instance *a,
 }
 
 /* The shape moved on for `time` seconds. */
-static thud_shape_instance later(const thud_shape_instance *s, thud_motion by, double time) {
-    double angle = s->kind == THUD_OBB ? atan2(s->s, s->c) + time * by.turn : 0;
-    thud_shape_instance there = *s;
+static thud_geometry later(const thud_geometry *s, thud_motion by, double time) {
+    double angle = s->kind == THUD_SHAPE_OBB ? atan2(s->s, s->c) + time * by.turn : 0;
+    thud_geometry there = *s;
     there.x += time * by.dx;
     there.y += time * by.dy;
     there.c = cos(angle);
@@ -64,15 +63,15 @@ static thud_shape_instance later(const thud_shape_instance *s, thud_motion by, d
     return there;
 }
 
-void draw_impact(canvas *c, const camera *view, const thud_shape_instance *a, thud_motion by_a,
-                 const thud_shape_instance *b, thud_motion by_b) {
+void draw_impact(canvas *c, const camera *view, const thud_geometry *a, thud_motion by_a,
+                 const thud_geometry *b, thud_motion by_b) {
     bool hit = false;
     double time = 1;
     if (hypot(by_a.dx, by_a.dy) + hypot(by_b.dx, by_b.dy) < STILL ||
-        thud_shapes_time_of_impact(a, by_a, b, by_b, 0, &hit, &time) != THUD_OK)
+        thud_geometry_time_of_impact(a, by_a, b, by_b, 0, &hit, &time) != THUD_OK)
         return;
     SDL_Color color = color_fade(hit ? COLOR_CONTACT : COLOR_MOTION, 0.8f);
-    thud_shape_instance end[] = {later(a, by_a, time), later(b, by_b, time)};
+    thud_geometry end[] = {later(a, by_a, time), later(b, by_b, time)};
     outline(c, view, &end[0], 1.2f * c->unit, color);
     outline(c, view, &end[1], 1.2f * c->unit, color);
     canvas_line(c, at(view, a->x, a->y), at(view, end[0].x, end[0].y), c->unit, color);
@@ -84,18 +83,18 @@ void draw_impact(canvas *c, const camera *view, const thud_shape_instance *a, th
     }
 }
 
-static double area(const thud_shape_instance *s) {
-    return s->kind == THUD_CIRCLE ? 3.14159265358979 * s->hx * s->hx : 4 * s->hx * s->hy;
+static double area(const thud_geometry *s) {
+    return s->kind == THUD_SHAPE_CIRCLE ? 3.14159265358979 * s->hx * s->hx : 4 * s->hx * s->hy;
 }
 
-void draw_volumes(canvas *c, const camera *view, const thud_shape_instance *shape) {
+void draw_volumes(canvas *c, const camera *view, const thud_geometry *shape) {
     static const struct {
         thud_shape_kind kind;
         const char *name;
         SDL_Color color;
-    } volumes[] = {{THUD_CIRCLE, "circle", COLOR_INTERVAL},
-                   {THUD_AABB, "AABB", COLOR_BOUNDS},
-                   {THUD_OBB, "OBB", COLOR_MOTION}};
+    } volumes[] = {{THUD_SHAPE_CIRCLE, "circle", COLOR_INTERVAL},
+                   {THUD_SHAPE_AABB, "AABB", COLOR_BOUNDS},
+                   {THUD_SHAPE_OBB, "OBB", COLOR_MOTION}};
     SDL_FPoint text = at(view, shape->x, shape->y);
     text.x -= 28 * c->unit;
     text.y += (float)(hypot(shape->hx, shape->hy) * view->scale) + 18 * c->unit;

@@ -6,20 +6,19 @@
 #include "draw/camera.h"
 #include "draw/canvas.h"
 
-#include <thud/thud_shapes.h>
+#include <thud/thud_geometry.h>
 
 /* Draws the shortest line between two shapes, or out of each other if they overlap, with its
  * length. */
-void draw_closest(canvas *c, const camera *view, const thud_shape_instance *a,
-                  const thud_shape_instance *b);
+void draw_closest(canvas *c, const camera *view, const thud_geometry *a, const thud_geometry *b);
 
 /* Draws both shapes where they first touch, or where they are after a second if they do not touch
  * within it. Nothing if both are at rest. */
-void draw_impact(canvas *c, const camera *view, const thud_shape_instance *a, thud_motion by_a,
-                 const thud_shape_instance *b, thud_motion by_b);
+void draw_impact(canvas *c, const camera *view, const thud_geometry *a, thud_motion by_a,
+                 const thud_geometry *b, thud_motion by_b);
 
 /* Draws the smallest circle, AABB and OBB around a shape, and writes their areas as multiples of
  * the shape's. */
-void draw_volumes(canvas *c, const camera *view, const thud_shape_instance *shape);
+void draw_volumes(canvas *c, const camera *view, const thud_geometry *shape);
 
 #endif

@@ -28,12 +28,12 @@ static SDL_Color island_color(int island) {
 
 /* The colour of a shape by its island. False if it is not to be drawn: islands are off, or the
  * shape was drawn with the world. */
-static bool island_style(const sink *k, thud_draw_style style, int island, SDL_Color *color) {
+static bool island_style(const sink *k, thud_style style, int island, SDL_Color *color) {
     if (!overlays_have(k->overlays, OVERLAY_ISLANDS) ||
-        (style != THUD_DRAW_DYNAMIC && style != THUD_DRAW_SLEEPING))
+        (style != THUD_STYLE_DYNAMIC && style != THUD_STYLE_SLEEPING))
         return false;
     *color = island < 0 ? COLOR_STATIC : island_color(island);
-    if (style == THUD_DRAW_SLEEPING && overlays_have(k->overlays, OVERLAY_SLEEPING))
+    if (style == THUD_STYLE_SLEEPING && overlays_have(k->overlays, OVERLAY_SLEEPING))
         *color = draw_dimmed(*color);
     return true;
 }
@@ -53,11 +53,11 @@ static void outline(const sink *k, thud_vec2 center, thud_vec2 half, float c, fl
 
 /* Callbacks of thud_debug_draw. Each draws one primitive in the colour of its style, if the overlay
  * is on that the style belongs to. */
-static void on_circle(thud_vec2 center, float radius, float c, float s, thud_draw_style style,
+static void on_circle(thud_vec2 center, float radius, float c, float s, thud_style style,
                       int island, void *context) {
     const sink *k = context;
     SDL_Color color;
-    if (style == THUD_DRAW_MOTION)
+    if (style == THUD_STYLE_MOTION)
         canvas_ring(k->canvas, camera_from_center(k->view, center.x, center.y),
                     radius * (float)k->view->scale, 1.2f * k->canvas->unit, COLOR_MOTION);
     else if (island_style(k, style, island, &color))
@@ -65,14 +65,14 @@ static void on_circle(thud_vec2 center, float radius, float c, float s, thud_dra
                     radius * (float)k->view->scale, c, s, color);
 }
 
-static void on_box(thud_vec2 center, thud_vec2 half, float c, float s, thud_draw_style style,
-                   int island, void *context) {
+static void on_box(thud_vec2 center, thud_vec2 half, float c, float s, thud_style style, int island,
+                   void *context) {
     const sink *k = context;
     SDL_Color color;
-    if (style == THUD_DRAW_BOUNDS || style == THUD_DRAW_CELL) {
+    if (style == THUD_STYLE_BOUNDS || style == THUD_STYLE_CELL) {
         outline(k, center, half, 1, 0,
-                color_fade(style == THUD_DRAW_CELL ? COLOR_CELL : COLOR_BOUNDS, 0.75f));
-    } else if (style == THUD_DRAW_MOTION) {
+                color_fade(style == THUD_STYLE_CELL ? COLOR_CELL : COLOR_BOUNDS, 0.75f));
+    } else if (style == THUD_STYLE_MOTION) {
         outline(k, center, half, c, s, COLOR_MOTION);
     } else if (island_style(k, style, island, &color)) {
         float scale = (float)k->view->scale;
@@ -91,25 +91,25 @@ static void draw_normal(const sink *k, SDL_FPoint a, SDL_FPoint b) {
                 fmaxf(0.6f * k->mark, 1.6f), COLOR_NORMAL);
 }
 
-static void on_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context) {
+static void on_line(thud_vec2 a, thud_vec2 b, thud_style style, void *context) {
     const sink *k = context;
     SDL_FPoint from = camera_from_center(k->view, a.x, a.y);
     SDL_FPoint to = camera_from_center(k->view, b.x, b.y);
-    if (style == THUD_DRAW_NORMAL && overlays_have(k->overlays, OVERLAY_NORMALS))
+    if (style == THUD_STYLE_NORMAL && overlays_have(k->overlays, OVERLAY_NORMALS))
         draw_normal(k, from, to);
-    else if (style == THUD_DRAW_INTERVAL || style == THUD_DRAW_INTERVAL_OVERLAPPING)
+    else if (style == THUD_STYLE_INTERVAL || style == THUD_STYLE_INTERVAL_OVERLAPPING)
         canvas_line(k->canvas, from, to, 2 * k->canvas->unit,
-                    style == THUD_DRAW_INTERVAL ? COLOR_INTERVAL : COLOR_TOUCHING);
-    else if (style == THUD_DRAW_PAIR || style == THUD_DRAW_PAIR_TOUCHING)
+                    style == THUD_STYLE_INTERVAL ? COLOR_INTERVAL : COLOR_TOUCHING);
+    else if (style == THUD_STYLE_PAIR || style == THUD_STYLE_PAIR_TOUCHING)
         canvas_line(k->canvas, from, to, k->canvas->unit,
-                    style == THUD_DRAW_PAIR ? COLOR_PAIR : COLOR_TOUCHING);
-    else if (style == THUD_DRAW_MOTION)
+                    style == THUD_STYLE_PAIR ? COLOR_PAIR : COLOR_TOUCHING);
+    else if (style == THUD_STYLE_MOTION)
         canvas_line(k->canvas, from, to, 1.2f * k->canvas->unit, COLOR_MOTION);
 }
 
-static void on_point(thud_vec2 p, thud_draw_style style, void *context) {
+static void on_point(thud_vec2 p, thud_style style, void *context) {
     const sink *k = context;
-    if (style == THUD_DRAW_CONTACT && overlays_have(k->overlays, OVERLAY_CONTACTS))
+    if (style == THUD_STYLE_CONTACT && overlays_have(k->overlays, OVERLAY_CONTACTS))
         canvas_circle(k->canvas, camera_from_center(k->view, p.x, p.y), k->mark,
                       (canvas_style){COLOR_CONTACT, COLOR_CONTACT, 0});
 }

@@ -5,8 +5,7 @@
 
 #include <sum_picture.h>
 
-void draw_sum(canvas *c, const camera *view, const thud_shape_instance *a,
-              const thud_shape_instance *b) {
+void draw_sum(canvas *c, const camera *view, const thud_geometry *a, const thud_geometry *b) {
     sum_picture sum;
     if (!sum_picture_of(a, b, &sum))
         return;

@@ -6,11 +6,10 @@
 #include "draw/camera.h"
 #include "draw/canvas.h"
 
-#include <thud/thud_shapes.h>
+#include <thud/thud_geometry.h>
 
 /* Draws the sum about the first shape's centre, the second's centre as a point, and the shortest
  * line from that point to the edge of the sum. */
-void draw_sum(canvas *c, const camera *view, const thud_shape_instance *a,
-              const thud_shape_instance *b);
+void draw_sum(canvas *c, const camera *view, const thud_geometry *a, const thud_geometry *b);
 
 #endif

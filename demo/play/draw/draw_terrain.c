@@ -43,7 +43,7 @@ static SDL_FPoint vertex(const camera *view, const thud_terrain *t, int i, thud_
 void draw_terrain(canvas *c, const camera *view, const thud_world *world, thud_shape_id shape,
                   thud_pose pose) {
     thud_terrain terrain;
-    if (thud_shape_terrain(world, shape, &terrain) != THUD_OK)
+    if (thud_shape_get_terrain(world, shape, &terrain) != THUD_OK)
         return;
     if (terrain.kind == THUD_TERRAIN_FLAT) {
         draw_flat(c, view, terrain.slope, pose);

@@ -115,8 +115,8 @@ static void draw_touch(canvas *c, const camera *view, const thud_terrain *line, 
 /* The texture's row of a terrain line, found by its friction, and the line. -1 for other shapes. */
 static int row_of(const session *s, thud_shape_id shape, thud_terrain *line) {
     thud_shape_state state;
-    if (thud_shape_terrain(s->world, shape, line) != THUD_OK ||
-        thud_shape_get(s->world, shape, &state) != THUD_OK)
+    if (thud_shape_get_terrain(s->world, shape, line) != THUD_OK ||
+        thud_shape_get_state(s->world, shape, &state) != THUD_OK)
         return -1;
     for (int row = 0; row < TEXTURE_ROWS; row++)
         if (state.friction == (float)TEXTURE[row].friction)
@@ -137,12 +137,12 @@ void draw_texture(canvas *c, const camera *view, const session *s, texture_print
     }
     thud_manifold all[TEXTURE_FEET], contacts[TEXTURE_FEET];
     int found = 0, count = 0;
-    if (thud_body_contacts(s->world, ground->id, all, TEXTURE_FEET, &found) != THUD_OK)
+    if (thud_body_get_contacts(s->world, ground->id, all, TEXTURE_FEET, &found) != THUD_OK)
         return;
     for (int i = 0; i < found && i < TEXTURE_FEET; i++)
         if (all[i].point_count > 0)
             contacts[count++] = all[i];
-    tread(prints, contacts, count, thud_world_stats(s->world).steps);
+    tread(prints, contacts, count, thud_stats_of(s->world).steps);
     for (int i = 0; i < prints->count && i < TEXTURE_PRINTS; i++)
         draw_print(c, view, &prints->of[i]);
     for (int i = 0; i < count; i++) {

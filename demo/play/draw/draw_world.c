@@ -71,15 +71,15 @@ static void draw_sensor(canvas *c, const camera *view, SDL_FPoint center,
                           1.2f * c->unit};
     float scale = (float)view->scale;
     switch (shape->kind) {
-    case THUD_CIRCLE:
+    case THUD_SHAPE_CIRCLE:
         canvas_circle(c, center, shape->half.x * scale, style);
         break;
-    case THUD_AABB:
-    case THUD_OBB:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
         canvas_box(c, center, (SDL_FPoint){cosine, -sine},
                    (SDL_FPoint){shape->half.x * scale, shape->half.y * scale}, style);
         break;
-    case THUD_TERRAIN: /* draw_terrain draws it, sensor or not */
+    case THUD_SHAPE_TERRAIN: /* draw_terrain draws it, sensor or not */
         break;
     }
 }
@@ -98,26 +98,26 @@ static void draw_shape(canvas *c, const camera *view, const session_shape *shape
         return;
     }
     switch (shape->kind) {
-    case THUD_CIRCLE:
+    case THUD_SHAPE_CIRCLE:
         draw_circle(c, center, half.x, cosine, sine, color);
         break;
-    case THUD_AABB:
-    case THUD_OBB:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
         draw_box(c, center, half, cosine, sine, color);
         break;
-    case THUD_TERRAIN: /* draw_terrain draws it */
+    case THUD_SHAPE_TERRAIN: /* draw_terrain draws it */
         break;
     }
 }
 
 static SDL_Color body_color(const session *s, const session_body *body, bool dim) {
     static const SDL_Color colors[COLOR_BODY_COUNT] = COLOR_BODIES;
-    if (body->kind == THUD_STATIC)
+    if (body->kind == THUD_BODY_STATIC)
         return COLOR_STATIC;
-    if (body->kind == THUD_KINEMATIC)
+    if (body->kind == THUD_BODY_KINEMATIC)
         return COLOR_KINEMATIC;
     thud_body_state state;
-    if (thud_body_get(s->world, body->id, &state) != THUD_OK)
+    if (thud_body_get_state(s->world, body->id, &state) != THUD_OK)
         return COLOR_STATIC;
     if (state.quarantined)
         return COLOR_QUARANTINED;
@@ -138,19 +138,19 @@ void draw_world(canvas *c, const camera *view, session *s, overlay_set overlays)
     bool islands = overlays_have(overlays, OVERLAY_ISLANDS);
     bool dim = overlays_have(overlays, OVERLAY_SLEEPING);
     int count = 0;
-    const thud_pose *poses = thud_world_poses(s->world, view->center, s->alpha, &count);
+    const thud_pose *poses = thud_poses_of(s->world, view->center, s->alpha, &count);
     for (int pass = 0; pass < 2; pass++) /* dynamic bodies are drawn over the others */
         for (int i = 0; i < s->body_count; i++) {
             const session_body *body = &s->bodies[i];
             int slot = (int)body->id.index1 - 1;
-            bool moves = body->kind == THUD_DYNAMIC;
+            bool moves = body->kind == THUD_BODY_DYNAMIC;
             if (moves != (pass == 1) || (moves && islands) || slot >= count ||
                 isnan(poses[slot].x) || !in_sight(view, body, poses[slot]))
                 continue;
             SDL_Color color = body_color(s, body, dim);
             for (int k = 0; k < body->shape_count; k++) {
                 const session_shape *shape = &s->shapes[body->first_shape + k];
-                if (shape->kind == THUD_TERRAIN)
+                if (shape->kind == THUD_SHAPE_TERRAIN)
                     draw_terrain(c, view, s->world, shape->id, poses[slot]);
                 else
                     draw_shape(c, view, shape, poses[slot], color);

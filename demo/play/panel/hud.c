@@ -30,7 +30,7 @@ static void draw_missed(viewer *v, float y) {
     double limit = 0;
     bool bisects = DETECTIONS[s->detection].detection == &thud_detection_bisect;
     if ((bisects || s->missed.fast > 0) &&
-        thud_world_bisection_limit(s->world, &limit) == THUD_OK && isfinite(limit))
+        thud_world_get_bisection_limit(s->world, &limit) == THUD_OK && isfinite(limit))
         used = (size_t)snprintf(text, sizeof text, "bisects up to %.3g m/s  %ld times too fast  ",
                                 limit, s->missed.fast);
     if (s->missed.held > 0)
@@ -42,8 +42,8 @@ static void draw_missed(viewer *v, float y) {
 static void draw_numbers(viewer *v) {
     canvas *c = &v->canvas;
     float u = c->unit;
-    thud_stats stats = thud_world_stats(v->session.world);
-    thud_step_error error = thud_world_error(v->session.world);
+    thud_stats stats = thud_stats_of(v->session.world);
+    thud_step_error error = thud_step_error_of(v->session.world);
     char text[200];
     int length = snprintf(text, sizeof text,
                           "%d bodies  %d awake  %d contacts  %.4f deepest  %+.3g energy  %.2f ms",

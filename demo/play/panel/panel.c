@@ -101,9 +101,9 @@ static float draw_toggles(viewer *v, float y) {
 static float draw_spawn(viewer *v, float y) {
     y = label(v, y, "Drop a new");
     if (ui_button(&v->ui, &v->canvas, cell(v, y, 0, 2), "Circle", false))
-        viewer_spawn_at_home(v, THUD_CIRCLE);
+        viewer_spawn_at_home(v, THUD_SHAPE_CIRCLE);
     if (ui_button(&v->ui, &v->canvas, cell(v, y, 1, 2), "Box", false))
-        viewer_spawn_at_home(v, THUD_OBB);
+        viewer_spawn_at_home(v, THUD_SHAPE_OBB);
     return y + (ROW + GAP) * v->canvas.unit;
 }
 

@@ -6,13 +6,26 @@
  *
  * Threads: one world may be used by one thread at a time. Different worlds share nothing.
  *
- * Defs: every def must be initialised by its thud_default_... function, which sets the defaults and
- * a cookie. A def without the cookie, for example a zeroed one, is refused. The ranges of all
- * values are in thud_limits.h; thud_math.h says which vector type is used where.
+ * Names: a function is named thud_, its object, and what it does: thud_body_set_velocity. Its
+ * arguments are the object (the world first), inputs, and last the outputs, named out or out_...
+ * A thud_geometry is a shape without a world, and thud_geometry_... are its functions;
+ * thud_shape_... act on the shape of a body, by its handle. An enumerator begins with the name of
+ * its type.
+ *
+ * Reads: thud_X_get_Y(..., out) writes the value and returns a thud_result. For use in expressions
+ * some have an inline twin thud_Y_of(...), which returns the value, or zero where the read is
+ * refused. Lists end with (out, capacity, out_count): at most `capacity` (>= 0) elements are
+ * written, and *out_count is the number of all; `out` may be null where capacity is 0.
+ *
+ * Structs: every def (thud_..._def) must be initialised by its thud_default_... function, which
+ * sets the defaults and a cookie. A def without the cookie, for example a zeroed one, is refused,
+ * and so is a zeroed one of the other structs that have such a function (query filter, rule, mover,
+ * explosion, water). In options (thud_..._options) zero is the default of every field. The ranges
+ * of all values are in thud_limits.h; thud_math.h says which vector type is used where.
  *
  * Errors: every call that can fail returns a thud_result. When a call fails, it has changed
- * nothing, and the log hook has been told the reason. Output pointers may be null where the caller
- * does not need the output, unless the comment says otherwise.
+ * nothing, written no output, and the log hook has been told the reason. Output pointers may be
+ * null where the caller does not need the output, unless the comment says otherwise.
  *
  * Floating-point mode: a world computes, and calls callbacks, in a mode of its own (rounding to
  * nearest, denormals kept), whatever the mode of the calling thread or a thread of the job system
@@ -30,8 +43,10 @@
 #include "thud_math.h"
 #include "thud_quality.h"
 #include "thud_queries.h"
-#include "thud_shapes.h"
+#include "thud_geometry.h"
 #include "thud_terrain.h"
+
+#include <string.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -56,9 +71,9 @@ typedef struct thud_contact {
  * that follow from the two shapes, and may change them. Where a value is not finite or out of
  * range, the log hook is told, and the pair keeps its own values. */
 typedef struct thud_contact_settings {
-    float friction;    /* coefficient, [0, THUD_FRICTION_MAX] */
-    float restitution; /* speed after over speed before, [0, THUD_BOUNCE_MAX]; above 1 a bounce adds
-                          energy */
+    float friction;      /* coefficient, [0, THUD_FRICTION_MAX] */
+    float restitution;   /* speed after over speed before, [0, THUD_PAIR_RESTITUTION_MAX]; above 1 a
+                            bounce adds energy */
     float surface_speed; /* length/s, |.| <= THUD_SURFACE_SPEED_MAX length scales a second: the
                             speed of b over a at which friction is zero, along (normal.y,
                             -normal.x), which is +x where b lies on top of a */
@@ -91,10 +106,8 @@ typedef struct thud_world_def {
     bool sleeping; /* default true. An island (bodies that constraints connect) falls asleep once
                       each of its bodies has been slower than 0.05 length scales a second for 0.5 s,
                       and no gap of a joint and no overlap in it closes faster than that */
-    bool contact_events; /* collect begin, end and hit events; default true. Sensor events are
-                            collected in any case */
-    bool baseline_simd;  /* do not use AVX2: the same results bit for bit, but slower; for tests.
-                            Default false */
+    bool contact_events;      /* collect begin, end and hit events; default true. Sensor events are
+                                 collected in any case */
     thud_allocator allocator; /* default (all zero): the C library's */
     thud_log_fn *log;     /* default null: no log; where thud is built without NDEBUG the default is
                              thud_log_to_stderr */
@@ -102,13 +115,13 @@ typedef struct thud_world_def {
     thud_clock_fn *clock; /* default null: stages are not timed */
     void *clock_context;  /* handed to clock */
     double max_error;     /* length, [0, THUD_MAX_ERROR_MAX]; default 0: no limit. An island with a
-                             contact     that overlaps by more, or will under its load, is solved by the
-                             quality's     island solver until the soft solver keeps to the limit again.
-                             Needs a quality     with an island solver (thud_quality.islands) */
+                             contact that overlaps by more, or will under its load, is solved by the
+                             quality's island solver until the soft solver keeps to the limit again.
+                             Needs a quality with an island solver (thud_quality.islands) */
     double time_budget;   /* s a step, [0, THUD_TIME_BUDGET_MAX]; default 0: no budget. Where steps
-                             take   longer, substeps and the quality's island_work are halved, down to
-                             one   substep, and doubled again where time allows. Results then depend
-                             on   the   clock, and differ from run to run. Needs `clock` */
+                             take longer, substeps and the quality's island_work are halved, down to
+                             one substep, and doubled again where time allows. Results then depend
+                             on the clock, and differ from run to run. Needs `clock` */
     const thud_detection *detection;   /* default null: the quality's */
     const thud_broadphase *broadphase; /* default, also for null: &thud_broadphase_grid */
     thud_job_system job_system;        /* default (all zero): the calling thread alone */
@@ -119,7 +132,7 @@ typedef struct thud_world_def {
 THUD_API thud_world_def thud_default_world_def(void);
 /* The defaults with another quality. A program that only uses qualities without an island solver,
  * such as thud_quality_draft, and this call, does not link the island solver. */
-THUD_API thud_world_def thud_world_def_of(const thud_quality *quality);
+THUD_API thud_world_def thud_default_world_def_of(const thud_quality *quality);
 
 /* Creates a world, *out. THUD_ERROR_NULL for a null def or out, THUD_ERROR_INVALID for a def
  * without cookie or with a field out of range, THUD_ERROR_MEMORY; *out is then not written. */
@@ -136,11 +149,11 @@ THUD_API thud_result thud_world_step(thud_world *world);
 
 /* Advances the world by `elapsed` seconds, in [0, THUD_ADVANCE_MAX]: runs the whole steps that fit
  * into it together with the time that earlier calls left over, but at most `max_steps` (>= 1), and
- * drops the time of further steps. *steps: the number of steps run. *alpha, in [0, 1): the time
- * left over as a fraction of a step, for thud_world_poses. Call it once a frame; the motion does
- * not depend on the frame rate:
+ * drops the time of further steps. *out_steps: the number of steps run. *out_alpha, in [0, 1): the
+ * time left over as a fraction of a step, for thud_world_get_poses. Call it once a frame; the
+ * motion does not depend on the frame rate:
  *
- * Events, meetings, broken joints and impulses (thud_world_events and so on) are afterwards those
+ * Events, meetings, broken joints and impulses (thud_events_of and so on) are afterwards those
  * of all steps of the call, in order; none if it ran no step.
  *
  * Forces that were applied since the last call act over all of `elapsed`: each step applies their
@@ -149,12 +162,12 @@ THUD_API thud_result thud_world_step(thud_world *world);
  * one frame. For forces that shall act in a single step, or that depend on positions or velocities
  * of bodies, as those of thud_fields.h, use `before` of thud_world_advance_with.
  *
- * Where a step runs out of memory the call returns THUD_ERROR_MEMORY; *steps, *alpha and the events
- * are those of the steps before it, and the rest of the time waits for the next call. If it was the
- * first step, nothing has changed. THUD_ERROR_NULL; THUD_ERROR_INVALID for a value out of range;
- * THUD_ERROR_LOCKED inside a callback. */
+ * Where a step runs out of memory the call returns THUD_ERROR_MEMORY; *out_steps, *out_alpha and
+ * the events are those of the steps before it, and the rest of the time waits for the next call. If
+ * it was the first step, nothing has changed. THUD_ERROR_NULL; THUD_ERROR_INVALID for a value out
+ * of range; THUD_ERROR_LOCKED inside a callback. */
 THUD_API thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps,
-                                        int *steps, double *alpha);
+                                        int *out_steps, double *out_alpha);
 
 typedef void thud_step_fn(thud_world *world, void *context);
 
@@ -171,8 +184,8 @@ typedef struct thud_step_calls {
 
 /* As thud_world_advance, with these callbacks; `calls` may be null. */
 THUD_API thud_result thud_world_advance_with(thud_world *world, double elapsed, int max_steps,
-                                             const thud_step_calls *calls, int *steps,
-                                             double *alpha);
+                                             const thud_step_calls *calls, int *out_steps,
+                                             double *out_alpha);
 
 /* Replaces the world's log from now on; null: no log. Allowed inside a callback. THUD_ERROR_NULL
  * for a null world. */
@@ -196,9 +209,9 @@ THUD_API thud_result thud_world_set_sleeping(thud_world *world, bool sleeping);
 /* ---- bodies ---- */
 
 typedef enum thud_body_kind {
-    THUD_STATIC = 0, /* has no velocity; moves only by thud_body_set_transform */
-    THUD_KINEMATIC,  /* moves at the velocity that is set; no force or contact changes it */
-    THUD_DYNAMIC,    /* moves by forces and contacts */
+    THUD_BODY_STATIC = 0, /* has no velocity; moves only by thud_body_set_transform */
+    THUD_BODY_KINEMATIC,  /* moves at the velocity that is set; no force or contact changes it */
+    THUD_BODY_DYNAMIC,    /* moves by forces and contacts */
     THUD_BODY_KIND_COUNT
 } thud_body_kind;
 
@@ -208,9 +221,9 @@ typedef struct thud_body_def {
                             (0, 0) */
     double angle;        /* rad, |angle| <= THUD_ANGLE_MAX; default 0 */
     thud_vec2 velocity;  /* of the centre of mass, length/s; default (0, 0); must be (0, 0) for
-                            static  bodies */
+                            static bodies */
     float angular_velocity; /* rad/s; default 0; must be 0 for static bodies. A step clamps it to
-                               |.| <= THUD_SPIN_MAX */
+                               |.| <= THUD_ANGULAR_SPEED_MAX */
     float gravity_scale;    /* factor of the world's gravity, finite; default 1 */
     float linear_damping;   /* 1/s, >= 0; default 0. A substep of h seconds divides the velocity by
                                1 + h * damping */
@@ -253,8 +266,8 @@ typedef struct thud_body_state {
 } thud_body_state;
 
 /* All values of a body. THUD_ERROR_NULL, THUD_ERROR_STALE; *out is then not written. */
-THUD_API thud_result thud_body_get(const thud_world *world, thud_body_id body,
-                                   thud_body_state *out);
+THUD_API thud_result thud_body_get_state(const thud_world *world, thud_body_id body,
+                                         thud_body_state *out);
 
 /* Edits. An edit wakes the body and the bodies that touch it. Places and angles have the ranges of
  * the def. All edits take effect together when the next step begins; queries before it already see
@@ -275,10 +288,12 @@ THUD_API thud_result thud_body_set_velocity(thud_world *world, thud_body_id body
  * world. |x|, |y| of the point <= THUD_PLACE_MAX length scales. */
 THUD_API thud_result thud_body_apply_impulse(thud_world *world, thud_body_id body,
                                              thud_vec2 impulse, thud_pos point);
-/* Applies to a dynamic body a force, mass * length / s^2, at its centre of mass, and a torque,
- * through the next step, or through the time of the next thud_world_advance; forces add up. */
-THUD_API thud_result thud_body_apply_force(thud_world *world, thud_body_id body, thud_vec2 force,
-                                           float torque);
+/* Applies a force, mass * length / s^2, at the centre of mass of a dynamic body, or a torque, mass
+ * * length^2 / s^2, through the next step, or through the time of the next thud_world_advance;
+ * forces and torques add up. At a point of the body: thud_forces.h. */
+THUD_API thud_result thud_body_apply_center_force(thud_world *world, thud_body_id body,
+                                                  thud_vec2 force);
+THUD_API thud_result thud_body_apply_torque(thud_world *world, thud_body_id body, float torque);
 /* Of a dynamic body: true wakes it. False: it counts as at rest from now on, and falls asleep as
  * soon as its whole island does. */
 THUD_API thud_result thud_body_set_awake(thud_world *world, thud_body_id body, bool awake);
@@ -289,11 +304,11 @@ THUD_API thud_result thud_body_set_enabled(thud_world *world, thud_body_id body,
 /* Does not wake the body, and takes effect at once. */
 THUD_API thud_result thud_body_set_user_data(thud_world *world, thud_body_id body,
                                              uint64_t user_data);
-/* Writes up to `capacity` (>= 0) handles of the body's shapes to `out`, unless it is null. *count,
- * unless `count` is null, is the number of shapes of the body. THUD_ERROR_NULL, THUD_ERROR_STALE,
- * THUD_ERROR_INVALID for a negative capacity. */
-THUD_API thud_result thud_body_shapes(const thud_world *world, thud_body_id body,
-                                      thud_shape_id *out, int capacity, int *count);
+/* Writes up to `capacity` (>= 0) handles of the body's shapes to `out`, unless it is null.
+ * *out_count, unless `out_count` is null, is the number of shapes of the body. THUD_ERROR_NULL,
+ * THUD_ERROR_STALE, THUD_ERROR_INVALID for a negative capacity. */
+THUD_API thud_result thud_body_get_shapes(const thud_world *world, thud_body_id body,
+                                          thud_shape_id *out, int capacity, int *out_count);
 
 /* ---- shapes ---- */
 
@@ -368,12 +383,12 @@ typedef struct thud_shape_state {
 } thud_shape_state;
 
 /* All values of a shape. THUD_ERROR_NULL, THUD_ERROR_STALE; *out is then not written. */
-THUD_API thud_result thud_shape_get(const thud_world *world, thud_shape_id shape,
-                                    thud_shape_state *out);
+THUD_API thud_result thud_shape_get_state(const thud_world *world, thud_shape_id shape,
+                                          thud_shape_state *out);
 /* The world's own copy of a terrain's line; its points are valid until the next edit of the world.
  * THUD_ERROR_INVALID for another kind of shape. Edits of the line are in thud_terrain.h. */
-THUD_API thud_result thud_shape_terrain(const thud_world *world, thud_shape_id shape,
-                                        thud_terrain *out);
+THUD_API thud_result thud_shape_get_terrain(const thud_world *world, thud_shape_id shape,
+                                            thud_terrain *out);
 
 /* ---- reading all poses at once ---- */
 
@@ -384,12 +399,24 @@ typedef struct thud_pose {
 } thud_pose;
 
 /* The poses of all bodies between the last two steps, interpolated by alpha in [0, 1] (0: the step
- * before, 1: the last step). The array is indexed by slot (thud_body_id.index1 - 1) and has *count
- * elements; slots without a body have x = y = NaN. It belongs to the world and is valid until the
- * world's next call. Null and *count = 0 if memory is short, alpha is out of range, or |origin.x|
- * or |origin.y| > THUD_PLACE_MAX length scales. */
-THUD_API const thud_pose *thud_world_poses(thud_world *world, thud_pos origin, double alpha,
-                                           int *count);
+ * before, 1: the last step). The array *out is indexed by slot (thud_body_id.index1 - 1) and has
+ * *out_count elements; slots without a body have x = y = NaN. It belongs to the world and is valid
+ * until the world's next call. THUD_ERROR_NULL, THUD_ERROR_INVALID where alpha is out of range or
+ * |origin.x| or |origin.y| > THUD_PLACE_MAX length scales, THUD_ERROR_MEMORY. */
+THUD_API thud_result thud_world_get_poses(thud_world *world, thud_pos origin, double alpha,
+                                          const thud_pose **out, int *out_count);
+
+/* The same array, and its size in *out_count; null and 0 where the call is refused. */
+static inline const thud_pose *thud_poses_of(thud_world *world, thud_pos origin, double alpha,
+                                             int *out_count) {
+    const thud_pose *poses = NULL;
+    int count = 0;
+    thud_world_get_poses(world, origin, alpha, &poses, &count);
+    if (out_count) {
+        *out_count = count;
+    }
+    return poses;
+}
 
 /* ---- statistics ---- */
 
@@ -438,19 +465,26 @@ typedef struct thud_stats {
     int motion_circles, motion_boxes, motion_exact;
 } thud_stats;
 
-/* All 0 for a null world. */
-THUD_API thud_stats thud_world_stats(const thud_world *world);
+/* THUD_ERROR_NULL. */
+THUD_API thud_result thud_world_get_stats(const thud_world *world, thud_stats *out);
 
-/* *speed: the thickness of the thinnest shape (terrain left out) over the time step, length/s;
+static inline thud_stats thud_stats_of(const thud_world *world) {
+    thud_stats stats;
+    memset(&stats, 0, sizeof stats);
+    thud_world_get_stats(world, &stats);
+    return stats;
+}
+
+/* *out_speed: the thickness of the thinnest shape (terrain left out) over the time step, length/s;
  * infinite without shapes. A body that moves faster, counted with its rotation, may pass through a
  * shape between two steps, so that thud_detection_bisect misses the collision; slower bodies miss
  * none. THUD_ERROR_NULL. */
-THUD_API thud_result thud_world_bisection_limit(thud_world *world, double *speed);
+THUD_API thud_result thud_world_get_bisection_limit(thud_world *world, double *out_speed);
 
 /* The errors of the last step. They are collected while it is solved, so that the call costs a pass
  * over joints, where there are any, and otherwise nothing; after a step in which detection held
  * bodies back or resolved collisions, a pass over contacts as well. Only contacts of awake bodies
- * count (thud_world_measure also counts those of sleeping bodies), with bodies where detection left
+ * count (thud_measure_of also counts those of sleeping bodies), with bodies where detection left
  * them at the end of the step. The values do not depend on the number of workers. */
 typedef struct thud_step_error {
     /* Length, at the end of the step, over the points of touching pairs; rotations are linearised.
@@ -473,8 +507,15 @@ typedef struct thud_step_error {
     double joint_angle_max; /* rad: the same of thud_joint_state.angle_gap */
 } thud_step_error;
 
-/* All 0 before the first step, and for a null world. */
-THUD_API thud_step_error thud_world_error(const thud_world *world);
+/* All 0 before the first step. THUD_ERROR_NULL. */
+THUD_API thud_result thud_world_get_step_error(const thud_world *world, thud_step_error *out);
+
+static inline thud_step_error thud_step_error_of(const thud_world *world) {
+    thud_step_error error;
+    memset(&error, 0, sizeof error);
+    thud_world_get_step_error(world, &error);
+    return error;
+}
 
 /* Penetration and energy of the present state. */
 typedef struct thud_measure {
@@ -485,12 +526,25 @@ typedef struct thud_measure {
     double kinetic_energy, potential_energy;
 } thud_measure;
 
-/* Costs a pass over contacts and bodies. All 0 for a null world. */
-THUD_API thud_measure thud_world_measure(const thud_world *world);
+/* Costs a pass over contacts and bodies. THUD_ERROR_NULL. */
+THUD_API thud_result thud_world_get_measure(const thud_world *world, thud_measure *out);
+
+static inline thud_measure thud_measure_of(const thud_world *world) {
+    thud_measure measure;
+    memset(&measure, 0, sizeof measure);
+    thud_world_get_measure(world, &measure);
+    return measure;
+}
 
 /* A hash of the exact position, angle and velocity of every body, in the order of slots, to compare
- * two runs. */
-THUD_API uint64_t thud_world_hash(const thud_world *world);
+ * two runs. THUD_ERROR_NULL. */
+THUD_API thud_result thud_world_get_hash(const thud_world *world, uint64_t *out);
+
+static inline uint64_t thud_hash_of(const thud_world *world) {
+    uint64_t hash = 0;
+    thud_world_get_hash(world, &hash);
+    return hash;
+}
 
 #ifdef __cplusplus
 }

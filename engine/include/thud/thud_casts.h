@@ -12,7 +12,7 @@
 #include "thud_ids.h"
 #include "thud_math.h"
 #include "thud_queries.h"
-#include "thud_shapes.h"
+#include "thud_geometry.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -34,32 +34,16 @@ typedef double thud_cast_fn(const thud_ray_hit *hit, void *context);
 #define THUD_CAST_END 0.0       /* the cast ends */
 #define THUD_CAST_ON 1.0        /* 1 or more: the cast goes on */
 
-/* Casts a ray from `origin` to origin + (dx, dy), and searches no further than the limit.
- * THUD_ERROR_NULL for a null world or callback; errors else as those of thud_world_cast_ray. */
-THUD_API thud_result thud_world_cast_ray_each(thud_world *world, thud_pos origin, double dx,
-                                              double dy, const thud_query_filter *filter,
+/* Casts a ray, and searches no further than the limit. THUD_ERROR_NULL for a null world, ray or
+ * callback; errors else as those of thud_world_cast_ray. */
+THUD_API thud_result thud_world_cast_ray_each(thud_world *world, const thud_ray *ray,
                                               thud_cast_fn *fn, void *context);
 
-/* The same with a moving shape; `center` and `shape` as in thud_world_cast_shape. */
-THUD_API thud_result thud_world_cast_shape_each(thud_world *world, thud_pos center,
-                                                const thud_shape_instance *shape, double dx,
-                                                double dy, const thud_query_filter *filter,
+/* The same with a moving shape. */
+THUD_API thud_result thud_world_cast_shape_each(thud_world *world, const thud_shape_cast *cast,
                                                 thud_cast_fn *fn, void *context);
 
 /* ---- many at once ---- */
-
-typedef struct thud_ray {
-    thud_pos origin;
-    double dx, dy;                   /* from the origin to the end */
-    const thud_query_filter *filter; /* null: everything but sensors; rays may share one */
-} thud_ray;
-
-typedef struct thud_shape_cast {
-    thud_pos center;
-    const thud_shape_instance *shape; /* as in thud_world_cast_shape; not null */
-    double dx, dy;                    /* the displacement of the shape */
-    const thud_query_filter *filter;  /* null: everything but sensors */
-} thud_shape_cast;
 
 /* Writes the first hit of each of `count` (>= 0) rays to hits[i], the one that thud_world_cast_ray
  * finds. Where a ray has no hit, the hit's shape is the null handle, its fraction 1, its point the
@@ -70,25 +54,25 @@ typedef struct thud_shape_cast {
  * call; inside a callback the calling thread does all of them. The number of workers does not
  * change the results. */
 THUD_API thud_result thud_world_cast_rays(thud_world *world, const thud_ray *rays, int count,
-                                          thud_ray_hit *hits);
+                                          thud_ray_hit *out_hits);
 THUD_API thud_result thud_world_cast_shapes(thud_world *world, const thud_shape_cast *casts,
-                                            int count, thud_ray_hit *hits);
+                                            int count, thud_ray_hit *out_hits);
 
 /* ---- one shape, whatever its filter is; also sensors and shapes of disabled bodies ---- */
 
 /* All return THUD_ERROR_STALE for a handle that names no shape, and THUD_ERROR_LOCKED for a shape
  * that was made inside the callback that asks. Output pointers must not be null, but those of
- * thud_shape_meets_ray. */
+ * thud_shape_cast_ray. */
 
-/* The first hit of the ray on the shape. *hit: whether there is one; if not, *out is not written. A
- * ray that starts inside the shape does not hit it. */
-THUD_API thud_result thud_shape_meets_ray(thud_world *world, thud_shape_id shape, thud_pos origin,
-                                          double dx, double dy, bool *hit, thud_ray_hit *out);
+/* The first hit of the ray on the shape. *out_hit: whether there is one; if not, *out is not
+ * written. A ray that starts inside the shape does not hit it. */
+THUD_API thud_result thud_shape_cast_ray(thud_world *world, thud_shape_id shape, thud_pos origin,
+                                         double dx, double dy, bool *out_hit, thud_ray_hit *out);
 
 /* Whether the point is in the shape or on its edge. A point below the line of a terrain is inside.
  */
 THUD_API thud_result thud_shape_contains_point(thud_world *world, thud_shape_id shape,
-                                               thud_pos point, bool *inside);
+                                               thud_pos point, bool *out_inside);
 
 /* The closest point of the shape's surface, at any distance. */
 THUD_API thud_result thud_shape_closest_point(thud_world *world, thud_shape_id shape,
@@ -96,8 +80,8 @@ THUD_API thud_result thud_shape_closest_point(thud_world *world, thud_shape_id s
 
 /* The smallest axis-aligned box around the shape, or around the line of a terrain.
  * THUD_ERROR_INVALID for flat terrain, which has no ends. */
-THUD_API thud_result thud_shape_bounds(thud_world *world, thud_shape_id shape, thud_pos *lower,
-                                       thud_pos *upper);
+THUD_API thud_result thud_shape_get_bounds(thud_world *world, thud_shape_id shape,
+                                           thud_pos *out_lower, thud_pos *out_upper);
 
 #ifdef __cplusplus
 }

@@ -50,7 +50,7 @@ extern THUD_API const thud_detection thud_detection_continuous;
  * found by bisection, gets its new velocities there and moves on. It does not find collisions of
  * shapes that have passed through each other by the end of the step: speed * time_step, also that
  * of corners that turn, must stay below the thickness of the thinnest shape, see
- * thud_world_bisection_limit; thud_stats.unbisectable counts the bodies beyond it. */
+ * thud_world_get_bisection_limit; thud_stats.unbisectable counts the bodies beyond it. */
 extern THUD_API const thud_detection thud_detection_bisect;
 /* Bodies move forward to each of their times of impact, in the order of time, get new velocities
  * there and move on. No body passes through another, and shapes that are apart do not come to

@@ -10,37 +10,38 @@
 extern "C" {
 #endif
 
-typedef enum thud_draw_style {
-    THUD_DRAW_STATIC = 0,           /* shape of a static body */
-    THUD_DRAW_KINEMATIC,            /* shape of an awake kinematic body */
-    THUD_DRAW_DYNAMIC,              /* shape of an awake dynamic body */
-    THUD_DRAW_SLEEPING,             /* shape of a sleeping body */
-    THUD_DRAW_SENSOR,               /* sensor of any body */
-    THUD_DRAW_BOUNDS,               /* box: fat bounds of a shape */
-    THUD_DRAW_CELL,                 /* box: cell of the grid broadphase */
-    THUD_DRAW_CONTACT,              /* point: the middle of a contact */
-    THUD_DRAW_NORMAL,               /* line from it along the normal */
-    THUD_DRAW_INTERVAL,             /* line: the interval along x of a shape's bounds */
-    THUD_DRAW_INTERVAL_OVERLAPPING, /* the same, where it overlaps another shape's */
-    THUD_DRAW_PAIR,                 /* line between two centres: tight bounds overlap */
-    THUD_DRAW_PAIR_TOUCHING,        /* line between two centres: the shapes touch */
-    THUD_DRAW_MOTION,               /* outline of a swept volume */
-    THUD_DRAW_PAIR_CANDIDATE,       /* line between two centres: only the fat bounds overlap */
-    THUD_DRAW_DIRECT,   /* line between two centres: the pair's island was solved directly */
-    THUD_DRAW_MANIFOLD, /* point: one contact point */
-    THUD_DRAW_DEPTH,    /* line from it along the normal, as long as the penetration */
-    THUD_DRAW_IMPULSE,  /* line from it along the normal: the distance that its impulse of a step
-                           alone  would move the lighter body in a second */
-    THUD_DRAW_COLOUR,   /* line between two centres: the pair has graph colour 0 of the solver */
-    THUD_DRAW_COLOUR_LAST = THUD_DRAW_COLOUR + 15, /* the same for colour 15 and all further ones */
-    THUD_DRAW_JOINT,       /* line from a body's centre to its anchor of a joint, or between the two
-                              anchors; points at the anchors */
-    THUD_DRAW_JOINT_AXIS,  /* line: the x axis of frame a, where the joint has one */
-    THUD_DRAW_JOINT_LIMIT, /* lines: the range of places or angles of b that limits allow */
-    THUD_DRAW_JOINT_FORCE, /* line from b's anchor: the distance that the joint's force alone would
+typedef enum thud_style {
+    THUD_STYLE_STATIC = 0,           /* shape of a static body */
+    THUD_STYLE_KINEMATIC,            /* shape of an awake kinematic body */
+    THUD_STYLE_DYNAMIC,              /* shape of an awake dynamic body */
+    THUD_STYLE_SLEEPING,             /* shape of a sleeping body */
+    THUD_STYLE_SENSOR,               /* sensor of any body */
+    THUD_STYLE_BOUNDS,               /* box: fat bounds of a shape */
+    THUD_STYLE_CELL,                 /* box: cell of the grid broadphase */
+    THUD_STYLE_CONTACT,              /* point: the middle of a contact */
+    THUD_STYLE_NORMAL,               /* line from it along the normal */
+    THUD_STYLE_INTERVAL,             /* line: the interval along x of a shape's bounds */
+    THUD_STYLE_INTERVAL_OVERLAPPING, /* the same, where it overlaps another shape's */
+    THUD_STYLE_PAIR,                 /* line between two centres: tight bounds overlap */
+    THUD_STYLE_PAIR_TOUCHING,        /* line between two centres: the shapes touch */
+    THUD_STYLE_MOTION,               /* outline of a swept volume */
+    THUD_STYLE_PAIR_CANDIDATE,       /* line between two centres: only the fat bounds overlap */
+    THUD_STYLE_DIRECT,   /* line between two centres: the pair's island was solved directly */
+    THUD_STYLE_MANIFOLD, /* point: one contact point */
+    THUD_STYLE_DEPTH,    /* line from it along the normal, as long as the penetration */
+    THUD_STYLE_IMPULSE,  /* line from it along the normal: the distance that its impulse of a step
+                           alone would move the lighter body in a second */
+    THUD_STYLE_COLOUR,   /* line between two centres: the pair has graph colour 0 of the solver */
+    THUD_STYLE_COLOUR_LAST =
+        THUD_STYLE_COLOUR + 15, /* the same for colour 15 and all further ones */
+    THUD_STYLE_JOINT,      /* line from a body's centre to its anchor of a joint, or between the two
+                             anchors; points at the anchors */
+    THUD_STYLE_JOINT_AXIS, /* line: the x axis of frame a, where the joint has one */
+    THUD_STYLE_JOINT_LIMIT, /* lines: the range of places or angles of b that limits allow */
+    THUD_STYLE_JOINT_FORCE, /* line from b's anchor: the distance that the joint's force alone would
                               move b in a second, from rest */
-    THUD_DRAW_STYLE_COUNT
-} thud_draw_style;
+    THUD_STYLE_COUNT
+} thud_style;
 
 /* Bits of thud_debug_draw.flags. */
 enum {
@@ -48,9 +49,10 @@ enum {
     THUD_DRAW_SHAPE_BOUNDS = 1 << 1, /* fat bounds of shapes */
     THUD_DRAW_CELLS = 1 << 2, /* grid cells that awake shapes lay in at the last step; with the grid
                                  broadphase only */
-    THUD_DRAW_CONTACTS = 1 << 3, /* middles and normals of touching contacts */
+    THUD_DRAW_CONTACTS = 1 << 3, /* middles and normals of contacts that were solved in the last
+                                    step: not of vetoed ones */
     THUD_DRAW_ISLANDS = 1 << 4,  /* shapes with the number of their island, see `island`; and the
-                                    pairs  of islands that were solved directly */
+                                    pairs of islands that were solved directly */
     /* The intervals along x that the plane sweep broadphase kept sorted in the last step: bars in
      * rows from the lower edge of the view up, first those of awake shapes, then those of resting
      * ones. Where more than 12 intervals overlap, bars cover each other. */
@@ -67,7 +69,7 @@ enum {
                                    a moving body, so that they are solved in parallel */
     THUD_DRAW_MANIFOLDS = 1 << 10,   /* contact points with depth and impulse */
     THUD_DRAW_JOINTS = 1 << 11,      /* anchors, axes and limits */
-    THUD_DRAW_JOINT_FORCES = 1 << 12 /* see THUD_DRAW_JOINT_FORCE */
+    THUD_DRAW_JOINT_FORCES = 1 << 12 /* see THUD_STYLE_JOINT_FORCE */
 };
 
 /* What to draw, and the functions that draw. Shapes are drawn where the edits made so far put them,
@@ -79,12 +81,12 @@ typedef struct thud_debug_draw {
     thud_pos origin;       /* all coordinates are relative to it */
     thud_pos lower, upper; /* corners of the view; shapes outside are skipped */
     void *context;         /* handed to the functions */
-    void (*circle)(thud_vec2 center, float radius, float c, float s, thud_draw_style style,
-                   int island, void *context);
-    void (*box)(thud_vec2 center, thud_vec2 half, float c, float s, thud_draw_style style,
-                int island, void *context);
-    void (*line)(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context);
-    void (*point)(thud_vec2 p, thud_draw_style style, void *context);
+    void (*circle)(thud_vec2 center, float radius, float c, float s, thud_style style, int island,
+                   void *context);
+    void (*box)(thud_vec2 center, thud_vec2 half, float c, float s, thud_style style, int island,
+                void *context);
+    void (*line)(thud_vec2 a, thud_vec2 b, thud_style style, void *context);
+    void (*point)(thud_vec2 p, thud_style style, void *context);
 } thud_debug_draw;
 
 /* Draws the world. Unknown flags do nothing. The world is locked while the functions are called.

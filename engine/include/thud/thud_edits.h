@@ -30,13 +30,13 @@ extern "C" {
 /* A circle, AABB or OBB in the body's frame; its offset, size and angle have the ranges of
  * thud_shape_create_circle and so on. The angle is exact to 1e-9. */
 typedef struct thud_body_shape {
-    thud_shape_instance shape; /* relative to the body's origin */
+    thud_geometry shape;       /* relative to the body's origin */
     const thud_shape_def *def; /* null: thud_default_shape_def */
 } thud_body_shape;
 
 /* Creates a body and `count` (>= 0) shapes. If any part is refused nothing is made, and the result
- * is that of the call for this part alone. The handles are written to *body and, in the order of
- * `shapes`, to shape_ids, which has room for `count`; both may be null.
+ * is that of the call for this part alone. The handles are written to *out_body and, in the order
+ * of `shapes`, to shape_ids, which has room for `count`; both may be null.
  *
  *     thud_body_create_with_shapes(world, &def, &(thud_body_shape){thud_circle_at(0, 0, 0.5)}, 1,
  *                                  &ball, NULL);
@@ -46,8 +46,8 @@ typedef struct thud_body_shape {
 THUD_NODISCARD THUD_API thud_result thud_body_create_with_shapes(thud_world *world,
                                                                  const thud_body_def *def,
                                                                  const thud_body_shape *shapes,
-                                                                 int count, thud_body_id *body,
-                                                                 thud_shape_id *shape_ids);
+                                                                 int count, thud_body_id *out_body,
+                                                                 thud_shape_id *out_shape_ids);
 
 /* ---- shapes ---- */
 

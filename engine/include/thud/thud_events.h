@@ -39,6 +39,8 @@
 #include "thud_ids.h"
 #include "thud_math.h"
 
+#include <string.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -68,8 +70,15 @@ typedef struct thud_events {
     int begin_count, end_count, sensor_begin_count, sensor_end_count, hit_count, quarantined_count;
 } thud_events;
 
-/* All counts are 0 for a null world. */
-THUD_API thud_events thud_world_events(const thud_world *world);
+/* THUD_ERROR_NULL. */
+THUD_API thud_result thud_world_get_events(const thud_world *world, thud_events *out);
+
+static inline thud_events thud_events_of(const thud_world *world) {
+    thud_events events;
+    memset(&events, 0, sizeof events);
+    thud_world_get_events(world, &events);
+    return events;
+}
 
 #ifdef __cplusplus
 }

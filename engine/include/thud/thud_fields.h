@@ -14,7 +14,7 @@
  *
  * All return THUD_ERROR_NULL for a null pointer where none is allowed, THUD_ERROR_STALE,
  * THUD_ERROR_INVALID for a value that is not finite or out of range, for a body that is not
- * dynamic, and where a force would be larger than THUD_PUSH_MAX; then nothing has changed. */
+ * dynamic, and where a force would be larger than THUD_FORCE_MAX; then nothing has changed. */
 #ifndef THUD_FIELDS_H
 #define THUD_FIELDS_H
 
@@ -40,11 +40,11 @@ typedef struct thud_explosion {
     double radius; /* length, [0, THUD_PLACE_MAX length scales]; default 0. Within it the impulse is
                       constant */
     double falloff;   /* length, [0, THUD_PLACE_MAX length scales]; default 0. Over this distance
-                         beyond   the radius the impulse falls linearly to 0. Radius and falloff must
-                         not both   be 0 */
+                         beyond the radius the impulse falls linearly to 0. Radius and falloff must
+                         not both be 0 */
     float impulse;    /* an impulse for each length of a shape, measured at a right angle to the
                          direction from the centre: mass/s, |.| <= THUD_EXPLOSION_MAX; negative:
-                         towards    the centre; default 1 */
+                         towards the centre; default 1 */
     thud_cover cover; /* default THUD_COVER_ALL */
     int rays;         /* rays to each shape, [1, THUD_EXPLOSION_RAYS_MAX]; default 5 */
     thud_query_filter filter; /* which shapes are pushed; sensors never are. The body `ignore` does
@@ -56,8 +56,8 @@ THUD_API thud_explosion thud_default_explosion(void);
 
 /* Applies impulses to the dynamic bodies around the centre, away from it, at once; inside a
  * callback through the next step, as impulses do (thud_forces.h), with THUD_ERROR_MEMORY where
- * memory is short. *pushed (may be null): the number of bodies that got an impulse. Sleeping bodies
- * wake.
+ * memory is short. *out_pushed (may be null): the number of bodies that got an impulse. Sleeping
+ * bodies wake.
  *
  * The side of a shape that faces the centre is divided into `rays` pieces of equal width, measured
  * at a right angle to the direction from the centre to the shape's nearest point; parts beyond the
@@ -66,7 +66,7 @@ THUD_API thud_explosion thud_default_explosion(void);
  * in part. A shape that contains the centre gets the whole impulse, at its own centre, and shields
  * no other: place an explosion a little off a wall, along the normal of the hit. */
 THUD_API thud_result thud_world_explode(thud_world *world, const thud_explosion *explosion,
-                                        int *pushed);
+                                        int *out_pushed);
 
 /* ---- wind ---- */
 
@@ -114,14 +114,19 @@ THUD_API thud_water thud_default_water(void);
 THUD_API thud_result thud_body_apply_buoyancy(thud_world *world, thud_body_id body,
                                               const thud_water *water);
 
-/* Area and centroid of the part of a shape below the line through (x, y), |x|, |y| <=
- * THUD_COORDINATE_MAX, whose normal (nx, ny) has length 1 within THUD_NORMAL_ERROR. A pure
- * function. Where there is no such part the centroid is the shape's centre. No output may be null.
- * Exact to 1e-15 of the shape's size, squared for the area; where a circle's part is so thin that
- * its area is below this, the centroid is some point of the part. */
-THUD_API thud_result thud_shape_below(const thud_shape_instance *shape, double x, double y,
-                                      double nx, double ny, double *area, double *center_x,
-                                      double *center_y);
+/* The half plane below the line through (x, y), |x|, |y| <= THUD_COORDINATE_MAX, whose normal
+ * (nx, ny) points out of it and has length 1 within THUD_NORMAL_ERROR. */
+typedef struct thud_half_plane {
+    double x, y, nx, ny;
+} thud_half_plane;
+
+/* Area and centroid of the part of a shape in the half plane. A pure function. Where there is no
+ * such part the centroid is the shape's centre. No output may be null. Exact to 1e-15 of the
+ * shape's size, squared for the area; where a circle's part is so thin that its area is below this,
+ * the centroid is some point of the part. */
+THUD_API thud_result thud_geometry_area_below(const thud_geometry *shape, thud_half_plane below,
+                                              double *out_area, double *out_center_x,
+                                              double *out_center_y);
 
 /* ---- rolling resistance ---- */
 
@@ -136,9 +141,9 @@ THUD_API thud_result thud_body_apply_rolling_resistance(thud_world *world, thud_
 /* ---- grip: tyres, and friction in games seen from above ---- */
 
 /* Drives a point of a body towards a speed along an axis, by a force along the axis of at most
- * `most`, in [0, THUD_PUSH_MAX]. Point and axis are in the body's frame; the axis has any length
- * but 0. At speed 0 the force brakes, as a tyre sideways or a table under a sliding piece; at
- * another speed it drives, as a motor. |speed|
+ * `max_force`, in [0, THUD_FORCE_MAX]. Point and axis are in the body's frame; the axis has any
+ * length but 0. At speed 0 the force brakes, as a tyre sideways or a table under a sliding piece;
+ * at another speed it drives, as a motor. |speed|
  * <= THUD_FLOW_MAX length scales a second; |x|, |y| of the point <= THUD_SIZE_MAX length scales.
  *
  * The force takes into account the velocity that gravity and the forces applied so far will give
@@ -146,7 +151,7 @@ THUD_API thud_result thud_body_apply_rolling_resistance(thud_world *world, thud_
  * the point has the speed, or is nearer to it, and never beyond it. At speed 0 the force adds no
  * energy to the step. */
 THUD_API thud_result thud_body_apply_grip(thud_world *world, thud_body_id body, thud_vec2 point,
-                                          thud_vec2 axis, float speed, float most);
+                                          thud_vec2 axis, float speed, float max_force);
 
 #ifdef __cplusplus
 }

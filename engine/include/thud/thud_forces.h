@@ -11,7 +11,7 @@
  * THUD_ERROR_INVALID.
  *
  * All return THUD_ERROR_NULL for a null world, THUD_ERROR_STALE, THUD_ERROR_INVALID for a value
- * that is not finite, a force or impulse beyond THUD_PUSH_MAX, or a place beyond THUD_PLACE_MAX
+ * that is not finite, a force or impulse beyond THUD_FORCE_MAX, or a place beyond THUD_PLACE_MAX
  * length scales, and, inside a callback, THUD_ERROR_MEMORY; then nothing has changed. */
 #ifndef THUD_FORCES_H
 #define THUD_FORCES_H
@@ -24,8 +24,8 @@ extern "C" {
 
 /* A force, mass * length / s^2, at a point of the world. Its torque about the centre of mass is
  * computed once, from the present place of the body. */
-THUD_API thud_result thud_body_apply_force_at(thud_world *world, thud_body_id body, thud_vec2 force,
-                                              thud_pos point);
+THUD_API thud_result thud_body_apply_force(thud_world *world, thud_body_id body, thud_vec2 force,
+                                           thud_pos point);
 /* An impulse, mass * length / s, at the centre of mass. */
 THUD_API thud_result thud_body_apply_center_impulse(thud_world *world, thud_body_id body,
                                                     thud_vec2 impulse);
@@ -46,19 +46,19 @@ THUD_API thud_result thud_body_set_target(thud_world *world, thud_body_id body, 
 /* ---- points of a body, of any kind; `out` must not be null ---- */
 
 /* The velocity, length/s, of the point of the body at this place of the world: v + w x r. */
-THUD_API thud_result thud_body_velocity_at(const thud_world *world, thud_body_id body,
-                                           thud_pos point, thud_vec2 *out);
+THUD_API thud_result thud_body_get_velocity_at(const thud_world *world, thud_body_id body,
+                                               thud_pos point, thud_vec2 *out);
 /* Points and vectors from the body's frame (its origin and axes) to the world's, and back. Points
  * in the body's frame are in single precision. What the rotation would make greater than the
  * greatest float is that float. */
-THUD_API thud_result thud_body_world_point(const thud_world *world, thud_body_id body,
-                                           thud_vec2 point, thud_pos *out);
-THUD_API thud_result thud_body_local_point(const thud_world *world, thud_body_id body,
-                                           thud_pos point, thud_vec2 *out);
-THUD_API thud_result thud_body_world_vector(const thud_world *world, thud_body_id body,
-                                            thud_vec2 vector, thud_vec2 *out);
-THUD_API thud_result thud_body_local_vector(const thud_world *world, thud_body_id body,
-                                            thud_vec2 vector, thud_vec2 *out);
+THUD_API thud_result thud_body_get_world_point(const thud_world *world, thud_body_id body,
+                                               thud_vec2 point, thud_pos *out);
+THUD_API thud_result thud_body_get_local_point(const thud_world *world, thud_body_id body,
+                                               thud_pos point, thud_vec2 *out);
+THUD_API thud_result thud_body_get_world_vector(const thud_world *world, thud_body_id body,
+                                                thud_vec2 vector, thud_vec2 *out);
+THUD_API thud_result thud_body_get_local_vector(const thud_world *world, thud_body_id body,
+                                                thud_vec2 vector, thud_vec2 *out);
 
 #ifdef __cplusplus
 }

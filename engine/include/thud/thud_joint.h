@@ -1,22 +1,22 @@
-/* thud_joint.h: joints, constraints between two bodies without shapes that touch: rods, ropes,
- * springs, hinges, sliders, welds, wheels, targets and gears. A program that makes no joint links
- * none of this.
+/* thud_joint.h: joints, constraints between two bodies, whether or not their shapes touch: rods,
+ * ropes, springs, hinges, sliders, welds, wheels, targets and gears. A program that makes no joint
+ * links none of this. Lengths are in the caller's unit; a bound in length scales is a multiple of
+ * thud_world_def.length_scale.
  *
  * A joint has a frame in each body: an anchor and an x axis. It measures body b relative to body a
  * in three directions: along the x axis of frame a, across it (along its y axis), and in rotation
  * (turn). Each direction is locked, free, or driven, depending on the kind:
  *
- *     kind            along               across     turn      what of frame b is used
- *     THUD_DISTANCE   the distance (*)    free       free      the position
- *     THUD_HINGE      locked              locked     driven    the position, and the angle as zero
- *                                                              of turn
- *     THUD_SLIDER     driven              locked     locked    likewise
- *     THUD_WELD       locked, or driven where it has a drive,  likewise
- *                     each direction by itself
- *     THUD_WHEEL      driven              locked     driven    likewise
- *     THUD_TARGET     driven              driven     driven    likewise
- *     THUD_FILTER     free                free       free      nothing
- *     THUD_GEAR       couples two joints: see `gear` of the def
+ *     kind      along              across    turn     what of frame b is used
+ *     DISTANCE  the distance (*)   free      free     position
+ *     HINGE     locked             locked    driven   position; angle, the zero of turn
+ *     SLIDER    driven             locked    locked   position; angle
+ *     WELD      each locked, or driven where it       position; angle
+ *               has a drive
+ *     WHEEL     driven             locked    driven   position; angle
+ *     TARGET    driven             driven    driven   position; angle
+ *     FILTER    free               free      free     nothing
+ *     GEAR      couples two joints: see `gear` of the def
  *
  * A driven direction without limits, spring and motor is free.
  *
@@ -24,31 +24,37 @@
  * spring or a motor. A rope has limits (0, length); a spring has a frequency, and pulls to `length`
  * unless it has a target.
  *
- * Load. Joints are solved as soft constraints together with contacts, and open under a load. An
- * island whose joints would open by more than its quality allows is solved directly, with its
- * contacts, as long as the quality's work budget lasts. Where that is used up, or something in the
- * island bounces, but at least half of the joints of up to 128 bodies that they connect open, those
- * joints are solved directly without the contacts: the contacts keep the impulses of the soft
- * solver, and close no further than it has closed them. Where this is not possible, would gain
- * energy, or contacts are more than the bodies, joints stay soft.
+ * Load. Joints are solved as soft constraints together with contacts, and open under a load. A
+ * joint is overloaded where a contact of the same bodies, with the joint's impulse, would overlap
+ * by more than thud_quality.overlap_limit, or where the joint is open by more than
+ * thud_world_def.max_error. An island with an overloaded joint is solved directly, with its
+ * contacts, as long as thud_quality.island_work lasts. Where that is used up, or a contact of the
+ * island bounces in this step, a part of it may be solved directly instead: up to 128 bodies that
+ * joints connect, if at least half of these joints are overloaded, in all of the world at most 64,
+ * and the bodies have no more contacts with moving bodies than there are bodies. Their contacts
+ * then keep the impulses of the soft solver, and the joints may not bring shapes closer together
+ * than it has. Where joints and contacts cannot both be satisfied so, or the result would gain
+ * energy, joints stay soft.
  *
- * Detection. Where detection stops a body on its way through a step, all bodies that locked
- * directions connect to it stop at the same share of their motions, and lose the speed that gravity
- * gave them for the rest of the step. Their joints thus open by little more than the solver leaves;
- * statistics count such bodies. Under `bisect` and `swept` such bodies stop where they hit
- * something, and bounce as contacts do; what touches them already is left to the contacts, which
- * may overlap by as much as those of `continuous`.
+ * Detection (thud_detection.h). Where detection stops a body on its way through a step, all bodies
+ * that locked directions connect to it stop at the same share of their motions, and lose the speed
+ * that gravity gave them for the rest of the step. Their joints thus open by little more than the
+ * solver leaves; thud_stats.held_bodies counts such bodies. Under thud_detection_bisect and
+ * thud_detection_swept such bodies stop where they hit something, and bounce as contacts do;
+ * contacts that touch already are left to the contact solver, which may let them overlap as under
+ * thud_detection_continuous.
  *
  * Static shapes are stronger than joints, at every quality and under every detection. Where a joint
  * presses a body into a body that cannot move (a rope that is shortened, a motor without a maximum
- * force), the body ends no step deeper than a tenth of its smallest half extent, or of half the
- * thickness of the shape where that is less; for some steps, until the solver has found out, 0.4 of
- * it. The body and all that locked directions connect to it are put back there, and their joints
- * are closed as far as contacts allow: ropes stay too long, which thud_step_error reports, and
- * motors stall. Such a joint gives the body no speed, and its force is what it reaches within one
- * step from 0. This does not apply to kinematic bodies, nor to a body that a joint has made faster
- * than its detection can see. A known fault: a rope that is shortened without end, far beyond what
- * stands in its way, may in rare cases draw a body through a floor all the same. */
+ * force), the body ends no step deeper than 0.4 of its smallest half extent, or of half the
+ * thickness of the shape where that is less; once it has been that deep, and as long as the joint
+ * presses, no deeper than a tenth. The body and all that locked directions connect to it are put
+ * back there, and their joints are closed as far as contacts allow: ropes stay too long, which
+ * thud_step_error reports, and motors stall. A joint that has yielded so gives the body no speed,
+ * and starts the next step without an impulse: thud_joint_state.force is what it reaches within one
+ * step. This does not apply to kinematic bodies, nor to a body that a joint moves so fast that its
+ * detection misses the collision. A known fault: a rope that is shortened without end, far beyond
+ * what stands in its way, may in rare cases draw a body through a floor all the same. */
 #ifndef THUD_JOINT_H
 #define THUD_JOINT_H
 
@@ -65,21 +71,21 @@ typedef struct thud_joint_id {
 } thud_joint_id;
 
 typedef enum thud_joint_kind {
-    THUD_DISTANCE = 0,
-    THUD_HINGE,
-    THUD_SLIDER,
-    THUD_WELD,
-    THUD_WHEEL,
-    THUD_TARGET,
-    THUD_FILTER, /* excludes contacts between the bodies' shapes, and does nothing else */
-    THUD_GEAR,
+    THUD_JOINT_DISTANCE = 0,
+    THUD_JOINT_HINGE,
+    THUD_JOINT_SLIDER,
+    THUD_JOINT_WELD,
+    THUD_JOINT_WHEEL,
+    THUD_JOINT_TARGET,
+    THUD_JOINT_FILTER, /* excludes contacts between the bodies' shapes, and does nothing else */
+    THUD_JOINT_GEAR,
     THUD_JOINT_KIND_COUNT
 } thud_joint_kind;
 
 typedef enum thud_direction {
-    THUD_ALONG = 0, /* of THUD_DISTANCE the distance */
-    THUD_ACROSS,
-    THUD_TURN,
+    THUD_DIRECTION_ALONG = 0, /* of THUD_JOINT_DISTANCE the distance */
+    THUD_DIRECTION_ACROSS,
+    THUD_DIRECTION_TURN,
     THUD_DIRECTION_COUNT
 } thud_direction;
 
@@ -87,7 +93,7 @@ typedef enum thud_direction {
  * drive may have a spring, a motor and limits at once. */
 typedef struct thud_drive {
     bool limited;       /* whether it has limits; default false */
-    float lower, upper; /* limits, lower <= upper; |.| of turn at most THUD_JOINT_TURN_MAX, of
+    float lower, upper; /* limits, lower <= upper; |.| of turn at most THUD_JOINT_ANGLE_MAX (pi), of
                            lengths THUD_JOINT_LENGTH_MAX length scales; of a distance >= 0. Equal
                            limits lock the direction there. Default 0 */
     float frequency;    /* of the spring, Hz, [0, THUD_JOINT_FREQUENCY_MAX]; default 0: no spring.
@@ -99,16 +105,18 @@ typedef struct thud_drive {
     float damping;      /* damping ratio of the spring, [0, THUD_JOINT_DAMPING_MAX]; default 0.7;
                            1: critical */
     float target;       /* coordinate to which the spring pulls, with the range of limits:
-                           THUD_JOINT_TURN_MAX, THUD_JOINT_LENGTH_MAX. Default 0; of a distance
+                           THUD_JOINT_ANGLE_MAX, THUD_JOINT_LENGTH_MAX. Default 0; of a distance
                            -INFINITY, which stands for its length, also after
                            thud_joint_set_length */
     float spring_force; /* maximum force of the spring, [0, THUD_JOINT_FORCE_MAX]; default that: no
                            maximum. Where springs act along and across, neither exceeds its own
                            maximum, nor the resultant of both the greater one: with the same
-                           maximum for both, it is the maximum of the force in any direction. The
-                           direction of the force is decided once a step */
+                           maximum for both, it is the maximum of the force in any direction. It
+                           is split between both once a step, by the forces that they would have
+                           as the step begins */
     float motor_speed;  /* target speed of b relative to a, |.| <= THUD_JOINT_LENGTH_MAX length
-                           scales a second, or THUD_JOINT_SPIN_MAX radians a second; default 0 */
+                           scales a second, or THUD_JOINT_ANGULAR_SPEED_MAX radians a second; default
+                           0 */
     float motor_force;  /* maximum force of the motor, [0, THUD_JOINT_FORCE_MAX]; default 0: no
                            motor; a speed without a force is logged. Along and across together as
                            for springs: with speed 0 and the same maximum it acts as friction */
@@ -129,8 +137,9 @@ typedef struct thud_joint_def {
     /* By thud_direction. Limits, springs and motors in directions that the kind does not drive are
      * refused. */
     thud_drive drive[THUD_DIRECTION_COUNT];
-    /* Length of a distance, (0, THUD_JOINT_LENGTH_MAX] length scales; default 1. Of a driven
-     * distance it is where the spring pulls to, unless that has a target. */
+    /* Length of a distance, in the caller's unit, (0, THUD_JOINT_LENGTH_MAX] length scales; default
+     * 1, whatever the length scale. Of a driven distance it is where the spring pulls to, unless
+     * that has a target. */
     float length;
     /* Two joints that a gear couples, each a hinge, a wheel, a slider or a distance between a
      * static body and a dynamic one. The dynamic bodies, which must not be the same, are the gear's
@@ -144,12 +153,12 @@ typedef struct thud_joint_def {
     float ratio;            /* of a gear, |ratio| in [THUD_GEAR_RATIO_MIN, THUD_GEAR_RATIO_MAX];
                                default 1: they turn against each other, as two wheels that mesh */
     bool collide_connected; /* the bodies' shapes may touch; default false, of a gear true */
-    /* Force and torque beyond which the joint breaks: it is destroyed at the end of that step, or
-     * stays if `only_reports`. Either way there is a thud_joint_event. [0, THUD_JOINT_FORCE_MAX];
-     * default that: never. */
+    /* Force and torque, as of thud_joint_state, beyond which the joint breaks: it is destroyed at
+     * the end of that step, or stays if `only_reports`. Either way there is a thud_joint_event. [0,
+     * THUD_JOINT_FORCE_MAX]; default that: never. */
     float break_force, break_torque;
     bool only_reports; /* default false */
-    bool disabled;     /* default false */
+    bool enabled;      /* default true */
     uint64_t user_data;
     uint32_t cookie; /* of thud_default_joint_def */
 } thud_joint_def;
@@ -164,8 +173,9 @@ THUD_NODISCARD THUD_API thud_result thud_joint_create(thud_world *world, const t
 THUD_API thud_result thud_joint_destroy(thud_world *world, thud_joint_id joint);
 THUD_API bool thud_joint_is_valid(const thud_world *world, thud_joint_id joint);
 
-/* Forces of a direction's drive, of THUD_TURN torques. Positive ones increase value[direction];
- * they are within THUD_JOINT_FORCE_MAX, and 0 where the drive has no such part. */
+/* Forces of a direction's drive in the last substep; torques for THUD_DIRECTION_TURN. Positive ones
+ * increase thud_joint_state.value of the direction; they are within THUD_JOINT_FORCE_MAX, and 0
+ * where the drive has no such part. */
 typedef struct thud_drive_forces {
     float limit, spring, motor;
 } thud_drive_forces;
@@ -175,19 +185,19 @@ typedef struct thud_joint_state {
     thud_body_id body_a, body_b;
     bool enabled;
     double value[THUD_DIRECTION_COUNT]; /* coordinates of b relative to a, lengths;
-                                           value[THUD_TURN] in (-pi, pi] */
-    double gap;                         /* length by which locked directions are open and limits
-                                           exceeded; of a gear its error, where that is a length */
-    double angle_gap;                   /* likewise in rad; both >= 0 */
-    thud_vec2 force;                    /* on b, in the world, in the last substep; it and the
-                                           torque are within THUD_JOINT_FORCE_MAX */
-    float torque; /* on b, of the direction turn alone: the moment of `force` is not included */
+                                           value[THUD_DIRECTION_TURN] in (-pi, pi] */
+    double gap; /* length, >= 0, by which locked directions are open and limits exceeded: along and
+                   across together, as a distance; of a gear its error, where that is a length */
+    double angle_gap; /* rad, >= 0: likewise in direction turn */
+    thud_vec2 force;  /* on b, in the world, in the last substep; it and the
+                         torque are within THUD_JOINT_FORCE_MAX */
+    float torque;     /* on b, of the direction turn alone: the moment of `force` is not included */
     thud_drive_forces drive[THUD_DIRECTION_COUNT]; /* parts of force and torque that drives apply */
     uint64_t user_data;
 } thud_joint_state;
 
-THUD_API thud_result thud_joint_get(const thud_world *world, thud_joint_id joint,
-                                    thud_joint_state *out);
+THUD_API thud_result thud_joint_get_state(const thud_world *world, thud_joint_id joint,
+                                          thud_joint_state *out);
 /* A def of the joint as it is now, from which another like it can be made. Angles are in (-pi, pi];
  * what the kind does not use has its default. */
 THUD_API thud_result thud_joint_get_def(const thud_world *world, thud_joint_id joint,
@@ -196,7 +206,7 @@ THUD_API thud_result thud_joint_get_def(const thud_world *world, thud_joint_id j
  * calls do. */
 THUD_API thud_result thud_joint_set_drive(thud_world *world, thud_joint_id joint,
                                           thud_direction direction, const thud_drive *drive);
-/* Of a THUD_DISTANCE only. */
+/* Of a THUD_JOINT_DISTANCE only. */
 THUD_API thud_result thud_joint_set_length(thud_world *world, thud_joint_id joint, float length);
 THUD_API thud_result thud_joint_set_enabled(thud_world *world, thud_joint_id joint, bool enabled);
 /* Sets the frame in a body (side 0: body_a, 1: body_b). Not of gears and filters. Wakes the bodies.
@@ -218,16 +228,30 @@ typedef struct thud_joint_event {
     bool broken;         /* the joint was destroyed */
 } thud_joint_event;
 
-/* Events, within a step in the order of the joints' slots; valid until the next step. `count` may
- * be null. */
-THUD_API const thud_joint_event *thud_world_joint_events(const thud_world *world, int *count);
+/* Events, within a step in the order of the joints' slots; valid until the next step. *out_count is
+ * their number. THUD_ERROR_NULL. */
+THUD_API thud_result thud_world_get_joint_events(const thud_world *world,
+                                                 const thud_joint_event **out, int *out_count);
 
-/* Joints of the world, or of a body, in a deterministic order. Writes at most `capacity` of them to
- * `out` (which may be null if that is 0), and returns how many there are; 0 if the body is stale.
- */
-THUD_API int thud_world_joints(const thud_world *world, thud_joint_id *out, int capacity);
-THUD_API int thud_body_joints(const thud_world *world, thud_body_id body, thud_joint_id *out,
-                              int capacity);
+/* The same array, and its size in *out_count; null and 0 for a null world. */
+static inline const thud_joint_event *thud_joint_events_of(const thud_world *world,
+                                                           int *out_count) {
+    const thud_joint_event *events = NULL;
+    int count = 0;
+    thud_world_get_joint_events(world, &events, &count);
+    if (out_count) {
+        *out_count = count;
+    }
+    return events;
+}
+
+/* Joints of the world, or of a body, in a deterministic order: lists as those of thud_lists.h.
+ * *out_count is their number; at most `capacity` (>= 0) are written. THUD_ERROR_NULL,
+ * THUD_ERROR_STALE, THUD_ERROR_INVALID for a negative capacity. */
+THUD_API thud_result thud_world_get_joints(const thud_world *world, thud_joint_id *out,
+                                           int capacity, int *out_count);
+THUD_API thud_result thud_body_get_joints(const thud_world *world, thud_body_id body,
+                                          thud_joint_id *out, int capacity, int *out_count);
 
 /* Makes a world ready for joints, as creating one does. A world that never had a joint cannot be
  * restored from a snapshot with joints unless this was called. */

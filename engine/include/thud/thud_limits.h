@@ -21,7 +21,7 @@
 #define THUD_CONTACT_DAMPING_MAX 100.0f
 #define THUD_ISLAND_LIMIT_MAX \
     16384 /* bodies; finding an elimination order takes its square in bits of memory */
-#define THUD_ISLAND_PATIENCE_MAX 1000 /* steps */
+#define THUD_ISLAND_SLOW_STEPS_MAX 1000 /* steps */
 #define THUD_WORKERS_MAX 64
 
 /* ---- bodies and shapes ---- */
@@ -29,15 +29,15 @@
 #define THUD_PLACE_MAX 1e9 /* |x|, |y| of a place in the world, length scales */
 #define THUD_ANGLE_MAX 1e6 /* |angle|, radians */
 /* |radians| a second; a step clamps angular velocities to it, only so that values stay finite. */
-#define THUD_SPIN_MAX 1e8f
+#define THUD_ANGULAR_SPEED_MAX 1e8f
 #define THUD_SIZE_MIN 1e-4f           /* radius or half extent, length scales */
 #define THUD_SIZE_MAX 16384.0f        /* the same, and |x|, |y| of a shape in its body's frame */
 #define THUD_STATIC_SIZE_MAX 32000.0f /* radius or half extent on a static body, length scales */
 #define THUD_DENSITY_MAX 1e12f        /* mass/length^2; above it the units are probably wrong */
 #define THUD_FRICTION_MAX 1e6f
-#define THUD_RESTITUTION_MAX 1.0f   /* of a shape */
-#define THUD_BOUNCE_MAX 4.0f        /* of a pair, by a rule or a prologue */
-#define THUD_SURFACE_SPEED_MAX 1e6f /* |speed|, length scales a second */
+#define THUD_RESTITUTION_MAX 1.0f      /* of a shape */
+#define THUD_PAIR_RESTITUTION_MAX 4.0f /* of a pair, by a rule or a prologue */
+#define THUD_SURFACE_SPEED_MAX 1e6f    /* |speed|, length scales a second */
 #define THUD_MASS_MIN 1e-30f
 #define THUD_MASS_MAX 1e30f
 
@@ -45,7 +45,7 @@
 
 /* |component| of a force, torque, impulse or angular impulse, of the force that an impulse becomes
  * inside a callback, and of the change of velocity that an impulse makes. */
-#define THUD_PUSH_MAX 1e30f
+#define THUD_FORCE_MAX 1e30f
 #define THUD_DRAG_MAX \
     1e6f /* coefficients of drag, lift and rolling resistance; drag in water, 1/s */
 #define THUD_FLOW_MAX 1e6f /* |component| of the velocity of wind and water, length scales/s */
@@ -55,21 +55,21 @@
 
 /* ---- joints ---- */
 
-#define THUD_JOINT_LENGTH_MAX 1e6f     /* length scales; of motors, length scales a second */
-#define THUD_JOINT_TURN_MAX 3.1415927f /* |radians| of limits and targets: pi as a float */
-#define THUD_JOINT_SPIN_MAX 1e6f       /* |radians| a second, of motors */
-#define THUD_JOINT_FREQUENCY_MAX 1e4f  /* Hz */
-#define THUD_JOINT_DAMPING_MAX 1e3f    /* ratio */
-#define THUD_JOINT_FORCE_MAX 1e30f     /* also torque */
-#define THUD_GEAR_RATIO_MIN 1e-4f      /* |ratio| */
+#define THUD_JOINT_LENGTH_MAX 1e6f        /* length scales; of motors, length scales a second */
+#define THUD_JOINT_ANGLE_MAX 3.1415927f   /* |radians| of limits and targets: pi as a float */
+#define THUD_JOINT_ANGULAR_SPEED_MAX 1e6f /* |radians| a second, of motors */
+#define THUD_JOINT_FREQUENCY_MAX 1e4f     /* Hz */
+#define THUD_JOINT_DAMPING_MAX 1e3f       /* ratio */
+#define THUD_JOINT_FORCE_MAX 1e30f        /* also torque */
+#define THUD_GEAR_RATIO_MIN 1e-4f         /* |ratio| */
 #define THUD_GEAR_RATIO_MAX 1e4f
 
 /* ---- movers ---- */
 
-#define THUD_MOVER_SLOPE_MAX 1.55 /* radians */
-#define THUD_MOVER_STEP_MAX 1e6   /* length, step_height and snap_distance */
-#define THUD_MOVER_WAY_MAX 1e6    /* length, |velocity| * dt of one move */
-#define THUD_MOVER_FORCE_MAX 1e30 /* mass * length / s^2 */
+#define THUD_MOVER_SLOPE_MAX 1.55   /* radians */
+#define THUD_MOVER_STEP_MAX 1e6     /* length, step_height and snap_distance */
+#define THUD_MOVER_DISTANCE_MAX 1e6 /* length, |velocity| * dt of one move */
+#define THUD_MOVER_FORCE_MAX 1e30   /* mass * length / s^2 */
 
 /* ---- rollback ---- */
 

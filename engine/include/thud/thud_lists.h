@@ -8,9 +8,9 @@
  * to ask for the count first:
  *
  *     int count;
- *     thud_world_bodies(world, NULL, 0, &count);
+ *     thud_world_get_bodies(world, NULL, 0, &count);
  *     thud_body_id *bodies = malloc((size_t)count * sizeof *bodies);
- *     thud_world_bodies(world, bodies, count, &count);
+ *     thud_world_get_bodies(world, bodies, count, &count);
  *
  * Lists contain what has been created and not destroyed, whether or not a step has run since. All
  * calls are allowed inside a callback. They allocate nothing, do not change the world, and add no
@@ -29,31 +29,33 @@ extern "C" {
 /* ---- all bodies and shapes: each call is a pass over the slots ---- */
 
 /* All bodies, disabled and quarantined ones included. */
-THUD_API thud_result thud_world_bodies(const thud_world *world, thud_body_id *out, int capacity,
-                                       int *count);
+THUD_API thud_result thud_world_get_bodies(const thud_world *world, thud_body_id *out, int capacity,
+                                           int *out_count);
 /* Bodies with thud_body_state.awake: the dynamic and kinematic bodies that the next step
  * integrates. Inside a callback, those of the step under way. */
-THUD_API thud_result thud_world_awake_bodies(const thud_world *world, thud_body_id *out,
-                                             int capacity, int *count);
+THUD_API thud_result thud_world_get_awake_bodies(const thud_world *world, thud_body_id *out,
+                                                 int capacity, int *out_count);
 /* All shapes, with sensors, terrains, and shapes that were made inside a callback and wait for the
  * next step. */
-THUD_API thud_result thud_world_shapes(const thud_world *world, thud_shape_id *out, int capacity,
-                                       int *count);
+THUD_API thud_result thud_world_get_shapes(const thud_world *world, thud_shape_id *out,
+                                           int capacity, int *out_count);
 
 /* ---- from slot to handle ---- */
 
 /* The number of slots that have ever been used: the slots of all bodies and shapes are below it.
- * The slot of a body is its index in thud_world_poses, index1 - 1. Either output may be null. The
- * numbers only decrease by thud_world_restore. */
-THUD_API thud_result thud_world_slots(const thud_world *world, int *bodies, int *shapes);
+ * The slot of a body is its index in thud_world_get_poses, index1 - 1. Either output may be null.
+ * The numbers only decrease by thud_world_restore. */
+THUD_API thud_result thud_world_get_slot_counts(const thud_world *world, int *out_bodies,
+                                                int *out_shapes);
 /* The handle of the body or shape in a slot, or the null handle. THUD_ERROR_INVALID for a slot that
  * is negative or was never used; THUD_ERROR_NULL. */
-THUD_API thud_result thud_world_body_at(const thud_world *world, int slot, thud_body_id *out);
-THUD_API thud_result thud_world_shape_at(const thud_world *world, int slot, thud_shape_id *out);
+THUD_API thud_result thud_world_get_body_at(const thud_world *world, int slot, thud_body_id *out);
+THUD_API thud_result thud_world_get_shape_at(const thud_world *world, int slot, thud_shape_id *out);
 
 /* ---- bodies that have moved ---- */
 
-/* The pose of a body when thud_world_moved_bodies last listed it. All zero: it was never listed. */
+/* The pose of a body when thud_world_get_moved_bodies last listed it. All zero: it was never
+ * listed. */
 typedef struct thud_body_seen {
     thud_body_id body;
     int64_t x, y, angle; /* of its origin, in fixed-point units of the engine */
@@ -61,14 +63,14 @@ typedef struct thud_body_seen {
 
 /* Lists the bodies whose pose differs from the one in `seen`, so that a renderer, a network layer
  * or a spatial index of the caller need not process the others: bodies that are new to `seen`, and
- * bodies whose position or angle, as in thud_body_get, differs in any bit. `seen` is an array of
- * the caller with an element for each body slot, zeroed before its first use. The call updates it
- * for each body that it writes to `out`; bodies for which there was no room are listed by the next
- * call.
+ * bodies whose position or angle, as in thud_body_get_state, differs in any bit. `seen` is an array
+ * of the caller with an element for each body slot, zeroed before its first use. The call updates
+ * it for each body that it writes to `out`; bodies for which there was no room are listed by the
+ * next call.
  *
  *     thud_body_seen *seen = calloc((size_t)slots, sizeof *seen);
  *     ... each frame, after its steps:
- *     thud_world_moved_bodies(world, seen, slots, moved, room, &count);
+ *     thud_world_get_moved_bodies(world, seen, slots, moved, room, &count);
  *
  * A call after each step lists the bodies that this step or edits since the one before have moved.
  * A call after several steps lists what they did together: a body that is back in its old pose is
@@ -82,15 +84,15 @@ typedef struct thud_body_seen {
  * - A destroyed body is not listed, and its element of `seen` becomes zero. After a restore, bodies
  * are listed that exist again, or whose pose differs from the one last listed.
  *
- * A renderer that interpolates (thud_world_poses with alpha < 1) must update the listed bodies and
- * those of the call before: a body that has stopped was last drawn before its final pose.
+ * A renderer that interpolates (thud_world_get_poses with alpha < 1) must update the listed bodies
+ * and those of the call before: a body that has stopped was last drawn before its final pose.
  *
  * The call is a pass over `slots` slots; bodies in higher slots are left out and not counted, see
- * thud_world_slots. THUD_ERROR_NULL where `seen` is null and `slots` is not 0, THUD_ERROR_INVALID
- * where `slots` is negative. */
-THUD_API thud_result thud_world_moved_bodies(const thud_world *world, thud_body_seen *seen,
-                                             int slots, thud_body_id *out, int capacity,
-                                             int *count);
+ * thud_world_get_slot_counts. THUD_ERROR_NULL where `seen` is null and `slots` is not 0,
+ * THUD_ERROR_INVALID where `slots` is negative. */
+THUD_API thud_result thud_world_get_moved_bodies(const thud_world *world, thud_body_seen *seen,
+                                                 int slots, thud_body_id *out, int capacity,
+                                                 int *out_count);
 
 /* ---- what a sensor overlaps ---- */
 
@@ -99,8 +101,9 @@ THUD_API thud_result thud_world_moved_bodies(const thud_world *world, thud_body_
  * callback. Shapes that were destroyed or disabled since are left out at once; other changes appear
  * with the next step. The call is a pass over the contacts of the sensor's body. THUD_ERROR_STALE;
  * THUD_ERROR_INVALID for a shape that is no sensor. */
-THUD_API thud_result thud_sensor_overlaps(const thud_world *world, thud_shape_id sensor,
-                                          thud_shape_id *out, int capacity, int *count);
+THUD_API thud_result thud_shape_get_sensor_overlaps(const thud_world *world, thud_shape_id sensor,
+                                                    thud_shape_id *out, int capacity,
+                                                    int *out_count);
 
 /* ---- the bodies of the shapes of a contact or an event ---- */
 
@@ -120,25 +123,25 @@ typedef struct thud_pair {
  * A shape of an event may have been destroyed since, which is often the cause of an end event. A
  * program that needs data of destroyed shapes keeps it itself, by slot (index1 - 1).
  * THUD_ERROR_NULL. */
-THUD_API thud_result thud_pair_get(const thud_world *world, thud_shape_id shape_a,
-                                   thud_shape_id shape_b, thud_pair *out);
+THUD_API thud_result thud_world_get_pair(const thud_world *world, thud_shape_id shape_a,
+                                         thud_shape_id shape_b, thud_pair *out);
 
 /* ---- pairs of two categories that met ---- */
 
 /* Two shapes that met in the last step or thud_world_advance, and the state of the iteration. All
  * zero before the first call. */
-typedef struct thud_met {
+typedef struct thud_event_pair {
     thud_shape_id shape_a, shape_b;
     thud_pair_side a, b; /* a is of the first category, whatever the order of the event */
     int next;            /* number of the event from which the next call goes on, >= 0 */
-} thud_met;
+} thud_event_pair;
 
 /* The next pair of two kinds, by the categories of shapes (bits of thud_filter.category), that
  * began to touch or hit each other in the last step, be they apart again, or of which one is a
  * sensor that began to overlap the other; false, and all but `next` is zero, where there is none
  * any more:
  *
- *     for (thud_met m = {0}; thud_world_next_meeting(world, BRICK, BALL, &m);)
+ *     for (thud_event_pair m = {0}; thud_world_next_event_pair(world, BRICK, BALL, &m);)
  *         thud_body_destroy(world, m.a.body);
  *
  * In one step a pair is returned once; a pair that hits in one step and begins to touch in the next
@@ -146,9 +149,9 @@ typedef struct thud_met {
  * destroyed it between two calls. A pair that matches the categories in both orders is returned in
  * the order of its event. Each call searches on through the events (thud_events.h), and compares
  * what it finds with the events before. Returns false where there are no more; also where world or
- * meeting is null or `next` is negative, which the log is told. */
-THUD_API bool thud_world_next_meeting(const thud_world *world, uint32_t first, uint32_t second,
-                                      thud_met *meeting);
+ * pair is null or `next` is negative, which the log is told. */
+THUD_API bool thud_world_next_event_pair(const thud_world *world, uint32_t first, uint32_t second,
+                                         thud_event_pair *pair);
 
 #ifdef __cplusplus
 }

@@ -31,7 +31,8 @@ extern "C" {
  * callback, THUD_ERROR_MEMORY: then nothing has changed. */
 THUD_API thud_result thud_body_set_locks(thud_world *world, thud_body_id body, bool x, bool y);
 /* Which axes are locked. Either output may be null. THUD_ERROR_NULL, THUD_ERROR_STALE. */
-THUD_API thud_result thud_body_locks(const thud_world *world, thud_body_id body, bool *x, bool *y);
+THUD_API thud_result thud_body_get_locks(const thud_world *world, thud_body_id body, bool *out_x,
+                                         bool *out_y);
 
 #ifdef __cplusplus
 }

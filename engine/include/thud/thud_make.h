@@ -5,7 +5,7 @@
  *
  *     thud_world *world = thud_world_make((thud_vec2){0, -10}, &thud_quality_default);
  *     thud_body_make(world, thud_aabb_at(0, -1, 20, 1), NULL);
- *     thud_body_options bouncy = {.kind = THUD_DYNAMIC, .restitution = 0.8f};
+ *     thud_body_options bouncy = {.kind = THUD_BODY_DYNAMIC, .restitution = 0.8f};
  *     thud_body_id ball = thud_body_make(world, thud_circle_at(0, 5, 0.5), &bouncy);
  *
  * Both return what they made; null, or the null handle, where they are refused, for the reasons of
@@ -48,7 +48,7 @@ typedef struct thud_body_options {
 
 /* A body with one circle, AABB or OBB at the place that `shape` gives: the body's origin is the
  * shape's centre, and its angle that of the OBB. `options` null: the defaults. */
-THUD_API thud_body_id thud_body_make(thud_world *world, thud_shape_instance shape,
+THUD_API thud_body_id thud_body_make(thud_world *world, thud_geometry shape,
                                      const thud_body_options *options);
 
 #ifdef __cplusplus

@@ -11,7 +11,7 @@
  *     thud_minkowski_sum(&a, &b, &sum);
  *     thud_minkowski_contains(&sum, p.x, p.y, &overlap);
  *     thud_minkowski_distance(&sum, p.x, p.y, &distance, &nx, &ny);
- *     thud_minkowski_cast(&sum, p.x, p.y, d.x, d.y, &hit, &fraction, &nx, &ny);
+ *     thud_minkowski_cast(&sum, (thud_segment){p.x, p.y, d.x, d.y}, &hit, &fraction, &nx, &ny);
  *
  * The sum does not depend on the places of the shapes: one sum serves all places of a pair, and has
  * the same precision far from the origin. Lengths are in any unit, angles in radians.
@@ -21,13 +21,13 @@
 #ifndef THUD_MINKOWSKI_H
 #define THUD_MINKOWSKI_H
 
-#include "thud_shapes.h"
+#include "thud_geometry.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-#define THUD_MINKOWSKI_MAX 8 /* vertices of a sum */
+#define THUD_MINKOWSKI_VERTICES_MAX 8 /* vertices of a sum */
 
 /* A convex polygon about the origin, rounded by a radius. Circles and boxes are symmetric about
  * their centre, and so is the sum: vertex i + count / 2 is the negated vertex i, and the same holds
@@ -35,37 +35,37 @@ extern "C" {
 typedef struct thud_minkowski {
     /* The number of vertices: 1 for two circles, 8 for two boxes that are not parallel, else 4. */
     int count;
-    thud_pos vertices[THUD_MINKOWSKI_MAX]; /* counter-clockwise; two may coincide */
+    thud_pos vertices[THUD_MINKOWSKI_VERTICES_MAX]; /* counter-clockwise; two may coincide */
     /* Of the face from vertex i to i + 1, i < count / 2 (two circles have none): its unit outward
      * normal and its distance from the origin. */
-    thud_pos normals[THUD_MINKOWSKI_MAX / 2];
-    double offsets[THUD_MINKOWSKI_MAX / 2];
+    thud_pos normals[THUD_MINKOWSKI_VERTICES_MAX / 2];
+    double offsets[THUD_MINKOWSKI_VERTICES_MAX / 2];
     double radius; /* of the rounding, [0, THUD_VOLUME_MAX]; the caller may add a margin to it */
 } thud_minkowski;
 
 /* The sum of a and the reflected b. The centres of the shapes are not used, but must be valid.
  * Elements beyond count are 0. */
-THUD_API thud_result thud_minkowski_sum(const thud_shape_instance *a, const thud_shape_instance *b,
-                                        thud_minkowski *sum);
+THUD_API thud_result thud_minkowski_sum(const thud_geometry *a, const thud_geometry *b,
+                                        thud_minkowski *out);
 
 /* Whether the point (x, y) is in the sum or on its edge. |x|, |y| <= THUD_VOLUME_MAX. */
 THUD_API thud_result thud_minkowski_contains(const thud_minkowski *sum, double x, double y,
-                                             bool *inside);
+                                             bool *out_inside);
 
 /* The point's signed distance from the edge of the sum, negative inside, and the unit normal along
  * which the point leaves the sum on the shortest way: the distance and normal of
- * thud_shapes_closest, from a to b. Where several faces are equally near, the normal is that of one
- * of them. |x|, |y| <= THUD_VOLUME_MAX. */
+ * thud_geometry_closest, from a to b. Where several faces are equally near, the normal is that of
+ * one of them. |x|, |y| <= THUD_VOLUME_MAX. */
 THUD_API thud_result thud_minkowski_distance(const thud_minkowski *sum, double x, double y,
-                                             double *distance, double *nx, double *ny);
+                                             double *out_distance, double *out_nx, double *out_ny);
 
 /* Where the point that moves by (dx, dy) first enters the sum: *fraction of the motion, in [0, 1],
  * and the unit outward normal there. A point that starts inside hits at 0, with the normal of
  * thud_minkowski_distance. Without a hit *fraction is 1 and the normal (0, 0). |x|, |y|, |dx|, |dy|
  * <= THUD_VOLUME_MAX. */
-THUD_API thud_result thud_minkowski_cast(const thud_minkowski *sum, double x, double y, double dx,
-                                         double dy, bool *hit, double *fraction, double *nx,
-                                         double *ny);
+THUD_API thud_result thud_minkowski_cast(const thud_minkowski *sum, thud_segment path,
+                                         bool *out_hit, double *out_fraction, double *out_nx,
+                                         double *out_ny);
 
 #ifdef __cplusplus
 }

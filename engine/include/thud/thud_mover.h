@@ -21,7 +21,7 @@
 #include "thud_ids.h"
 #include "thud_math.h"
 #include "thud_queries.h"
-#include "thud_shapes.h"
+#include "thud_geometry.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -61,12 +61,11 @@ THUD_API bool thud_mover_passes_one_way(const thud_mover *mover, const thud_move
                                         thud_vec2 velocity, void *context);
 
 struct thud_mover {
-    thud_shape_instance
-        shape;    /* the mover's place and size in the world; the caller may change it too */
+    thud_geometry shape; /* the mover's place and size in the world; the caller may change it too */
     thud_vec2 up; /* opposite to gravity; its squared length is 1 within THUD_UNIT_ERROR; default
                      (0, 1). (0, 0) for games seen from above: there is no ground */
     double skin;  /* length: the gap that the mover keeps to shapes, > 0, at most its smallest half
-                     extent;  default 2 % of that */
+                     extent; default 2 % of that */
     double max_slope;   /* rad, [0, THUD_MOVER_SLOPE_MAX]: steeper ground is a wall; default 0.9 (52
                            degrees) */
     double step_height; /* length, [0, THUD_MOVER_STEP_MAX]: the highest step that the mover climbs;
@@ -74,11 +73,10 @@ struct thud_mover {
     double snap_distance; /* length, [0, THUD_MOVER_STEP_MAX]: how far below the mover ground may be
                              for a walking mover to follow it down; default as step_height */
     double push_force;    /* mass * length / s^2, [0, THUD_MOVER_FORCE_MAX]: the largest force on a
-                             dynamic    body in the way; default 0: none */
-    thud_body_id
-        body; /* a kinematic body, about the mover's centre, that follows the mover, so
-                 that    dynamic bodies and sensors react to it: each move sets the velocity
-                 by which    the next step takes the body to the mover. Default null: none */
+                             dynamic body in the way; default 0: none */
+    thud_body_id body;    /* a kinematic body, about the mover's centre, that follows the mover, so
+                             that dynamic bodies and sensors react to it: each move sets the velocity
+                             by which the next step takes the body to the mover. Default null: none */
     thud_query_filter filter; /* which shapes stop the mover; default all but sensors. Sensors never
                                 stop it; with `sensors` the report lists those that it passes */
     thud_mover_pass_fn *pass; /* default null: the mover passes through no shape */
@@ -96,7 +94,7 @@ struct thud_mover {
 };
 
 /* A mover of this shape, not on ground, with the defaults. */
-THUD_API thud_mover thud_default_mover(thud_shape_instance shape);
+THUD_API thud_mover thud_default_mover(thud_geometry shape);
 
 /* What happened in a move. */
 typedef struct thud_mover_report {
@@ -115,18 +113,18 @@ typedef struct thud_mover_report {
     thud_shape_id sensors[THUD_MOVER_SENSORS];
 } thud_mover_report;
 
-/* Moves the mover by velocity * dt (length/s and s), |velocity| * dt <= THUD_MOVER_WAY_MAX, dt in
- * (0, THUD_TIME_STEP_MAX], and by the motion of the ground since the last move. A velocity with a
- * positive part along `up` leaves the ground. A move ends after four hits in the air and four on
+/* Moves the mover by velocity * dt (length/s and s), |velocity| * dt <= THUD_MOVER_DISTANCE_MAX, dt
+ * in (0, THUD_TIME_STEP_MAX], and by the motion of the ground since the last move. A velocity with
+ * a positive part along `up` leaves the ground. A move ends after four hits in the air and four on
  * the ground.
  *
  * THUD_ERROR_NULL for a null world or mover, THUD_ERROR_INVALID for a mover or motion out of range,
  * for a mover that might get further than THUD_PLACE_MAX length scales from the origin (by its
  * motion, the ground's, a step and a snap), or a body that is not kinematic, THUD_ERROR_STALE for a
  * body that has been destroyed, THUD_ERROR_MEMORY: mover, report and world are then as they were.
- * `report` may be null. */
+ * `out_report` may be null. */
 THUD_API thud_result thud_mover_move(thud_world *world, thud_mover *mover, thud_vec2 velocity,
-                                     double dt, thud_mover_report *report);
+                                     double dt, thud_mover_report *out_report);
 
 #ifdef __cplusplus
 }

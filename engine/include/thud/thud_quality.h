@@ -27,18 +27,17 @@ typedef struct thud_quality {
                      with the substep rate, so that with more substeps contacts also overlap less.
                      Fewer substeps in a world def, or by a time budget, reduce island_work in
                      proportion, and do not make more islands direct */
-    float
-        contact_stiffness;             /* frequency of the contact springs over the substep rate,
-                                          [THUD_CONTACT_STIFFNESS_MIN,           THUD_CONTACT_STIFFNESS_MAX] */
+    float contact_stiffness;           /* frequency of the contact springs over the substep rate,
+                                          [THUD_CONTACT_STIFFNESS_MIN, THUD_CONTACT_STIFFNESS_MAX] */
     float contact_damping;             /* damping ratio of the contact springs, [0,
                                           THUD_CONTACT_DAMPING_MAX] */
     const thud_detection *detection;   /* not null */
     const thud_island_solver *islands; /* null: the soft solver solves all islands */
-    float sag_limit; /* >= 0: an island in which a contact would overlap under its load by more than
-                        this share of the smaller body's size is solved by `islands`; 0: every
+    float overlap_limit; /* >= 0: an island in which a contact would overlap under its load by more
+                        than this share of the smaller body's size is solved by `islands`; 0: every
                         island is */
-    int island_limit; /* bodies, 1 .. THUD_ISLAND_LIMIT_MAX: larger islands are left to the soft
-                         solver */
+    int island_limit;    /* bodies, 1 .. THUD_ISLAND_LIMIT_MAX: larger islands are left to the soft
+                            solver */
     int64_t
         island_work; /* budget of all direct islands in a step, >= 0: operations on 3 x 3 blocks of
                         the factorisations, and for each factorisation one more a body and two a
@@ -52,8 +51,8 @@ typedef struct thud_quality {
                         thousand bodies, and each island may use at least its bodies' share of this
                         part. An island that uses up its share is left to the soft solver for some
                         steps, and for twice as many each time that this happens again */
-    int island_patience; /* number of successive slow steps after which an island is left to the
-                            soft solver for a pause of 120 steps, 0 .. THUD_ISLAND_PATIENCE_MAX. A
+    int island_slow_steps; /* number of successive slow steps after which an island is left to the
+                            soft solver for a pause of 120 steps, 0 .. THUD_ISLAND_SLOW_STEPS_MAX. A
                             step is slow where the island needs more than eight factorisations, or
                             twenty times as many while it hardly moves. The pause also follows where
                             the direct result is not valid. It doubles each time that it follows

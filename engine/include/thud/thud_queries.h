@@ -7,7 +7,7 @@
  * equals the lower slot (thud_shape_id.index1 - 1).
  *
  * Places, and the ends of rays and casts, lie within THUD_PLACE_MAX length scales of the origin;
- * shapes must be valid by thud_placed_check. Otherwise a query returns THUD_ERROR_INVALID;
+ * shapes must be valid by thud_geometry_check. Otherwise a query returns THUD_ERROR_INVALID;
  * THUD_ERROR_NULL for a null world, and THUD_ERROR_MEMORY where memory is short: outputs are then
  * not written, and no callback has been called. A null filter lets all shapes but sensors be found.
  */
@@ -16,7 +16,7 @@
 
 #include "thud_ids.h"
 #include "thud_math.h"
-#include "thud_shapes.h"
+#include "thud_geometry.h"
 #include "thud_volumes.h"
 
 #ifdef __cplusplus
@@ -38,6 +38,20 @@ THUD_API thud_query_filter thud_default_query_filter(void);
 
 /* ---- rays and casts: shapes along the straight path of a point or of a moving shape ---- */
 
+typedef struct thud_ray {
+    thud_pos origin;
+    double dx, dy;                   /* from the origin to the end */
+    const thud_query_filter *filter; /* null: everything but sensors */
+} thud_ray;
+
+/* A circle, AABB or OBB that moves without rotation. */
+typedef struct thud_shape_cast {
+    thud_pos center;
+    thud_geometry shape;             /* about `center`: its x, y are an offset from it */
+    double dx, dy;                   /* the displacement of the shape */
+    const thud_query_filter *filter; /* null: everything but sensors */
+} thud_shape_cast;
+
 typedef struct thud_ray_hit {
     thud_shape_id shape; /* the shape that was hit */
     thud_pos point;      /* on its surface, in the world */
@@ -47,50 +61,31 @@ typedef struct thud_ray_hit {
                      rays, 0 */
 } thud_ray_hit;
 
-/* The first shape on the ray from `origin` to origin + (dx, dy). *hit: whether there is one; if
- * not, *out is not written. A ray that starts inside a shape does not hit it. */
-THUD_API thud_result thud_world_cast_ray(thud_world *world, thud_pos origin, double dx, double dy,
-                                         const thud_query_filter *filter, bool *hit,
+/* The first shape on the ray. *out_hit: whether there is one; if not, *out is not written. A ray
+ * that starts inside a shape does not hit it.
+ *
+ *     thud_world_cast_ray(world, &(thud_ray){.origin = {0, 5}, .dy = -10}, &hit, &out);
+ */
+THUD_API thud_result thud_world_cast_ray(thud_world *world, const thud_ray *ray, bool *out_hit,
                                          thud_ray_hit *out);
 
-/* All shapes on the ray, each with its first hit. *count is their number; the nearest `capacity`
- * (>= 0) are written, in order. `out` may be null where capacity is 0. */
-THUD_API thud_result thud_world_cast_ray_all(thud_world *world, thud_pos origin, double dx,
-                                             double dy, const thud_query_filter *filter,
-                                             thud_ray_hit *out, int capacity, int *count);
+/* All shapes on the ray, each with its first hit. *out_count is their number; the nearest
+ * `capacity` (>= 0) are written, in order. `out` may be null where capacity is 0. */
+THUD_API thud_result thud_world_cast_ray_all(thud_world *world, const thud_ray *ray,
+                                             thud_ray_hit *out, int capacity, int *out_count);
 
-/* The first shape that a moving circle, AABB or OBB hits. `shape` lies about `center` (shape->x, y
- * are an offset from it), and moves by (dx, dy) without rotation. Touching counts. A shape that
- * overlaps it at the start is hit at 0, with the normal of least penetration. *hit and *out as
- * above. */
-THUD_API thud_result thud_world_cast_shape(thud_world *world, thud_pos center,
-                                           const thud_shape_instance *shape, double dx, double dy,
-                                           const thud_query_filter *filter, bool *hit,
-                                           thud_ray_hit *out);
+/* The first shape that a moving circle, AABB or OBB hits. Touching counts. A shape that overlaps it
+ * at the start is hit at fraction 0, with the normal of least penetration. *out_hit and *out as
+ * above.
+ *
+ *     thud_shape_cast ball = {.center = {0, 5}, .shape = thud_circle_at(0, 0, 0.5), .dy = -10};
+ *     thud_world_cast_shape(world, &ball, &hit, &out);
+ */
+THUD_API thud_result thud_world_cast_shape(thud_world *world, const thud_shape_cast *cast,
+                                           bool *out_hit, thud_ray_hit *out);
 /* All shapes that it hits, as thud_world_cast_ray_all. */
-THUD_API thud_result thud_world_cast_shape_all(thud_world *world, thud_pos center,
-                                               const thud_shape_instance *shape, double dx,
-                                               double dy, const thud_query_filter *filter,
-                                               thud_ray_hit *out, int capacity, int *count);
-
-/* The same with a circle. */
-THUD_API thud_result thud_world_cast_circle(thud_world *world, thud_pos center, double radius,
-                                            double dx, double dy, const thud_query_filter *filter,
-                                            bool *hit, thud_ray_hit *out);
-THUD_API thud_result thud_world_cast_circle_all(thud_world *world, thud_pos center, double radius,
-                                                double dx, double dy,
-                                                const thud_query_filter *filter, thud_ray_hit *out,
-                                                int capacity, int *count);
-
-/* The same with a box of these half extents, turned by `angle`, rad, |angle| <= THUD_ANGLE_MAX. */
-THUD_API thud_result thud_world_cast_box(thud_world *world, thud_pos center, double half_x,
-                                         double half_y, double angle, double dx, double dy,
-                                         const thud_query_filter *filter, bool *hit,
-                                         thud_ray_hit *out);
-THUD_API thud_result thud_world_cast_box_all(thud_world *world, thud_pos center, double half_x,
-                                             double half_y, double angle, double dx, double dy,
-                                             const thud_query_filter *filter, thud_ray_hit *out,
-                                             int capacity, int *count);
+THUD_API thud_result thud_world_cast_shape_all(thud_world *world, const thud_shape_cast *cast,
+                                               thud_ray_hit *out, int capacity, int *out_count);
 
 /* ---- overlaps: all shapes that overlap a given shape, in the order of their slots; touching
  * counts ---- */
@@ -100,23 +95,14 @@ THUD_API thud_result thud_world_cast_box_all(thud_world *world, thud_pos center,
 typedef bool thud_overlap_fn(thud_shape_id shape, void *context);
 
 /* `fn` is called for each shape that overlaps the circle, AABB or OBB `shape`, which lies about
- * `center` as in thud_world_cast_shape; or a circle, the box from `lower` to `upper`, or a box that
- * is turned by `angle`, rad, |angle| <= THUD_ANGLE_MAX. THUD_ERROR_NULL also for a null shape or
- * callback. */
+ * `center`: its x, y are an offset from it; or the box from `lower` to `upper`. THUD_ERROR_NULL
+ * also for a null callback. */
 THUD_API thud_result thud_world_overlap_shape(thud_world *world, thud_pos center,
-                                              const thud_shape_instance *shape,
-                                              const thud_query_filter *filter, thud_overlap_fn *fn,
-                                              void *context);
-THUD_API thud_result thud_world_overlap_circle(thud_world *world, thud_pos center, double radius,
-                                               const thud_query_filter *filter, thud_overlap_fn *fn,
-                                               void *context);
+                                              thud_geometry shape, const thud_query_filter *filter,
+                                              thud_overlap_fn *fn, void *context);
 THUD_API thud_result thud_world_overlap_aabb(thud_world *world, thud_pos lower, thud_pos upper,
                                              const thud_query_filter *filter, thud_overlap_fn *fn,
                                              void *context);
-THUD_API thud_result thud_world_overlap_obb(thud_world *world, thud_pos center, double half_x,
-                                            double half_y, double angle,
-                                            const thud_query_filter *filter, thud_overlap_fn *fn,
-                                            void *context);
 
 /* ---- the closest shape to a point ---- */
 
@@ -128,16 +114,16 @@ typedef struct thud_closest_hit {
 } thud_closest_hit;
 
 /* The shape at the least signed distance from the point, if that is at most `max_distance` ([0,
- * THUD_PLACE_MAX length scales]). *found: whether there is one; if not, *out is not written. */
+ * THUD_PLACE_MAX length scales]). *out_found: whether there is one; if not, *out is not written. */
 THUD_API thud_result thud_world_closest(thud_world *world, thud_pos point, double max_distance,
-                                        const thud_query_filter *filter, bool *found,
+                                        const thud_query_filter *filter, bool *out_found,
                                         thud_closest_hit *out);
 
 /* A bounding volume of this kind around all shapes of a body at their present places, relative to
  * `origin`; see thud_volumes.h. THUD_ERROR_STALE; THUD_ERROR_INVALID also for a body without shapes
  * or with flat terrain, which has no ends. */
-THUD_API thud_result thud_body_volume(thud_world *world, thud_body_id body, thud_shape_kind kind,
-                                      thud_pos origin, thud_volume *out);
+THUD_API thud_result thud_body_get_volume(thud_world *world, thud_body_id body,
+                                          thud_shape_kind kind, thud_pos origin, thud_volume *out);
 
 /* ---- the contacts of one body ---- */
 
@@ -156,11 +142,11 @@ typedef struct thud_manifold {
     bool direct;             /* the pair's island was solved directly, see thud_quality.h */
 } thud_manifold;
 
-/* The touching pairs of a body. *count is their number; at most `capacity` (>= 0) are written,
+/* The touching pairs of a body. *out_count is their number; at most `capacity` (>= 0) are written,
  * those first that began to touch last. `out` may be null where capacity is 0. THUD_ERROR_STALE,
  * THUD_ERROR_LOCKED inside a callback. */
-THUD_API thud_result thud_body_contacts(thud_world *world, thud_body_id body, thud_manifold *out,
-                                        int capacity, int *count);
+THUD_API thud_result thud_body_get_contacts(thud_world *world, thud_body_id body,
+                                            thud_manifold *out, int capacity, int *out_count);
 
 #ifdef __cplusplus
 }

@@ -1,7 +1,7 @@
 /* thud_reads.h: getters of single values of bodies and shapes, in place of all values by
- * thud_body_get or thud_shape_get, and the settings that steps use. Each checks the handle and
- * copies the value. They change nothing, and are allowed inside callbacks; edits made inside a
- * callback do not show before the next step.
+ * thud_body_get_state or thud_shape_get_state, and the settings that steps use. Each checks the
+ * handle and copies the value. They change nothing, and are allowed inside callbacks; edits made
+ * inside a callback do not show before the next step.
  *
  * Outputs may be null. THUD_ERROR_NULL for a null world, THUD_ERROR_STALE; outputs are then not
  * written. */
@@ -14,31 +14,33 @@
 extern "C" {
 #endif
 
-THUD_API thud_result thud_body_position(const thud_world *world, thud_body_id body,
-                                        thud_pos *position); /* of the origin */
-THUD_API thud_result thud_body_rotation(const thud_world *world, thud_body_id body, double *angle,
-                                        float *cosine, float *sine); /* angle: rad, in (-pi, pi] */
-THUD_API thud_result thud_body_velocity(const thud_world *world, thud_body_id body,
-                                        thud_vec2 *velocity, /* of the centre of mass, length/s */
-                                        float *angular_velocity); /* rad/s */
-THUD_API thud_result thud_body_user_data(const thud_world *world, thud_body_id body,
-                                         uint64_t *user_data);
-THUD_API thud_result thud_shape_user_data(const thud_world *world, thud_shape_id shape,
-                                          uint64_t *user_data);
-THUD_API thud_result thud_shape_body(const thud_world *world, thud_shape_id shape,
-                                     thud_body_id *body);
+THUD_API thud_result thud_body_get_position(const thud_world *world, thud_body_id body,
+                                            thud_pos *out_position); /* of the origin */
+THUD_API thud_result thud_body_get_rotation(const thud_world *world, thud_body_id body,
+                                            double *out_angle, float *out_cosine,
+                                            float *out_sine); /* angle: rad, in (-pi, pi] */
+THUD_API thud_result
+thud_body_get_velocity(const thud_world *world, thud_body_id body,
+                       thud_vec2 *out_velocity,      /* of the centre of mass, length/s */
+                       float *out_angular_velocity); /* rad/s */
+THUD_API thud_result thud_body_get_user_data(const thud_world *world, thud_body_id body,
+                                             uint64_t *out_user_data);
+THUD_API thud_result thud_shape_get_user_data(const thud_world *world, thud_shape_id shape,
+                                              uint64_t *out_user_data);
+THUD_API thud_result thud_shape_get_body(const thud_world *world, thud_shape_id shape,
+                                         thud_body_id *out_body);
 
 /* Position of the origin and velocity of the centre of mass as return values, for use in
  * expressions; (0, 0) where the handle names nothing. */
 static inline thud_pos thud_position_of(const thud_world *world, thud_body_id body) {
     thud_pos position = {0.0, 0.0};
-    thud_body_position(world, body, &position);
+    thud_body_get_position(world, body, &position);
     return position;
 }
 
 static inline thud_vec2 thud_velocity_of(const thud_world *world, thud_body_id body) {
     thud_vec2 velocity = {0.0f, 0.0f};
-    thud_body_velocity(world, body, &velocity, NULL);
+    thud_body_get_velocity(world, body, &velocity, NULL);
     return velocity;
 }
 
@@ -52,7 +54,7 @@ typedef struct thud_step_settings {
     thud_quality quality; /* the world's copy, with the values that its def overrides */
 } thud_step_settings;
 
-THUD_API thud_result thud_world_step_settings(const thud_world *world, thud_step_settings *out);
+THUD_API thud_result thud_world_get_step_settings(const thud_world *world, thud_step_settings *out);
 
 #ifdef __cplusplus
 }

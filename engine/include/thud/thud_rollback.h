@@ -7,7 +7,7 @@
  *     thud_rollback_options options = {.step = play, .state = &game, .state_bytes = sizeof game};
  *     thud_rollback_create(world, &options, &rollback);
  *     ... each step: one's own input, and those of the others as they arrive, with their step
- *     thud_rollback_input(rollback, me, thud_rollback_get(rollback).steps, held);
+ *     thud_rollback_input(rollback, me, thud_progress_of(rollback).steps, held);
  *     thud_rollback_advance(rollback, NULL);
  *
  * All calls return THUD_ERROR_NULL for a null pointer where none is allowed, and THUD_ERROR_LOCKED
@@ -19,6 +19,8 @@
 #include "thud_ids.h"
 #include "thud_limits.h"
 #include "thud_math.h"
+
+#include <string.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -64,11 +66,11 @@ THUD_API thud_result thud_rollback_input(thud_rollback *rollback, int player, in
                                          uint64_t input);
 
 /* Runs again the steps with a wrong prediction, and then the next step. While an input of `depth`
- * steps ago is not known, the next step is not run and *made (may be null) is false: wait for the
- * other peers. Where `step` fails, or memory is short (THUD_ERROR_MEMORY), the call returns that
- * error. World and state are then at the beginning of the step that failed, or still at that of a
- * later one, and the next call starts from there. */
-THUD_API thud_result thud_rollback_advance(thud_rollback *rollback, bool *made);
+ * steps ago is not known, the next step is not run and *out_made (may be null) is false: wait for
+ * the other peers. Where `step` fails, or memory is short (THUD_ERROR_MEMORY), the call returns
+ * that error. World and state are then at the beginning of the step that failed, or still at that
+ * of a later one, and the next call starts from there. */
+THUD_API thud_result thud_rollback_advance(thud_rollback *rollback, bool *out_made);
 /* Runs again the steps with a wrong prediction, and no further step: world and state then follow
  * from all known inputs. Fails as thud_rollback_advance. */
 THUD_API thud_result thud_rollback_settle(thud_rollback *rollback);
@@ -79,15 +81,23 @@ typedef struct thud_rollback_progress {
     int64_t replayed;  /* number of times that a step was run again */
 } thud_rollback_progress;
 
-/* All 0 for null. */
-THUD_API thud_rollback_progress thud_rollback_get(const thud_rollback *rollback);
+/* THUD_ERROR_NULL. */
+THUD_API thud_result thud_rollback_get_progress(const thud_rollback *rollback,
+                                                thud_rollback_progress *out);
+
+static inline thud_rollback_progress thud_progress_of(const thud_rollback *rollback) {
+    thud_rollback_progress progress;
+    memset(&progress, 0, sizeof progress);
+    thud_rollback_get_progress(rollback, &progress);
+    return progress;
+}
 
 /* The world's hash, and a copy of the state (state_bytes), before one of the last `depth` steps or
  * before the next one. Up to `confirmed` the hash is the same on all peers; if it is not, `step` is
  * not deterministic. Either output may be null. Runs wrongly predicted steps again first, and fails
  * as thud_rollback_settle; THUD_ERROR_INVALID for a step that is not kept. */
-THUD_API thud_result thud_rollback_at(thud_rollback *rollback, int64_t step, uint64_t *hash,
-                                      void *state);
+THUD_API thud_result thud_rollback_get_state(thud_rollback *rollback, int64_t step,
+                                             uint64_t *out_hash, void *out_state);
 
 #ifdef __cplusplus
 }

@@ -18,34 +18,35 @@ extern "C" {
 #endif
 
 /* How shapes of two kinds interact. */
-typedef enum thud_meeting {
-    THUD_COLLIDE = 0, /* they collide */
-    THUD_IGNORE,      /* they never make a pair, as if their filters excluded it; sensors neither */
-    THUD_ONE_WAY /* they collide on one side only, as a platform that is jumped through from below
-                  */
-} thud_meeting;
+typedef enum thud_rule_kind {
+    THUD_RULE_COLLIDE = 0, /* they collide */
+    THUD_RULE_IGNORE, /* they never make a pair, as if their filters excluded it; sensors neither */
+    THUD_RULE_ONE_WAY /* they collide on one side only, as a platform that is jumped through from
+                       * below
+                       */
+} thud_rule_kind;
 
 /* The number of enumerators; no enumerator itself, so that a switch need not name it. */
-enum { THUD_MEETING_COUNT = THUD_ONE_WAY + 1 };
+enum { THUD_RULE_KIND_COUNT = THUD_RULE_ONE_WAY + 1 };
 
 /* The rule of two kinds. Where friction, restitution or surface_speed is NaN, the default, the pair
  * has the value of its two shapes (thud_shape_def). A prologue is called after the rules, and not
  * for pairs that a rule lets pass. */
 typedef struct thud_rule {
-    thud_meeting meeting;
-    /* THUD_ONE_WAY: the side of the first kind's shape on which the second collides with it, as a
-     * direction in the frame of the first's body, of any length but 0. Default (0, 1): the top. A
-     * shape that comes from this side collides until the two part. A shape that comes from another
-     * side, or starts inside, passes until the two part or it has come out on this side. */
+    thud_rule_kind kind;
+    /* THUD_RULE_ONE_WAY: the side of the first kind's shape on which the second collides with it,
+     * as a direction in the frame of the first's body, of any length but 0. Default (0, 1): the
+     * top. A shape that comes from this side collides until the two part. A shape that comes from
+     * another side, or starts inside, passes until the two part or it has come out on this side. */
     thud_vec2 solid_side;
     float friction;      /* coefficient, [0, THUD_FRICTION_MAX]; default NaN */
-    float restitution;   /* [0, THUD_BOUNCE_MAX]; default NaN */
+    float restitution;   /* [0, THUD_PAIR_RESTITUTION_MAX]; default NaN */
     float surface_speed; /* length/s, |.| <= THUD_SURFACE_SPEED_MAX length scales a second; default
                             NaN. The speed of each of the two surfaces, clockwise, as in
                             thud_shape_def */
     /* mass * length / s, >= 0: a contact whose normal impulse in a step is larger than this makes
-     * an event, see thud_world_impulses. Default infinite: no events. */
-    float most_impulse;
+     * an event, see thud_world_get_impulse_events. Default infinite: no events. */
+    float event_impulse;
 } thud_rule;
 
 /* A rule without effect: shapes collide, with the values of their defs, and make no impulse events.
@@ -62,11 +63,11 @@ THUD_API thud_rule thud_default_rule(void);
  * then nothing has changed. */
 THUD_API thud_result thud_world_set_rule(thud_world *world, uint32_t first, uint32_t second,
                                          const thud_rule *rule);
-/* Gets the rule of two kinds, one bit each: *out is the rule, or the default; *is_set: whether
- * there is one; *reversed: whether it was set with `second` as the first kind. Each output may be
- * null. */
-THUD_API thud_result thud_world_rule(const thud_world *world, uint32_t first, uint32_t second,
-                                     thud_rule *out, bool *is_set, bool *reversed);
+/* Gets the rule of two kinds, one bit each: *out is the rule, or the default; *out_is_set: whether
+ * there is one; *out_reversed: whether it was set with `second` as the first kind. Each output may
+ * be null. */
+THUD_API thud_result thud_world_get_rule(const thud_world *world, uint32_t first, uint32_t second,
+                                         thud_rule *out, bool *out_is_set, bool *out_reversed);
 
 /* Prepares a world that never had a rule or filter for thud_world_restore from a snapshot with
  * rules, which it would refuse otherwise. THUD_ERROR_NULL, THUD_ERROR_MEMORY, THUD_ERROR_LOCKED
@@ -86,8 +87,9 @@ typedef bool thud_filter_fn(const thud_world *world, thud_shape_id shape_a, thud
 THUD_API thud_result thud_world_set_filter(thud_world *world, thud_filter_fn *filter,
                                            void *context);
 
-/* A contact whose normal impulse was larger than its rule's most_impulse. Each segment of a terrain
- * is a contact of its own, and so is each collision that detection resolves within the step. */
+/* A contact whose normal impulse was larger than its rule's event_impulse. Each segment of a
+ * terrain is a contact of its own, and so is each collision that detection resolves within the
+ * step. */
 typedef struct thud_impulse_event {
     thud_shape_id shape_a, shape_b;
     thud_pos point;   /* in the world */
@@ -96,8 +98,21 @@ typedef struct thud_impulse_event {
 } thud_impulse_event;
 
 /* The impulse events of the last step, or of all steps of the last thud_world_advance; valid until
- * the next of these calls. *count is their number; `count` may be null. */
-THUD_API const thud_impulse_event *thud_world_impulses(const thud_world *world, int *count);
+ * the next of these calls. *out_count is their number. THUD_ERROR_NULL. */
+THUD_API thud_result thud_world_get_impulse_events(const thud_world *world,
+                                                   const thud_impulse_event **out, int *out_count);
+
+/* The same array, and its size in *out_count; null and 0 for a null world. */
+static inline const thud_impulse_event *thud_impulse_events_of(const thud_world *world,
+                                                               int *out_count) {
+    const thud_impulse_event *events = NULL;
+    int count = 0;
+    thud_world_get_impulse_events(world, &events, &count);
+    if (out_count) {
+        *out_count = count;
+    }
+    return events;
+}
 
 #ifdef __cplusplus
 }

@@ -2,7 +2,7 @@
  * rollback in networked games, rewinding, and saved games. thud.h does not include this header.
  *
  *     size_t bytes;
- *     thud_world_snapshot_size(world, &bytes);
+ *     thud_world_get_snapshot_size(world, &bytes);
  *     void *buffer = malloc(bytes);
  *     thud_world_snapshot(world, buffer, bytes, NULL);
  *     ... steps, edits ...
@@ -21,7 +21,7 @@
  * def sets: the restored world must have the same length scale, broadphase, substeps,
  * contact_stiffness, contact_damping, push_speed, restitution_threshold, hit_speed, maximum_speed,
  * contact_events, time_budget and detection. Callbacks (listeners, the filter of
- * thud_world_set_filter), log, clock, job system, allocator and baseline_simd of the restored world
+ * thud_world_set_filter), log, clock, job system and allocator of the restored world
  * stay as they are; with other callbacks its results may differ. The caller must copy its own
  * state; a thud_mover is a plain struct.
  *
@@ -39,22 +39,23 @@
 extern "C" {
 #endif
 
-/* *bytes: the size of a snapshot taken now: for each body with a shape about 0.5 kB, for each
+/* *out_bytes: the size of a snapshot taken now: for each body with a shape about 0.5 kB, for each
  * touching pair about 0.25 kB. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback. */
-THUD_API thud_result thud_world_snapshot_size(const thud_world *world, size_t *bytes);
+THUD_API thud_result thud_world_get_snapshot_size(const thud_world *world, size_t *out_bytes);
 
-/* Writes a snapshot to `buffer` of `capacity` bytes, which needs no alignment; *bytes (may be null)
- * is its size. The call makes two passes over the bytes, allocates nothing and does not change the
- * world. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_INVALID where `capacity`
- * is less than the size by thud_world_snapshot_size. The buffer is then not written. */
+/* Writes a snapshot to `buffer` of `capacity` bytes, which needs no alignment; *out_bytes (may be
+ * null) is its size. The call makes two passes over the bytes, allocates nothing and does not
+ * change the world. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_INVALID where
+ * `capacity` is less than the size by thud_world_get_snapshot_size. The buffer is then not written.
+ */
 THUD_API thud_result thud_world_snapshot(const thud_world *world, void *buffer, size_t capacity,
-                                         size_t *bytes);
+                                         size_t *out_bytes);
 
 /* Restores the world, or another one made from the same def, to the state of the snapshot. Handles
  * that were valid then are valid again. Handles that were made since are stale, until a new body or
  * shape gets the same slot: the same calls make the same handles again. Another world takes over
- * the handles of the snapshot, and its own become stale. Pointers from thud_world_poses,
- * thud_world_events and thud_shape_terrain become invalid. The world's memory is used again.
+ * the handles of the snapshot, and its own become stale. Pointers from thud_world_get_poses,
+ * thud_events_of and thud_shape_get_terrain become invalid. The world's memory is used again.
  *
  * THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_INVALID, with the reason in the
  * log, for bytes that are cut short, damaged, no snapshot, or of another version or build of thud
@@ -81,11 +82,12 @@ THUD_API thud_result thud_world_save(thud_world *world, const char *path, const 
                                      size_t bytes);
 
 /* Restores the world, or another one made from the same def, from such a file, as
- * thud_world_restore, and reads the caller's data to `own`. Fails as thud_world_restore;
+ * thud_world_restore, and reads the caller's data to `out_own`. Fails as thud_world_restore;
  * THUD_ERROR_INVALID also for a file that does not exist or cannot be read, is cut short, damaged
  * or not written by thud_world_save, and where it was saved with another number of `bytes`. Then
- * world and `own` are as they were. */
-THUD_API thud_result thud_world_load(thud_world *world, const char *path, void *own, size_t bytes);
+ * world and `out_own` are as they were. */
+THUD_API thud_result thud_world_load(thud_world *world, const char *path, void *out_own,
+                                     size_t bytes);
 
 #ifdef __cplusplus
 }

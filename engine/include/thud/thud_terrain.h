@@ -1,11 +1,11 @@
 /* thud_terrain.h: terrain in games: texture coordinates, placing feet, and edits of the line. The
- * line itself, its height at x and the tests against shapes are in thud_shapes.h. thud.h includes
+ * line itself, its height at x and the tests against shapes are in thud_geometry.h. thud.h includes
  * this header. */
 #ifndef THUD_TERRAIN_H
 #define THUD_TERRAIN_H
 
 #include "thud_ids.h"
-#include "thud_shapes.h"
+#include "thud_geometry.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -10,7 +10,7 @@ extern "C" {
 #endif
 
 #define THUD_VERSION_MAJOR 0
-#define THUD_VERSION_MINOR 1
+#define THUD_VERSION_MINOR 2
 #define THUD_VERSION_PATCH 0
 
 /* As one number, which rises with each version. */

@@ -17,7 +17,7 @@
 #ifndef THUD_VOLUMES_H
 #define THUD_VOLUMES_H
 
-#include "thud_shapes.h"
+#include "thud_geometry.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -25,7 +25,7 @@ extern "C" {
 
 /* A placed shape, of which the extents (for a circle hx, the radius) may also be 0. `kind` is the
  * kind of volume. */
-typedef thud_shape_instance thud_volume;
+typedef thud_geometry thud_volume;
 
 /* THUD_OK if the volume is a circle, AABB or OBB, |x|, |y| <= THUD_VOLUME_MAX, extents are in [0,
  * THUD_VOLUME_MAX], and (c, s) is (1, 0) for an AABB and of squared length 1, within
@@ -35,15 +35,14 @@ THUD_API thud_result thud_volume_check(const thud_volume *volume);
 /* ---- fitting: the volume of a given kind around an object ---- */
 
 /* The smallest volume of this kind around a shape. */
-THUD_API thud_result thud_volume_around_shape(thud_shape_kind kind,
-                                              const thud_shape_instance *shape, thud_volume *out);
+THUD_API thud_result thud_volume_around_shape(thud_shape_kind kind, const thud_geometry *shape,
+                                              thud_volume *out);
 
 /* A volume around all places of a shape during its motion, with rotation. A box is taken as wide as
  * it is at any time of the motion; for a bounding circle, as the circle around it. An OBB is
  * aligned to the motion or to the shape at half the motion, whichever makes it smaller. */
-THUD_API thud_result thud_volume_around_motion(thud_shape_kind kind,
-                                               const thud_shape_instance *shape, thud_motion motion,
-                                               thud_volume *out);
+THUD_API thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_geometry *shape,
+                                               thud_motion motion, thud_volume *out);
 
 /* The smallest volume around count >= 1 points, |x|, |y| <= THUD_COORDINATE_MAX, which may be on
  * one line or a single point. The smallest circle is found by exchanging the points that define it
@@ -71,15 +70,15 @@ THUD_API thud_result thud_volume_merge(thud_shape_kind kind, const thud_volume *
 /* Whether two volumes of any kinds share a point. Touching counts. In ascending order of cost: two
  * circles, two AABBs, circle and AABB, circle and OBB, AABB or OBB and OBB. */
 THUD_API thud_result thud_volumes_overlap(const thud_volume *a, const thud_volume *b,
-                                          bool *overlap);
+                                          bool *out_overlap);
 
 /* Whether the point is in the volume or on its edge. |x|, |y| <= THUD_VOLUME_MAX. */
 THUD_API thud_result thud_volume_contains_point(const thud_volume *volume, double x, double y,
-                                                bool *inside);
+                                                bool *out_inside);
 
 /* Whether every point of the inner volume is in the outer one. */
 THUD_API thud_result thud_volume_contains(const thud_volume *outer, const thud_volume *inner,
-                                          bool *inside);
+                                          bool *out_inside);
 
 #ifdef __cplusplus
 }

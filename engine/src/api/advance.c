@@ -19,7 +19,8 @@
  *     now     force of the present call
  *
  * Where mean = now the sum is exactly now: a constant force gives the same motion, bit for bit, at
- * any frame rate. td_pull stores now, mean and due (forces for the next step alone) by body. */
+ * any frame rate. td_force_record stores now, mean and due (forces for the next step alone) by
+ * body. */
 #include "api/step.h"
 #include "rules/rules.h"
 #include "state/body.h"
@@ -102,14 +103,14 @@ static bool gather_events(thud_world *w) {
 /* ---- forces ---- */
 
 /* The force record of a body, by body index. */
-static td_pull *pull_at(const thud_world *w, int body) {
-    return TD_AT(td_pull, &w->pulls, body);
+static td_force_record *force_record_at(const thud_world *w, int body) {
+    return TD_AT(td_force_record, &w->force_records, body);
 }
 
 /* Whether the next step applies forces to the body: it is dynamic, enabled, not quarantined, and
  * awake or on the list of changes, by which an edit wakes it. */
 static bool accepts_force(const td_body *body) {
-    return (body->flags & TD_BODY_LIVE) && body->kind == THUD_DYNAMIC &&
+    return (body->flags & TD_BODY_LIVE) && body->kind == THUD_BODY_DYNAMIC &&
            !(body->flags & (TD_BODY_QUARANTINED | TD_BODY_DISABLED)) &&
            (body->awake.at > 0 || body->changes);
 }
@@ -117,38 +118,39 @@ static bool accepts_force(const td_body *body) {
 /* Reserves a force record for every body, and clears the records of bodies that are new or accept
  * no force. False when memory is short. thud_world.begun is the number of the step that ran out of
  * memory and that the next call tries again, else 0. */
-static bool reserve_pulls(thud_world *w) {
-    int old_count = w->pulls.count, bodies = w->bodies.count;
+static bool reserve_force_records(thud_world *w) {
+    int old_count = w->force_records.count, bodies = w->bodies.count;
     /* thud_world_step has run the step that failed: its forces are no longer due. */
     bool retried = w->begun && w->begun <= w->steps;
-    if (!td_array_reserve(&w->memory, &w->pulls, td_slots_capacity(&w->bodies))) {
+    if (!td_array_reserve(&w->memory, &w->force_records, td_slots_capacity(&w->bodies))) {
         return false;
     }
     if (bodies > old_count) {
-        memset(pull_at(w, old_count), 0, (size_t)(bodies - old_count) * sizeof(td_pull));
+        memset(force_record_at(w, old_count), 0,
+               (size_t)(bodies - old_count) * sizeof(td_force_record));
     }
     for (td_body_index i = {0}; i.at < bodies; i.at++) {
         const td_body *body = td_body_at(w, i);
-        td_pull *pull = pull_at(w, i.at);
-        if (pull->generation != body->generation || !accepts_force(body)) {
-            *pull = (td_pull){.generation = body->generation};
+        td_force_record *record = force_record_at(w, i.at);
+        if (record->generation != body->generation || !accepts_force(body)) {
+            *record = (td_force_record){.generation = body->generation};
         }
         if (retried) {
-            memset(pull->due, 0, sizeof pull->due);
+            memset(record->due, 0, sizeof record->due);
         }
     }
-    w->pulls.count = bodies;
+    w->force_records.count = bodies;
     return true;
 }
 
 /* Moves the forces of all bodies into their records: `at` is the offset of `now` or `due` in
- * td_pull. A body without a record (made since the last reserve_pulls) keeps its force for the next
- * call. */
+ * td_force_record. A body without a record (made since the last reserve_force_records) keeps its
+ * force for the next call. */
 static void store_forces(thud_world *w, size_t at) {
-    for (td_body_index i = {0}; i.at < w->pulls.count; i.at++) {
+    for (td_body_index i = {0}; i.at < w->force_records.count; i.at++) {
         td_body *body = td_body_at(w, i);
         if (accepts_force(body)) {
-            memcpy((char *)pull_at(w, i.at) + at, body->force, sizeof body->force);
+            memcpy((char *)force_record_at(w, i.at) + at, body->force, sizeof body->force);
         }
         memset(body->force, 0, sizeof body->force);
     }
@@ -162,15 +164,15 @@ static float mean_force(float now, float mean, double waited) {
 /* Applies the forces of the next step to the bodies. `waited`: see the head of this file. `retry`:
  * the step is a failed one, all forces of which are stored as due. */
 static void apply_forces(thud_world *w, double waited, bool retry) {
-    for (td_body_index i = {0}; i.at < w->pulls.count; i.at++) {
-        td_pull *pull = pull_at(w, i.at);
+    for (td_body_index i = {0}; i.at < w->force_records.count; i.at++) {
+        td_force_record *record = force_record_at(w, i.at);
         td_body *body = td_body_at(w, i);
         for (int k = 0; k < 3 && accepts_force(body); k++) {
-            float mean = retry ? 0.0f : mean_force(pull->now[k], pull->mean[k], waited);
-            body->force[k] += mean + pull->due[k];
-            w->push_stale |= body->force[k] != 0.0f;
+            float mean = retry ? 0.0f : mean_force(record->now[k], record->mean[k], waited);
+            body->force[k] += mean + record->due[k];
+            w->substep_gain_stale |= body->force[k] != 0.0f;
         }
-        memset(pull->due, 0, sizeof pull->due);
+        memset(record->due, 0, sizeof record->due);
     }
 }
 
@@ -179,15 +181,15 @@ static void apply_forces(thud_world *w, double waited, bool retry) {
  */
 static void keep_mean_forces(thud_world *w, double waited) {
     bool any = false;
-    for (int i = 0; i < w->pulls.count; i++) {
-        td_pull *pull = pull_at(w, i);
+    for (int i = 0; i < w->force_records.count; i++) {
+        td_force_record *record = force_record_at(w, i);
         for (int k = 0; k < 3; k++) {
-            pull->mean[k] = mean_force(pull->now[k], pull->mean[k], waited);
-            any |= pull->mean[k] != 0.0f || pull->due[k] != 0.0f;
+            record->mean[k] = mean_force(record->now[k], record->mean[k], waited);
+            any |= record->mean[k] != 0.0f || record->due[k] != 0.0f;
         }
-        memset(pull->now, 0, sizeof pull->now);
+        memset(record->now, 0, sizeof record->now);
     }
-    w->pulls.count = any ? w->pulls.count : 0;
+    w->force_records.count = any ? w->force_records.count : 0;
 }
 
 /* ---- time ---- */
@@ -203,7 +205,7 @@ static thud_result run_step(thud_world *w, const thud_step_calls *calls, double 
     thud_result result = td_step(w);
     w->begun = result == THUD_OK ? 0 : w->steps + 1;
     if (result != THUD_OK) {
-        store_forces(w, offsetof(td_pull, due));
+        store_forces(w, offsetof(td_force_record, due));
     }
     return result;
 }
@@ -211,8 +213,8 @@ static thud_result run_step(thud_world *w, const thud_step_calls *calls, double 
 /* Undoes store_forces at the start of a call whose first step failed: the forces wait on the bodies
  * for the next call. */
 static void restore_forces(thud_world *w) {
-    for (td_body_index i = {0}; i.at < w->pulls.count; i.at++) {
-        memcpy(td_body_at(w, i)->force, pull_at(w, i.at)->now, sizeof(float[3]));
+    for (td_body_index i = {0}; i.at < w->force_records.count; i.at++) {
+        memcpy(td_body_at(w, i)->force, force_record_at(w, i.at)->now, sizeof(float[3]));
     }
 }
 
@@ -227,11 +229,11 @@ static double time_left(double spare, double h) {
  * used yet, s; `waiting`: the part of it that earlier calls left over, s. */
 static thud_result advance(thud_world *w, double elapsed, int max_steps,
                            const thud_step_calls *calls, int *done) {
-    bool forces = w->push_stale || w->pulls.count > 0 || calls;
-    if (forces && !reserve_pulls(w)) {
+    bool forces = w->substep_gain_stale || w->force_records.count > 0 || calls;
+    if (forces && !reserve_force_records(w)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "advance: out of memory");
     }
-    store_forces(w, offsetof(td_pull, now));
+    store_forces(w, offsetof(td_force_record, now));
     bool gathered = w->gathers;
     w->gathers = false;
     double waiting = w->spare_time, spare = waiting + elapsed;
@@ -267,8 +269,8 @@ static thud_result advance(thud_world *w, double elapsed, int max_steps,
     if (result == THUD_OK) {
         w->spare_time = time_left(spare, w->def.time_step);
         waiting = td_max_double(waiting - (spare - w->spare_time), 0.0);
-        if (*done > 0 && calls && calls->after && reserve_pulls(w)) {
-            store_forces(w, offsetof(td_pull, due));
+        if (*done > 0 && calls && calls->after && reserve_force_records(w)) {
+            store_forces(w, offsetof(td_force_record, due));
         }
     }
     keep_mean_forces(w, waiting > 0.0 ? waiting / w->spare_time : 0.0);
@@ -276,8 +278,9 @@ static thud_result advance(thud_world *w, double elapsed, int max_steps,
 }
 
 thud_result thud_world_advance_with(thud_world *w, double elapsed, int max_steps,
-                                    const thud_step_calls *calls, int *steps, double *alpha) {
-    TD_IN_OWN_MODE;
+                                    const thud_step_calls *calls, int *out_steps,
+                                    double *out_alpha) {
+    TD_IN_OWN_FLOAT_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
     }
@@ -295,16 +298,16 @@ thud_result thud_world_advance_with(thud_world *w, double elapsed, int max_steps
     w->advancing = true;
     result = advance(w, elapsed, max_steps, calls, &done);
     w->advancing = false;
-    if (steps) {
-        *steps = done;
+    if (out_steps) {
+        *out_steps = done;
     }
-    if (alpha) {
-        *alpha = td_min_double(w->spare_time / w->def.time_step, 0x1.fffffffffffffp-1);
+    if (out_alpha) {
+        *out_alpha = td_min_double(w->spare_time / w->def.time_step, 0x1.fffffffffffffp-1);
     }
     return result;
 }
 
-thud_result thud_world_advance(thud_world *w, double elapsed, int max_steps, int *steps,
-                               double *alpha) {
-    return thud_world_advance_with(w, elapsed, max_steps, NULL, steps, alpha);
+thud_result thud_world_advance(thud_world *w, double elapsed, int max_steps, int *out_steps,
+                               double *out_alpha) {
+    return thud_world_advance_with(w, elapsed, max_steps, NULL, out_steps, out_alpha);
 }

@@ -1,4 +1,4 @@
-/* body_volume.c: thud_body_volume, the bounding volume of a body: the bounding volumes of its
+/* body_volume.c: thud_body_get_volume, the bounding volume of a body: the bounding volumes of its
  * shapes, merged one by one (thud_volume_merge). */
 #include "state/body.h"
 #include "state/handles.h"
@@ -11,7 +11,7 @@
 /* The volume around one shape, relative to `origin`; of a terrain, around its line. */
 static thud_result around_shape(const thud_world *w, thud_shape_kind kind, int index,
                                 td_position origin, thud_volume *out) {
-    thud_shape_instance placed = td_shape_instance_of(w, index, td_preview_proxy(w, index), origin);
+    thud_geometry placed = td_shape_instance_of(w, index, td_preview_proxy(w, index), origin);
     if (!td_kind_is_line(placed.kind)) {
         return thud_volume_around_shape(kind, &placed, out);
     }
@@ -28,13 +28,19 @@ static thud_result around_shape(const thud_world *w, thud_shape_kind kind, int i
     return result;
 }
 
-/* Whether `kind` is a kind of volume and the body, once its edits are in effect, has shapes and no
- * endless (flat) terrain. Inside a callback shapes that wait for the next step do not count. */
+/* Whether the shape lives and does not wait for the next step, as one that was made inside a
+ * callback does. */
+static bool counts(const td_shape *shape) {
+    return (shape->flags & (TD_SHAPE_LIVE | TD_SHAPE_WAITS)) == TD_SHAPE_LIVE;
+}
+
+/* Whether `kind` is a kind of volume and the body has shapes that count, none of them endless
+ * (flat) terrain. */
 static bool has_volume(const thud_world *w, thud_shape_kind kind, td_body_index index) {
     bool any = false;
     for (int i = td_body_at(w, index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         const td_shape *shape = td_shape_at(w, i);
-        if (!(shape->flags & TD_SHAPE_LIVE) || (w->locked && shape->flags & TD_SHAPE_WAITS)) {
+        if (!counts(shape)) {
             continue;
         }
         if (td_kind_is_line(shape->kind) && td_terrain_view(w, i).kind == THUD_TERRAIN_FLAT) {
@@ -45,9 +51,9 @@ static bool has_volume(const thud_world *w, thud_shape_kind kind, td_body_index 
     return any && td_kind_is_volume(kind);
 }
 
-thud_result thud_body_volume(thud_world *w, thud_body_id id, thud_shape_kind kind, thud_pos origin,
-                             thud_volume *out) {
-    TD_IN_OWN_MODE;
+thud_result thud_body_get_volume(thud_world *w, thud_body_id id, thud_shape_kind kind,
+                                 thud_pos origin, thud_volume *out) {
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     if (!w || !out) {
         return td_refuse(w, THUD_ERROR_NULL, "body volume: world or out is null");
@@ -70,7 +76,7 @@ thud_result thud_body_volume(thud_world *w, thud_body_id id, thud_shape_kind kin
     bool first = true;
     int i = td_body_at(w, index)->first_shape;
     for (; i != TD_NONE && result == THUD_OK; i = td_shape_at(w, i)->next) {
-        if ((td_shape_at(w, i)->flags & (TD_SHAPE_LIVE | TD_SHAPE_WAITS)) != TD_SHAPE_LIVE) {
+        if (!counts(td_shape_at(w, i))) {
             continue;
         }
         result = around_shape(w, kind, i, td_place_from(w, origin), &shape);

@@ -10,21 +10,21 @@
 #include "islands/label.h"
 
 /* The style of a shape by its body's kind and sleep. */
-static thud_draw_style style_of(const td_drawing *d, const td_shape *shape) {
+static thud_style style_of(const td_drawing *d, const td_shape *shape) {
     const td_body *body = td_body_at(d->w, shape->body);
     if (shape->flags & TD_SHAPE_SENSOR) {
-        return THUD_DRAW_SENSOR;
+        return THUD_STYLE_SENSOR;
     }
-    if (body->kind == THUD_STATIC) {
-        return THUD_DRAW_STATIC;
+    if (body->kind == THUD_BODY_STATIC) {
+        return THUD_STYLE_STATIC;
     }
-    return body->awake.at < 0             ? THUD_DRAW_SLEEPING
-           : body->kind == THUD_KINEMATIC ? THUD_DRAW_KINEMATIC
-                                          : THUD_DRAW_DYNAMIC;
+    return body->awake.at < 0                  ? THUD_STYLE_SLEEPING
+           : body->kind == THUD_BODY_KINEMATIC ? THUD_STYLE_KINEMATIC
+                                               : THUD_STYLE_DYNAMIC;
 }
 
 /* Draws the segments of a terrain between the left and right edges of the view. */
-static void draw_terrain(const td_drawing *d, int index, thud_draw_style style) {
+static void draw_terrain(const td_drawing *d, int index, thud_style style) {
     const td_position *center = &td_preview_proxy(d->w, index)->center;
     thud_terrain terrain = td_terrain_view(d->w, index);
     double x_min = (double)(d->lower.x - center->x) / d->w->to_fixed;
@@ -47,23 +47,23 @@ static void draw_terrain(const td_drawing *d, int index, thud_draw_style style) 
 static void draw_shape(const td_drawing *d, int index, int island) {
     const td_shape *shape = td_shape_at(d->w, index);
     const td_shape_proxy *proxy = td_preview_proxy(d->w, index);
-    thud_draw_style style = style_of(d, shape);
+    thud_style style = style_of(d, shape);
     thud_vec2 at = td_drawing_local(d, proxy->center);
     const td_pose *pose = td_pose_at(d->w, shape->body);
     switch ((thud_shape_kind)shape->kind) {
-    case THUD_CIRCLE:
+    case THUD_SHAPE_CIRCLE:
         if (d->draw->circle) {
             d->draw->circle(at, shape->half_x, pose->c, pose->s, style, island, d->draw->context);
         }
         break;
-    case THUD_AABB:
-    case THUD_OBB:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
         if (d->draw->box) {
             d->draw->box(at, (thud_vec2){shape->half_x, shape->half_y}, proxy->c, proxy->s, style,
                          island, d->draw->context);
         }
         break;
-    case THUD_TERRAIN:
+    case THUD_SHAPE_TERRAIN:
         draw_terrain(d, index, style);
         break;
     }
@@ -92,13 +92,13 @@ static void draw_shapes(const td_drawing *d) {
             draw_shape(d, i, islands && body->awake.at > 0 ? islands[body->awake.at].at : -1);
         }
         if (seen && (flags & THUD_DRAW_SHAPE_BOUNDS) && !td_kind_is_line(shape->kind)) {
-            td_drawing_bounds(d, x0, y0, x1, y1, THUD_DRAW_BOUNDS);
+            td_drawing_bounds(d, x0, y0, x1, y1, THUD_STYLE_BOUNDS);
         }
     }
 }
 
 thud_result thud_world_draw(thud_world *w, const thud_debug_draw *draw) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w || !draw) {
         return td_refuse(w, THUD_ERROR_NULL, "draw: world or draw is null");
     }

@@ -20,13 +20,13 @@ thud_vec2 td_drawing_local(const td_drawing *d, td_position p);
 /* Draws a box whose sides are given in quanta of td_bounds (2^TD_COARSE_SHIFT units of
  * td_position). */
 void td_drawing_bounds(const td_drawing *d, int64_t min_x, int64_t min_y, int64_t max_x,
-                       int64_t max_y, thud_draw_style style);
+                       int64_t max_y, thud_style style);
 /* Draws a line, if the caller gave a function for lines. */
-void td_drawing_line(const td_drawing *d, thud_vec2 a, thud_vec2 b, thud_draw_style style);
+void td_drawing_line(const td_drawing *d, thud_vec2 a, thud_vec2 b, thud_style style);
 
 /* Draws a line between the centres of a contact's two shapes, or of the two bodies of another
  * constraint; between a terrain and a shape the line is vertical. */
-void td_drawing_pair(const td_drawing *d, const td_constraint *constraint, thud_draw_style style);
+void td_drawing_pair(const td_drawing *d, const td_constraint *constraint, thud_style style);
 
 /* draw_detection.c: cells, intervals and pairs of the broadphase, and swept motions. The broadphase
  * must hold the present bounds (td_broadphase_refresh). */

@@ -3,5 +3,5 @@
 #include "thud/thud.h"
 
 thud_world_def thud_default_world_def(void) {
-    return thud_world_def_of(&thud_quality_default);
+    return thud_default_world_def_of(&thud_quality_default);
 }

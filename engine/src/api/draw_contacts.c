@@ -33,7 +33,7 @@ static const td_contact *next_touching(const thud_world *w, int *i) {
 }
 
 /* Draws a point, if the caller gave a function for points. */
-static void draw_point(const td_drawing *d, thud_vec2 p, thud_draw_style style) {
+static void draw_point(const td_drawing *d, thud_vec2 p, thud_style style) {
     if (d->draw->point) {
         d->draw->point(p, style, d->draw->context);
     }
@@ -50,9 +50,13 @@ void td_draw_contacts(const td_drawing *d) {
     for (int i = 0; (contact = next_touching(w, &i)) != NULL;) {
         td_lane at = td_lane_of(w, contact);
         thud_contact seen = td_contact_view(w, at.block, at.lane);
+        if (seen.point_count == 0) {
+            continue; /* muted in the last step (td_surface_mute): vetoed, let through, or bouncing
+                       */
+        }
         thud_vec2 p = td_drawing_local(d, td_place_from(w, seen.point));
-        draw_point(d, p, THUD_DRAW_CONTACT);
-        td_drawing_line(d, p, along(p, seen.normal, NORMAL_LENGTH * w->unit), THUD_DRAW_NORMAL);
+        draw_point(d, p, THUD_STYLE_CONTACT);
+        td_drawing_line(d, p, along(p, seen.normal, NORMAL_LENGTH * w->unit), THUD_STYLE_NORMAL);
     }
 }
 
@@ -61,7 +65,7 @@ void td_draw_direct(const td_drawing *d) {
     for (int i = 0; (c = next_acting(d->w, &i)) != NULL;) {
         td_lane at = td_lane_of(d->w, c);
         if (at.block->mark[at.lane].loaded & TD_DIRECT) {
-            td_drawing_pair(d, c, THUD_DRAW_DIRECT);
+            td_drawing_pair(d, c, THUD_STYLE_DIRECT);
         }
     }
 }
@@ -70,8 +74,8 @@ void td_draw_colours(const td_drawing *d) {
     const td_constraint *c;
     for (int i = 0; (c = next_acting(d->w, &i)) != NULL;) {
         if (c->bin != TD_SLEEPING) {
-            int style = THUD_DRAW_COLOUR + c->bin % TD_COLOURS;
-            td_drawing_pair(d, c, (thud_draw_style)td_min_int(style, THUD_DRAW_COLOUR_LAST));
+            int style = THUD_STYLE_COLOUR + c->bin % TD_COLOURS;
+            td_drawing_pair(d, c, (thud_style)td_min_int(style, THUD_STYLE_COLOUR_LAST));
         }
     }
 }
@@ -86,10 +90,10 @@ void td_draw_manifolds(const td_drawing *d) {
         for (int k = 0; k < seen.point_count; k++) {
             thud_vec2 p = td_drawing_local(d, td_place_from(w, seen.point[k]));
             float depth = td_max_float(-seen.separation[k], 0.0f);
-            draw_point(d, p, THUD_DRAW_MANIFOLD);
-            td_drawing_line(d, p, along(p, seen.normal, depth), THUD_DRAW_DEPTH);
+            draw_point(d, p, THUD_STYLE_MANIFOLD);
+            td_drawing_line(d, p, along(p, seen.normal, depth), THUD_STYLE_DEPTH);
             td_drawing_line(d, p, along(p, seen.normal, seen.normal_impulse[k] * inverse),
-                            THUD_DRAW_IMPULSE);
+                            THUD_STYLE_IMPULSE);
         }
     }
 }

@@ -33,7 +33,7 @@ void td_draw_cells(const td_drawing *d) {
             int64_t size = level->cell + level->cell / 65536;
             x = grid->origin_x + x * size;
             y = grid->origin_y + y * size;
-            td_drawing_bounds(d, x, y, x + size, y + size, THUD_DRAW_CELL);
+            td_drawing_bounds(d, x, y, x + size, y + size, THUD_STYLE_CELL);
         }
     }
 }
@@ -78,9 +78,9 @@ static int draw_intervals(const td_drawing *d, const td_proxy_set *set, int rows
     }
     for (int i = 0; i < set->keys.count; i++) {
         const td_shape_proxy *proxy = td_shape_proxy_at(d->w, keys[i].shape);
-        double min = keys[i].least;
+        double min = keys[i].min_x;
         double max = min + (double)td_wrap_sub(proxy->fat.max_x, proxy->fat.min_x);
-        bool overlaps = furthest >= min || (i + 1 < set->keys.count && keys[i + 1].least <= max);
+        bool overlaps = furthest >= min || (i + 1 < set->keys.count && keys[i + 1].min_x <= max);
         furthest = td_max_double(furthest, max);
         if (max < left || min > right) {
             continue;
@@ -93,7 +93,7 @@ static int draw_intervals(const td_drawing *d, const td_proxy_set *set, int rows
         td_position to = {(set->reference + (int64_t)max) * quantum, d->lower.y};
         thud_vec2 a = td_drawing_local(d, from), b = td_drawing_local(d, to);
         a.y = b.y = a.y + height * (float)(rows + at + 1);
-        td_drawing_line(d, a, b, overlaps ? THUD_DRAW_INTERVAL_OVERLAPPING : THUD_DRAW_INTERVAL);
+        td_drawing_line(d, a, b, overlaps ? THUD_STYLE_INTERVAL_OVERLAPPING : THUD_STYLE_INTERVAL);
     }
     return rows + used;
 }
@@ -143,9 +143,9 @@ static void draw_pairs(const td_drawing *d, bool stages) {
             continue;
         }
         td_drawing_pair(d, contact,
-                        contact->open                           ? THUD_DRAW_PAIR_TOUCHING
-                        : stages && !bounds_overlap(d, contact) ? THUD_DRAW_PAIR_CANDIDATE
-                                                                : THUD_DRAW_PAIR);
+                        contact->open                           ? THUD_STYLE_PAIR_TOUCHING
+                        : stages && !bounds_overlap(d, contact) ? THUD_STYLE_PAIR_CANDIDATE
+                                                                : THUD_STYLE_PAIR);
     }
 }
 
@@ -161,13 +161,12 @@ void td_draw_stages(const td_drawing *d) {
 
 /* Draws the two lines parallel to the motion (x, y) that touch a circle at both ends of the motion.
  */
-static void join_circles(const td_drawing *d, const thud_shape_instance *start, double x,
-                         double y) {
+static void join_circles(const td_drawing *d, const thud_geometry *start, double x, double y) {
     double part = start->hx / __builtin_sqrt(x * x + y * y);
     for (int side = -1; side <= 1; side += 2) {
         double ax = start->x - side * part * y, ay = start->y + side * part * x;
         td_drawing_line(d, (thud_vec2){(float)ax, (float)ay},
-                        (thud_vec2){(float)(ax + x), (float)(ay + y)}, THUD_DRAW_MOTION);
+                        (thud_vec2){(float)(ax + x), (float)(ay + y)}, THUD_STYLE_MOTION);
     }
 }
 
@@ -195,8 +194,7 @@ static int next_on_hull(const thud_pos *corners, int count, int p, double roundi
 /* Draws those sides of the convex hull of both boxes that join a corner of one to a corner of the
  * other. The hull is found by gift wrapping (R. A. Jarvis, On the identification of the convex hull
  * of a finite set of points in the plane, 1973). */
-static void join_boxes(const td_drawing *d, const thud_shape_instance *start,
-                       const thud_shape_instance *end) {
+static void join_boxes(const td_drawing *d, const thud_geometry *start, const thud_geometry *end) {
     enum { CORNERS = 4, BOTH = 8 };
     thud_pos corners[BOTH], middle = {start->x, start->y};
     int first = 0;
@@ -213,55 +211,53 @@ static void join_boxes(const td_drawing *d, const thud_shape_instance *start,
         if (p / CORNERS != q / CORNERS) {
             td_drawing_line(d, (thud_vec2){(float)corners[p].x, (float)corners[p].y},
                             (thud_vec2){(float)corners[q].x, (float)corners[q].y},
-                            THUD_DRAW_MOTION);
+                            THUD_STYLE_MOTION);
         }
         p = q;
     }
 }
 
 /* Draws a shape's outline in the style of motions. */
-static void draw_outline(const td_drawing *d, const thud_shape_instance *p) {
+static void draw_outline(const td_drawing *d, const thud_geometry *p) {
     thud_vec2 at = {(float)p->x, (float)p->y};
     switch (p->kind) {
-    case THUD_CIRCLE:
+    case THUD_SHAPE_CIRCLE:
         if (d->draw->circle) {
-            d->draw->circle(at, (float)p->hx, 1.0f, 0.0f, THUD_DRAW_MOTION, -1, d->draw->context);
+            d->draw->circle(at, (float)p->hx, 1.0f, 0.0f, THUD_STYLE_MOTION, -1, d->draw->context);
         }
         break;
-    case THUD_AABB:
-    case THUD_OBB:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
         if (d->draw->box) {
             d->draw->box(at, (thud_vec2){(float)p->hx, (float)p->hy}, (float)p->c, (float)p->s,
-                         THUD_DRAW_MOTION, -1, d->draw->context);
+                         THUD_STYLE_MOTION, -1, d->draw->context);
         }
         break;
-    case THUD_TERRAIN: /* does not move */
+    case THUD_SHAPE_TERRAIN: /* does not move */
         break;
     }
 }
 
 /* Draws the swept volume of a shape: the shape at both ends of its motion, and the sides of their
  * convex hull that join them. */
-static void draw_swept(const td_drawing *d, const thud_shape_instance *start,
-                       const thud_shape_instance *end) {
+static void draw_swept(const td_drawing *d, const thud_geometry *start, const thud_geometry *end) {
     draw_outline(d, start);
     draw_outline(d, end);
     switch (start->kind) {
-    case THUD_CIRCLE:
+    case THUD_SHAPE_CIRCLE:
         join_circles(d, start, end->x - start->x, end->y - start->y);
         break;
-    case THUD_AABB:
-    case THUD_OBB:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
         join_boxes(d, start, end);
         break;
-    case THUD_TERRAIN:
+    case THUD_SHAPE_TERRAIN:
         break;
     }
 }
 
 /* Whether the bounds of the straight motion from start to end overlap the view. */
-static bool in_view(const td_drawing *d, const thud_shape_instance *start,
-                    const thud_shape_instance *end) {
+static bool in_view(const td_drawing *d, const thud_geometry *start, const thud_geometry *end) {
     thud_vec2 lower = td_drawing_local(d, d->lower), upper = td_drawing_local(d, d->upper);
     double reach = td_reach(start);
     double left = start->x < end->x ? start->x : end->x, right = start->x + end->x - left;
@@ -288,8 +284,8 @@ void td_draw_motions(const td_drawing *d) {
                                     .motion = {(double)delta[0], (double)delta[1],
                                                (double)delta[2]}};
         for (int i = td_body_at(w, index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
-            thud_shape_instance start = td_trajectory_shape(w, &trajectory, i, 0.0, d->origin);
-            thud_shape_instance end = td_trajectory_shape(w, &trajectory, i, 1.0, d->origin);
+            thud_geometry start = td_trajectory_shape(w, &trajectory, i, 0.0, d->origin);
+            thud_geometry end = td_trajectory_shape(w, &trajectory, i, 1.0, d->origin);
             if ((end.x == start.x && end.y == start.y) || !in_view(d, &start, &end)) {
                 continue;
             }

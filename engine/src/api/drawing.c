@@ -9,14 +9,14 @@ thud_vec2 td_drawing_local(const td_drawing *d, td_position p) {
                        (float)((double)(p.y - d->origin.y) / d->w->to_fixed)};
 }
 
-void td_drawing_line(const td_drawing *d, thud_vec2 a, thud_vec2 b, thud_draw_style style) {
+void td_drawing_line(const td_drawing *d, thud_vec2 a, thud_vec2 b, thud_style style) {
     if (d->draw->line) {
         d->draw->line(a, b, style, d->draw->context);
     }
 }
 
 void td_drawing_bounds(const td_drawing *d, int64_t min_x, int64_t min_y, int64_t max_x,
-                       int64_t max_y, thud_draw_style style) {
+                       int64_t max_y, thud_style style) {
     if (!d->draw->box) {
         return;
     }
@@ -41,14 +41,14 @@ static thud_vec2 ground_point(const td_drawing *d, const td_contact *contact, th
     return (thud_vec2){at.x + (float)x, at.y + (float)y};
 }
 
-void td_drawing_pair(const td_drawing *d, const td_constraint *contact, thud_draw_style style) {
+void td_drawing_pair(const td_drawing *d, const td_constraint *contact, thud_style style) {
     if (!td_is_contact(contact)) {
         td_drawing_line(d, td_drawing_local(d, td_pose_at(d->w, contact->body[0])->center),
                         td_drawing_local(d, td_pose_at(d->w, contact->body[1])->center), style);
         return;
     }
     thud_vec2 b = td_drawing_local(d, td_shape_proxy_at(d->w, contact->shape_b)->center);
-    thud_vec2 a = td_shape_at(d->w, contact->shape_a)->kind == THUD_TERRAIN
+    thud_vec2 a = td_shape_at(d->w, contact->shape_a)->kind == THUD_SHAPE_TERRAIN
                       ? ground_point(d, contact, b)
                       : td_drawing_local(d, td_shape_proxy_at(d->w, contact->shape_a)->center);
     td_drawing_line(d, a, b, style);

@@ -17,7 +17,7 @@
 #include "api/query.h"
 #include "base/trig.h"
 
-thud_mover thud_default_mover(thud_shape_instance shape) {
+thud_mover thud_default_mover(thud_geometry shape) {
     double half = td_kind_half_y(shape.kind, shape.hx, shape.hy);
     return (thud_mover){.shape = shape,
                         .up = {0.0f, 1.0f},
@@ -54,7 +54,7 @@ static td_way ground_motion(const td_move *m, const thud_body_state *ground) {
 /* The state of the body that the mover stands on. False if its shape or body has been destroyed. */
 static bool find_ground(const td_move *m, thud_body_state *ground) {
     return thud_shape_is_valid(m->world, m->mover.ground_shape) &&
-           thud_body_get(m->world, m->mover.ground_body, ground) == THUD_OK;
+           thud_body_get_state(m->world, m->mover.ground_body, ground) == THUD_OK;
 }
 
 /* Moves the mover with the ground that it stands on. */
@@ -83,7 +83,7 @@ static void store_ground(td_move *m) {
         mover->on_ground = false;
         return;
     }
-    thud_body_get(m->world, mover->ground_body, &ground);
+    thud_body_get_state(m->world, mover->ground_body, &ground);
     mover->ground_place = ground.position;
     mover->ground_cosine = ground.cosine;
     mover->ground_sine = ground.sine;
@@ -107,8 +107,8 @@ static void push(td_move *m, const thud_mover_hit *hit) {
     thud_body_state body;
     td_way n = td_mover_normal(hit);
     if (!thud_body_is_valid(m->world, hit->body) ||
-        thud_body_get(m->world, hit->body, &body) != THUD_OK || body.kind != THUD_DYNAMIC ||
-        td_dot(n, td_up(m)) >= m->walkable) {
+        thud_body_get_state(m->world, hit->body, &body) != THUD_OK ||
+        body.kind != THUD_BODY_DYNAMIC || td_dot(n, td_up(m)) >= m->walkable) {
         return;
     }
     double rx = hit->point.x - body.center.x, ry = hit->point.y - body.center.y;
@@ -150,7 +150,7 @@ static float body_speed(const td_move *m, double distance) {
  * next step. */
 static thud_result set_body_velocity(const td_move *m) {
     thud_body_state body;
-    thud_result result = thud_body_get(m->world, m->mover.body, &body);
+    thud_result result = thud_body_get_state(m->world, m->mover.body, &body);
     thud_vec2 velocity = {body_speed(m, m->mover.shape.x - body.position.x),
                           body_speed(m, m->mover.shape.y - body.position.y)};
     return result != THUD_OK ? result
@@ -174,7 +174,7 @@ static bool stays_in_world(const td_move *m) {
 
 /* Refuses a mover with a field out of its range, and a body that is not kinematic. */
 static thud_result check_mover(const thud_world *w, const thud_mover *mover) {
-    const thud_shape_instance *s = &mover->shape;
+    const thud_geometry *s = &mover->shape;
     td_way way = {(double)mover->up.x, (double)mover->up.y};
     double up = td_dot(way, way);
     double max_skin = td_kind_half_thickness(s->kind, s->hx, s->hy);
@@ -197,8 +197,8 @@ static thud_result check_mover(const thud_world *w, const thud_mover *mover) {
     if (result != THUD_OK || mover->body.index1 == 0) {
         return result;
     }
-    result = thud_body_get(w, mover->body, &body);
-    return result != THUD_OK || body.kind == THUD_KINEMATIC
+    result = thud_body_get_state(w, mover->body, &body);
+    return result != THUD_OK || body.kind == THUD_BODY_KINEMATIC
                ? result
                : td_refuse(w, THUD_ERROR_INVALID, "mover: its body is not kinematic");
 }
@@ -233,8 +233,8 @@ static void move(td_move *m) {
 }
 
 thud_result thud_mover_move(thud_world *w, thud_mover *mover, thud_vec2 velocity, double dt,
-                            thud_mover_report *report) {
-    TD_IN_OWN_MODE;
+                            thud_mover_report *out_report) {
+    TD_IN_OWN_FLOAT_MODE;
     if (!w || !mover) {
         return td_refuse(w, THUD_ERROR_NULL, "mover: world or mover is null");
     }
@@ -242,7 +242,7 @@ thud_result thud_mover_move(thud_world *w, thud_mover *mover, thud_vec2 velocity
     thud_result result = td_check_above_0(w, "mover: dt", dt, THUD_TIME_STEP_MAX);
     if (result == THUD_OK) {
         result = td_check(w, "mover: length of velocity, times dt,", td_size(asked) * dt, 0.0,
-                          THUD_MOVER_WAY_MAX);
+                          THUD_MOVER_DISTANCE_MAX);
     }
     result = result == THUD_OK ? check_mover(w, mover) : result;
     if (result != THUD_OK) {
@@ -275,8 +275,8 @@ thud_result thud_mover_move(thud_world *w, thud_mover *mover, thud_vec2 velocity
         return m.result;
     }
     *mover = m.mover;
-    if (report) {
-        *report = m.report;
+    if (out_report) {
+        *out_report = m.report;
     }
     return THUD_OK;
 }

@@ -30,12 +30,14 @@ void td_mover_note(td_move *m, const thud_mover_hit *hit) {
  * number. */
 static int cast_mover(td_move *m, td_way way, thud_ray_hit *found) {
     int count = 0;
-    thud_shape_instance shape = m->mover.shape;
+    thud_geometry shape = m->mover.shape;
     thud_pos center = {shape.x, shape.y};
     shape.x = shape.y = 0.0;
     if (m->result == THUD_OK) {
-        m->result = thud_world_cast_shape_all(m->world, center, &shape, way.x, way.y, &m->solid,
-                                              found, CAST_HITS_MAX, &count);
+        m->result =
+            thud_world_cast_shape_all(m->world,
+                                      &(thud_shape_cast){center, shape, way.x, way.y, &m->solid},
+                                      found, CAST_HITS_MAX, &count);
     }
     return td_min_int(count, CAST_HITS_MAX);
 }
@@ -47,7 +49,7 @@ static bool stops(td_move *m, const thud_ray_hit *found, thud_mover_hit *hit) {
     if (!thud_shape_is_valid(m->world, found->shape)) { /* destroyed by `pass` */
         return false;
     }
-    thud_shape_get(m->world, found->shape, &shape);
+    thud_shape_get_state(m->world, found->shape, &shape);
     *hit = (thud_mover_hit){.shape = found->shape,
                             .body = shape.body,
                             .point = found->point,
@@ -81,7 +83,7 @@ static void report_sensor(td_move *m, thud_shape_id sensor) {
         i++;
     }
     if (i == report->sensor_count && i < THUD_MOVER_SENSORS &&
-        thud_shape_get(m->world, sensor, &shape) == THUD_OK &&
+        thud_shape_get_state(m->world, sensor, &shape) == THUD_OK &&
         !(shape.body.index1 == m->mover.body.index1 && m->mover.body.index1 != 0)) {
         report->sensors[report->sensor_count++] = sensor;
     }
@@ -90,12 +92,12 @@ static void report_sensor(td_move *m, thud_shape_id sensor) {
 void td_mover_sense(td_move *m, td_way way) {
     thud_ray_hit found[THUD_MOVER_SENSORS];
     int count = 0;
-    thud_shape_instance shape = m->mover.shape;
+    thud_geometry shape = m->mover.shape;
     thud_pos center = {shape.x, shape.y};
     shape.x = shape.y = 0.0;
     if (m->mover.filter.sensors && m->result == THUD_OK) {
-        m->result = td_query_cast_sensors(m->world, center, &shape, way.x, way.y, &m->mover.filter,
-                                          found, THUD_MOVER_SENSORS, &count);
+        thud_shape_cast cast = {center, shape, way.x, way.y, &m->mover.filter};
+        m->result = td_query_cast_sensors(m->world, &cast, found, THUD_MOVER_SENSORS, &count);
     }
     for (int i = 0; i < td_min_int(count, THUD_MOVER_SENSORS); i++) {
         report_sensor(m, found[i].shape);
@@ -137,7 +139,8 @@ static bool deepest_overlap(td_move *m, thud_mover_hit *hit) {
         thud_mover_hit here;
         thud_body_state body;
         if (found[i].depth > hit->depth && stops(m, &found[i], &here) &&
-            thud_body_get(m->world, here.body, &body) == THUD_OK && body.kind != THUD_DYNAMIC) {
+            thud_body_get_state(m->world, here.body, &body) == THUD_OK &&
+            body.kind != THUD_BODY_DYNAMIC) {
             *hit = here;
         }
     }
@@ -179,7 +182,7 @@ bool thud_mover_passes_one_way(const thud_mover *mover, const thud_mover_hit *hi
 /* ---- ground ---- */
 
 double td_mover_bottom(const td_move *m) {
-    const thud_shape_instance *s = &m->mover.shape;
+    const thud_geometry *s = &m->mover.shape;
     td_way up = td_up(m);
     double half = td_half_along(s, up.x, up.y);
     return td_dot((td_way){s->x, s->y}, up) - half;
@@ -202,8 +205,10 @@ bool td_mover_stands_on(td_move *m, const thud_mover_hit *hit, double bottom) {
     td_way from = td_plus(td_plus(point, up, skin), ahead, size > 0.0 ? skin / size : 0.0);
     bool found;
     thud_ray_hit below;
-    return thud_world_cast_ray(m->world, (thud_pos){from.x, from.y}, -2.0 * skin * up.x,
-                               -2.0 * skin * up.y, &m->solid, &found, &below) == THUD_OK &&
+    return thud_world_cast_ray(m->world,
+                               &(thud_ray){(thud_pos){from.x, from.y}, -2.0 * skin * up.x,
+                                           -2.0 * skin * up.y, &m->solid},
+                               &found, &below) == THUD_OK &&
            found && below.shape.index1 == hit->shape.index1 &&
            (double)below.normal.x * up.x + (double)below.normal.y * up.y >= m->walkable;
 }

@@ -12,7 +12,7 @@ enum { HITS_MAX = 4 };
 /* Largest part of a displacement, as a share of its length, by which rounding may make a
  * displacement along a plane point into it. Chosen: far above double precision's 1e-16, and far
  * below any slope. */
-#define ROUNDING 1e-9
+#define CORNER_ROUNDING 1e-9
 
 /* The part of a vector at a right angle to `up`. */
 static td_way across(const td_move *m, td_way way) {
@@ -137,7 +137,7 @@ void td_mover_fly(td_move *m, td_way way) {
         m->left = clipped(m->left, planes[i]);
         for (int k = 0; k < i; k++) {
             if (td_dot(way, planes[k]) <
-                -ROUNDING * td_size(way)) { /* two planes form a corner: stop */
+                -CORNER_ROUNDING * td_size(way)) { /* two planes form a corner: stop */
                 way = m->left = (td_way){0.0, 0.0};
             }
         }

@@ -39,18 +39,14 @@ thud_result td_query_check_filter(const thud_world *w, const thud_query_filter *
                              "nothing: begin with thud_default_query_filter()");
 }
 
-thud_result td_query_check_angle(const thud_world *w, double angle) {
-    return td_check(w, "cast or overlap: angle", angle, -THUD_ANGLE_MAX, THUD_ANGLE_MAX);
-}
-
-thud_result td_query_check(const thud_world *w, thud_pos center, const thud_shape_instance *shape) {
-    bool valid = thud_placed_check(shape) == THUD_OK && td_place_valid(w, center.x, center.y) &&
+thud_result td_query_check(const thud_world *w, thud_pos center, const thud_geometry *shape) {
+    bool valid = thud_geometry_check(shape) == THUD_OK && td_place_valid(w, center.x, center.y) &&
                  td_place_valid(w, center.x + shape->x, center.y + shape->y);
     return valid ? THUD_OK : THUD_ERROR_INVALID;
 }
 
-thud_shape_instance td_query_instance(const thud_world *w, int index, td_position origin) {
-    thud_shape_instance shape = td_shape_instance_of(w, index, td_preview_proxy(w, index), origin);
+thud_geometry td_query_instance(const thud_world *w, int index, td_position origin) {
+    thud_geometry shape = td_shape_instance_of(w, index, td_preview_proxy(w, index), origin);
     double scale = 1.5 - 0.5 * (shape.c * shape.c +
                                 shape.s * shape.s); /* Newton step for 1 / sqrt(x) at x = 1 */
     shape.c *= scale;
@@ -58,24 +54,12 @@ thud_shape_instance td_query_instance(const thud_world *w, int index, td_positio
     return shape;
 }
 
-void td_query_bounds(thud_pos center, const thud_shape_instance *shape, thud_pos *lower,
+void td_query_bounds(thud_pos center, const thud_geometry *shape, thud_pos *lower,
                      thud_pos *upper) {
     double half_x = td_half_along(shape, 1.0, 0.0), half_y = td_half_along(shape, 0.0, 1.0);
     double x = center.x + shape->x, y = center.y + shape->y;
     *lower = (thud_pos){x - half_x, y - half_y};
     *upper = (thud_pos){x + half_x, y + half_y};
-}
-
-thud_shape_instance td_query_box(double half_x, double half_y, double angle) {
-    thud_shape_instance box = {.kind = THUD_AABB, .c = 1.0, .hx = half_x, .hy = half_y};
-    if (angle != 0.0) {
-        box.kind = THUD_OBB;
-        box.c = 0.0;
-        if (td_abs(angle) <= THUD_ANGLE_MAX) {
-            td_sincos(angle, &box.s, &box.c);
-        }
-    }
-    return box;
 }
 
 /* ---- candidates ---- */
@@ -93,21 +77,21 @@ static td_position clamped_place(const thud_world *w, double x, double y) {
 
 /* Lists every shape but terrain. False when memory is short. */
 static bool list_all(thud_world *w) {
-    if (!td_array_reserve(&w->memory, &w->scratch.hits, w->shapes.count)) {
+    if (!td_array_reserve(&w->memory, &w->scratch.found_shapes, w->shapes.count)) {
         return false;
     }
     for (int i = 0; i < w->shapes.count; i++) {
         if (!td_kind_is_line(td_shape_at(w, i)->kind)) {
-            td_push_int(&w->scratch.hits, i);
+            td_push_int(&w->scratch.found_shapes, i);
         }
     }
     return true;
 }
 
 bool td_query_list(thud_world *w, thud_pos lower, thud_pos upper) {
-    td_array *hits = &w->scratch.hits;
-    hits->stride = (int)sizeof(int);
-    hits->count = 0;
+    td_array *found = &w->scratch.found_shapes;
+    found->stride = (int)sizeof(int);
+    found->count = 0;
     td_position from = clamped_place(w, lower.x, lower.y), to = clamped_place(w, upper.x, upper.y);
     /* Bounds are 32-bit and wrap around: those of a wider box would be ambiguous. */
     int64_t max = (int64_t)((double)THUD_SIZE_MAX * TD_FIXED_ONE);
@@ -116,18 +100,18 @@ bool td_query_list(thud_world *w, thud_pos lower, thud_pos upper) {
     }
     td_bounds bounds = {td_coarse(from.x), td_coarse(from.y), td_coarse(to.x) + 1,
                         td_coarse(to.y) + 1};
-    return td_preview_find(w, &w->memory, &bounds, from, hits);
+    return td_preview_find(w, &w->memory, &bounds, from, found);
 }
 
 bool td_query_list_terrains(thud_world *w) {
-    td_array *hits = &w->scratch.hits;
-    if (!td_array_reserve(&w->memory, hits, hits->count + w->terrains.live)) {
+    td_array *found = &w->scratch.found_shapes;
+    if (!td_array_reserve(&w->memory, found, found->count + w->terrains.live)) {
         return false;
     }
     for (int i = 0; i < w->terrains.count; i++) {
         const td_terrain_record *record = td_terrain_record_at(w, i);
         if (record->shape != TD_NONE) {
-            td_push_int(hits, record->shape);
+            td_push_int(found, record->shape);
         }
     }
     return true;

@@ -1,7 +1,7 @@
 /* query.h: what all queries share. A query checks its arguments, calls td_query_prepare, lists
- * candidates in thud_world.scratch.hits (td_query_list, td_query_list_terrains), and tests each
- * candidate that passes its filter (td_query_passes) exactly, by td_query_instance. `shape` is a
- * shape's slot. */
+ * candidates in thud_world.scratch.found_shapes (td_query_list, td_query_list_terrains), and tests
+ * each candidate that passes its filter (td_query_passes) exactly, by td_query_instance. `shape` is
+ * a shape's slot. */
 #ifndef TD_QUERY_H
 #define TD_QUERY_H
 
@@ -15,39 +15,32 @@ bool td_query_passes(const thud_world *w, int shape, const thud_query_filter *fi
 /* Refuses a filter that no shape can pass, as a zeroed one. */
 thud_result td_query_check_filter(const thud_world *w, const thud_query_filter *filter);
 
-/* Refuses an angle, in radians, beyond THUD_ANGLE_MAX. */
-thud_result td_query_check_angle(const thud_world *w, double angle);
-
 /* THUD_OK if a query's own shape is valid and it and `center`, about which it lies, are within the
  * world; else THUD_ERROR_INVALID, of which the log is not told. */
-thud_result td_query_check(const thud_world *w, thud_pos center, const thud_shape_instance *shape);
+thud_result td_query_check(const thud_world *w, thud_pos center, const thud_geometry *shape);
 
 /* The shape relative to `origin`, at the place where the edits made so far put it. Its rotation is
  * scaled to length 1 in double precision: at the end of a long cast the error of single precision
  * would be visible. */
-thud_shape_instance td_query_instance(const thud_world *w, int shape, td_position origin);
+thud_geometry td_query_instance(const thud_world *w, int shape, td_position origin);
 
 /* The bounding box of a shape that lies about `center`. */
-void td_query_bounds(thud_pos center, const thud_shape_instance *shape, thud_pos *lower,
-                     thud_pos *upper);
-
-/* An AABB (angle 0) or OBB about the origin. Where the angle is out of range its (c, s) is (0, 0),
- * which td_query_check refuses. */
-thud_shape_instance td_query_box(double half_x, double half_y, double angle);
+void td_query_bounds(thud_pos center, const thud_geometry *shape, thud_pos *lower, thud_pos *upper);
 
 /* Brings the preview (preview.h) and the broadphase up to date: the query sees shapes where the
  * edits made so far put them, while the edits themselves wait for the next step. Inside a callback
  * the preview stays as it is. False when memory is short. */
 bool td_query_prepare(thud_world *w);
 
-/* Lists in scratch.hits, in any order, every shape but terrain whose fat bounds overlap the box;
- * after td_query_prepare. False when memory is short. */
+/* Lists in scratch.found_shapes, in any order, every shape but terrain whose fat bounds overlap the
+ * box; after td_query_prepare. False when memory is short. */
 bool td_query_list(thud_world *w, thud_pos lower, thud_pos upper);
 
-/* As thud_world_cast_shape_all, but finds only sensors, whatever filter->sensors is. */
-thud_result td_query_cast_sensors(thud_world *w, thud_pos center, const thud_shape_instance *shape,
-                                  double dx, double dy, const thud_query_filter *filter,
-                                  thud_ray_hit *out, int capacity, int *count);
+/* query_cast.c: as thud_world_cast_shape_all, but finds only sensors; for movers. cast->filter must
+ * let sensors pass. The caller has set the engine's floating-point mode, and has room for
+ * `capacity` hits in `out`. */
+thud_result td_query_cast_sensors(thud_world *w, const thud_shape_cast *cast, thud_ray_hit *out,
+                                  int capacity, int *out_count);
 
 /* query_closest.c: signed distance, normal and closest point from a shape to the point `origin`. */
 void td_query_measure(const thud_world *w, int shape, td_position origin, thud_closest *out);
@@ -55,7 +48,7 @@ void td_query_measure(const thud_world *w, int shape, td_position origin, thud_c
 thud_closest_hit td_query_closest_hit(const thud_world *w, int shape, thud_pos point,
                                       const thud_closest *c);
 
-/* Appends every terrain to scratch.hits. False when memory is short. */
+/* Appends every terrain to scratch.found_shapes. False when memory is short. */
 bool td_query_list_terrains(thud_world *w);
 
 #endif

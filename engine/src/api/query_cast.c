@@ -1,105 +1,128 @@
-/* query_cast.c: ray and shape casts that return their first hit or all hits. A cast tests every
- * terrain at once, and then the shapes near its path piece by piece, from the origin on (path.h).
- */
+/* query_cast.c: ray and shape casts that return their first hit or all hits. A cast first tests
+ * every terrain along its whole path, since terrains are in no proxy set of the broadphase; then
+ * the other shapes near the path, piece by piece from the origin on (path.h). */
 #include "casts/path.h"
 
 #include "state/handles.h"
 
-/* ---- candidates ---- */
+/* ---- the search ---- */
 
-/* Tests the candidates in scratch.hits, and keeps hits at a fraction in (after, until]. */
-static void keep_hits(const thud_world *w, const td_path *way, double after, double until,
-                      td_nearest *k) {
-    for (int i = 0; i < w->scratch.hits.count; i++) {
-        int index = td_int_at(&w->scratch.hits, i);
+/* Tests the shapes that are listed in scratch.found_shapes, and keeps hits at a fraction in
+ * (after, until] of the path. */
+static void keep_hits(const thud_world *w, const td_path *path, double after, double until,
+                      td_nearest *nearest) {
+    for (int i = 0; i < w->scratch.found_shapes.count; i++) {
+        int shape = td_int_at(&w->scratch.found_shapes, i);
         thud_ray_hit hit;
-        if (td_path_meets(w, index, way, &hit) && hit.fraction > after && hit.fraction <= until) {
-            hit.shape = td_shape_handle(w, index);
-            td_nearest_keep(k, &hit);
+        if (td_path_meets(w, shape, path, &hit) && hit.fraction > after && hit.fraction <= until) {
+            hit.shape = td_shape_handle(w, shape);
+            td_nearest_keep(nearest, &hit);
         }
     }
 }
 
-/* Casts along the whole path. `first`: only the nearest hit is needed, so that the cast ends with
- * the piece in which it lies. `done`: the fraction of the path that has been searched; -1 at first,
- * so that hits at 0 count. False when memory is short. */
-static bool cast(thud_world *w, const td_path *way, bool first, td_nearest *k) {
+/* Casts along the whole path. `first_only`: only the nearest hit is needed, so that the cast ends
+ * with the piece in which it lies. False when memory is short. */
+static bool search(thud_world *w, td_path *path, bool first_only, td_nearest *nearest) {
     if (!td_query_prepare(w)) {
         return false;
     }
-    w->scratch.hits.count = 0;
+    path->from = td_place_from(w, path->origin);
+    w->scratch.found_shapes.count = 0;
     if (!td_query_list_terrains(w)) {
         return false;
     }
-    keep_hits(w, way, -1.0, 1.0, k);
-    double piece = td_piece_first(w, way);
-    for (double done = -1.0; done < 1.0;) {
-        double from = done > 0.0 ? done : 0.0, to = td_piece_end(from, piece);
+    keep_hits(w, path, -1.0, 1.0, nearest);
+    double piece_length = td_piece_first(w, path); /* a fraction of the path */
+    /* `searched`: the fraction of the path that has been searched; -1 at first, so that hits at 0
+     * count. */
+    for (double searched = -1.0; searched < 1.0;) {
+        double start = searched > 0.0 ? searched : 0.0, end = td_piece_end(start, piece_length);
         thud_pos lower, upper;
-        td_piece_bounds(way, from, to, &lower, &upper);
-        if (!td_query_list(w, lower, upper)) {
+        td_piece_bounds(path, start, end, &lower, &upper);
+        if (!td_query_list(w, lower, upper)) { /* which replaces the list */
             return false;
         }
-        keep_hits(w, way, done, to, k);
-        if (first && k->count && k->hits[0].fraction <= to) {
+        keep_hits(w, path, searched, end, nearest);
+        if (first_only && nearest->count && nearest->hits[0].fraction <= end) {
             break;
         }
-        piece = td_piece_next(piece, w->scratch.hits.count);
-        done = to;
+        piece_length = td_piece_next(piece_length, w->scratch.found_shapes.count);
+        searched = end;
     }
     return true;
 }
 
-/* The nearest hit. */
-static thud_result cast_first(thud_world *w, td_path *way, bool *hit, thud_ray_hit *out) {
-    thud_ray_hit nearest;
-    td_nearest k = {&nearest, 1, 0};
-    way->from = td_place_from(w, way->origin);
-    if (!cast(w, way, true, &k)) {
+/* The nearest hit: *out_hit says whether there is one. Both outputs may be null. */
+static thud_result cast_first(thud_world *w, td_path *path, bool *out_hit, thud_ray_hit *out) {
+    thud_ray_hit hit;
+    td_nearest nearest = {.hits = &hit, .capacity = 1};
+    if (!search(w, path, true, &nearest)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "cast: out of memory");
     }
-    if (hit) {
-        *hit = k.count > 0;
+    if (out_hit) {
+        *out_hit = nearest.count > 0;
     }
-    if (out && k.count > 0) {
-        *out = nearest;
+    if (out && nearest.count > 0) {
+        *out = hit;
     }
     return THUD_OK;
 }
 
-/* The nearest `capacity` hits in order, and the number of all. */
-static thud_result cast_all(thud_world *w, td_path *way, thud_ray_hit *out, int capacity,
-                            int *count) {
-    td_nearest k = {out, capacity, 0};
-    way->from = td_place_from(w, way->origin);
-    if (!cast(w, way, false, &k)) {
+/* The nearest `capacity` hits in order. *out_count, which may be null, gets the number of all hits,
+ * also of those for which there is no room. */
+static thud_result cast_all(thud_world *w, td_path *path, thud_ray_hit *out, int capacity,
+                            int *out_count) {
+    td_nearest nearest = {.hits = out, .capacity = capacity};
+    if (!search(w, path, false, &nearest)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "cast: out of memory");
     }
-    if (count) {
-        *count = k.count;
+    if (out_count) {
+        *out_count = nearest.count;
     }
     return THUD_OK;
 }
 
-/* ---- the API ---- */
+/* ---- arguments ---- */
 
-static thud_result check_ray(const thud_world *w, const td_path *way) {
-    return w ? td_path_check(w, way) : THUD_ERROR_NULL;
+/* Sets *path to that of a ray, or refuses the ray. */
+static thud_result path_of_ray(const thud_world *w, const thud_ray *ray, td_path *path) {
+    if (!w || !ray) {
+        return td_refuse(w, THUD_ERROR_NULL, "cast: world or ray is null");
+    }
+    *path = (td_path){
+        .meets = td_point_meets,
+        .origin = ray->origin,
+        .dx = ray->dx,
+        .dy = ray->dy,
+        .filter = ray->filter,
+    };
+    return td_path_check(w, path);
 }
 
-static thud_result check_shape(const thud_world *w, const td_path *way) {
-    if (!w || !way->shape) {
-        return td_refuse(w, THUD_ERROR_NULL, "cast: world or shape is null");
+/* The same of a shape cast. The path points to the cast's shape. */
+static thud_result path_of_shape_cast(const thud_world *w, const thud_shape_cast *cast,
+                                      td_path *path) {
+    if (!w || !cast) {
+        return td_refuse(w, THUD_ERROR_NULL, "cast: world or cast is null");
     }
-    thud_result result = td_path_check(w, way);
-    if (result == THUD_OK && td_query_check(w, way->origin, way->shape) != THUD_OK) {
+    *path = (td_path){
+        .meets = td_shape_meets,
+        .origin = cast->center,
+        .dx = cast->dx,
+        .dy = cast->dy,
+        .shape = &cast->shape,
+        .filter = cast->filter,
+    };
+    thud_result result = td_path_check(w, path);
+    if (result == THUD_OK && td_query_check(w, path->origin, path->shape) != THUD_OK) {
         result = td_refuse(w, THUD_ERROR_INVALID, "cast: the shape is invalid");
     }
     return result;
 }
 
 /* Refuses a negative capacity, and a null `out` with a capacity. */
-static thud_result check_room(const thud_world *w, const thud_ray_hit *out, int capacity) {
+static thud_result check_capacity(const thud_world *w, const thud_ray_hit *out, int capacity) {
     if (capacity < 0) {
         return td_refuse(w, THUD_ERROR_INVALID, "cast: capacity is negative");
     }
@@ -107,88 +130,49 @@ static thud_result check_room(const thud_world *w, const thud_ray_hit *out, int 
                                 : td_refuse(w, THUD_ERROR_NULL, "cast: no room for the hits");
 }
 
-thud_result thud_world_cast_ray(thud_world *w, thud_pos origin, double dx, double dy,
-                                const thud_query_filter *filter, bool *hit, thud_ray_hit *out) {
-    TD_IN_OWN_MODE;
-    td_path way = {td_point_meets, origin, .dx = dx, .dy = dy, .filter = filter};
-    thud_result result = check_ray(w, &way);
-    return result != THUD_OK ? result : cast_first(w, &way, hit, out);
+/* ---- calls ---- */
+
+thud_result td_query_cast_sensors(thud_world *w, const thud_shape_cast *cast, thud_ray_hit *out,
+                                  int capacity, int *out_count) {
+    td_path path;
+    thud_result result = path_of_shape_cast(w, cast, &path);
+    if (result != THUD_OK) {
+        return result;
+    }
+    path.only_sensors = true;
+    return cast_all(w, &path, out, capacity, out_count);
 }
 
-thud_result thud_world_cast_ray_all(thud_world *w, thud_pos origin, double dx, double dy,
-                                    const thud_query_filter *filter, thud_ray_hit *out,
-                                    int capacity, int *count) {
-    TD_IN_OWN_MODE;
-    td_path way = {td_point_meets, origin, .dx = dx, .dy = dy, .filter = filter};
-    thud_result result = check_ray(w, &way);
-    result = result != THUD_OK ? result : check_room(w, out, capacity);
-    return result != THUD_OK ? result : cast_all(w, &way, out, capacity, count);
+thud_result thud_world_cast_ray(thud_world *w, const thud_ray *ray, bool *out_hit,
+                                thud_ray_hit *out) {
+    TD_IN_OWN_FLOAT_MODE;
+    td_path path;
+    thud_result result = path_of_ray(w, ray, &path);
+    return result != THUD_OK ? result : cast_first(w, &path, out_hit, out);
 }
 
-thud_result thud_world_cast_shape(thud_world *w, thud_pos center, const thud_shape_instance *shape,
-                                  double dx, double dy, const thud_query_filter *filter, bool *hit,
+thud_result thud_world_cast_ray_all(thud_world *w, const thud_ray *ray, thud_ray_hit *out,
+                                    int capacity, int *out_count) {
+    TD_IN_OWN_FLOAT_MODE;
+    td_path path;
+    thud_result result = path_of_ray(w, ray, &path);
+    result = result != THUD_OK ? result : check_capacity(w, out, capacity);
+    return result != THUD_OK ? result : cast_all(w, &path, out, capacity, out_count);
+}
+
+thud_result thud_world_cast_shape(thud_world *w, const thud_shape_cast *cast, bool *out_hit,
                                   thud_ray_hit *out) {
-    TD_IN_OWN_MODE;
-    td_path way = {td_shape_meets, center, .dx = dx, .dy = dy, .shape = shape, .filter = filter};
-    thud_result result = check_shape(w, &way);
-    return result != THUD_OK ? result : cast_first(w, &way, hit, out);
+    TD_IN_OWN_FLOAT_MODE;
+    td_path path;
+    thud_result result = path_of_shape_cast(w, cast, &path);
+    return result != THUD_OK ? result : cast_first(w, &path, out_hit, out);
 }
 
-thud_result td_query_cast_sensors(thud_world *w, thud_pos center, const thud_shape_instance *shape,
-                                  double dx, double dy, const thud_query_filter *filter,
-                                  thud_ray_hit *out, int capacity, int *count) {
-    td_path way = {td_shape_meets, center,           .dx = dx,       .dy = dy,
-                   .shape = shape, .filter = filter, .sensors = true};
-    thud_result result = check_shape(w, &way);
-    return result != THUD_OK ? result : cast_all(w, &way, out, capacity, count);
-}
-
-thud_result thud_world_cast_shape_all(thud_world *w, thud_pos center,
-                                      const thud_shape_instance *shape, double dx, double dy,
-                                      const thud_query_filter *filter, thud_ray_hit *out,
-                                      int capacity, int *count) {
-    TD_IN_OWN_MODE;
-    td_path way = {td_shape_meets, center, .dx = dx, .dy = dy, .shape = shape, .filter = filter};
-    thud_result result = check_shape(w, &way);
-    result = result != THUD_OK ? result : check_room(w, out, capacity);
-    return result != THUD_OK ? result : cast_all(w, &way, out, capacity, count);
-}
-
-thud_result thud_world_cast_circle(thud_world *w, thud_pos center, double radius, double dx,
-                                   double dy, const thud_query_filter *filter, bool *hit,
-                                   thud_ray_hit *out) {
-    thud_shape_instance circle = {.kind = THUD_CIRCLE, .c = 1.0, .hx = radius};
-    return thud_world_cast_shape(w, center, &circle, dx, dy, filter, hit, out);
-}
-
-thud_result thud_world_cast_circle_all(thud_world *w, thud_pos center, double radius, double dx,
-                                       double dy, const thud_query_filter *filter,
-                                       thud_ray_hit *out, int capacity, int *count) {
-    thud_shape_instance circle = {.kind = THUD_CIRCLE, .c = 1.0, .hx = radius};
-    return thud_world_cast_shape_all(w, center, &circle, dx, dy, filter, out, capacity, count);
-}
-
-thud_result thud_world_cast_box(thud_world *w, thud_pos center, double half_x, double half_y,
-                                double angle, double dx, double dy, const thud_query_filter *filter,
-                                bool *hit, thud_ray_hit *out) {
-    TD_IN_OWN_MODE;
-    thud_result result = td_query_check_angle(w, angle);
-    if (result != THUD_OK) {
-        return result;
-    }
-    thud_shape_instance box = td_query_box(half_x, half_y, angle);
-    return thud_world_cast_shape(w, center, &box, dx, dy, filter, hit, out);
-}
-
-thud_result thud_world_cast_box_all(thud_world *w, thud_pos center, double half_x, double half_y,
-                                    double angle, double dx, double dy,
-                                    const thud_query_filter *filter, thud_ray_hit *out,
-                                    int capacity, int *count) {
-    TD_IN_OWN_MODE;
-    thud_result result = td_query_check_angle(w, angle);
-    if (result != THUD_OK) {
-        return result;
-    }
-    thud_shape_instance box = td_query_box(half_x, half_y, angle);
-    return thud_world_cast_shape_all(w, center, &box, dx, dy, filter, out, capacity, count);
+thud_result thud_world_cast_shape_all(thud_world *w, const thud_shape_cast *cast, thud_ray_hit *out,
+                                      int capacity, int *out_count) {
+    TD_IN_OWN_FLOAT_MODE;
+    td_path path;
+    thud_result result = path_of_shape_cast(w, cast, &path);
+    result = result != THUD_OK ? result : check_capacity(w, out, capacity);
+    return result != THUD_OK ? result : cast_all(w, &path, out, capacity, out_count);
 }

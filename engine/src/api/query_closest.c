@@ -9,8 +9,8 @@
 #include "terrain/terrain.h"
 
 void td_query_measure(const thud_world *w, int index, td_position origin, thud_closest *out) {
-    thud_shape_instance shape = td_query_instance(w, index, origin);
-    thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1.0};
+    thud_geometry shape = td_query_instance(w, index, origin);
+    thud_geometry point = {.kind = THUD_SHAPE_CIRCLE, .c = 1.0};
     if (!td_kind_is_line(shape.kind)) {
         td_closest(&shape, &point, out);
         return;
@@ -28,12 +28,12 @@ thud_closest_hit td_query_closest_hit(const thud_world *w, int index, thud_pos p
                           .distance = c->distance};
 }
 
-/* Updates *best and *nearest (its slot) with the nearest candidate in scratch.hits; among equals
- * the lower slot. */
+/* Updates *best and *nearest (its slot) with the nearest candidate in scratch.found_shapes; among
+ * equals the lower slot. */
 static void keep_nearest(const thud_world *w, td_position at, const thud_query_filter *filter,
                          int *nearest, thud_closest *best) {
-    for (int i = 0; i < w->scratch.hits.count; i++) {
-        int index = td_int_at(&w->scratch.hits, i);
+    for (int i = 0; i < w->scratch.found_shapes.count; i++) {
+        int index = td_int_at(&w->scratch.found_shapes, i);
         if (!td_query_passes(w, index, filter)) {
             continue;
         }
@@ -48,9 +48,9 @@ static void keep_nearest(const thud_world *w, td_position at, const thud_query_f
 }
 
 thud_result thud_world_closest(thud_world *w, thud_pos point, double max_distance,
-                               const thud_query_filter *filter, bool *found,
+                               const thud_query_filter *filter, bool *out_found,
                                thud_closest_hit *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
     }
@@ -87,8 +87,8 @@ thud_result thud_world_closest(thud_world *w, thud_pos point, double max_distanc
         reach = 4.0 * reach < max_distance ? 4.0 * reach : max_distance;
     }
     bool any = best.distance <= max_distance;
-    if (found) {
-        *found = any;
+    if (out_found) {
+        *out_found = any;
     }
     if (out && any) {
         *out = td_query_closest_hit(w, nearest, point, &best);

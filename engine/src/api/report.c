@@ -7,12 +7,12 @@
 #include "constraint/lanes.h"
 #include "base/rotation.h"
 
-thud_events thud_world_events(const thud_world *w) {
-    if (!w) {
-        return (thud_events){0};
+thud_result thud_world_get_events(const thud_world *w, thud_events *out) {
+    if (!w || !out) {
+        return THUD_ERROR_NULL;
     }
     const td_event_lists *e = w->gathers ? &w->gathered.lists : &w->published;
-    return (thud_events){
+    *out = (thud_events){
         .begin = e->begin.data,
         .end = e->end.data,
         .sensor_begin = e->sensor_begin.data,
@@ -28,22 +28,24 @@ thud_events thud_world_events(const thud_world *w) {
         .hit_count = e->hit.count,
         .quarantined_count = e->quarantined.count,
     };
+    return THUD_OK;
 }
 
 /* Interpolation goes back from the last step's pose by (1 - alpha) of the body's motion in it,
  * thud_world.delta. */
-const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, int *count) {
-    TD_IN_OWN_MODE;
-    if (count) {
-        *count = 0;
+thud_result thud_world_get_poses(thud_world *w, thud_pos origin, double alpha,
+                                 const thud_pose **out, int *out_count) {
+    TD_IN_OWN_FLOAT_MODE;
+    if (!w || !out || !out_count) {
+        return THUD_ERROR_NULL;
     }
-    if (!w || td_check_place(w, "poses: x or y of origin", origin.x, origin.y) != THUD_OK ||
-        td_check(w, "poses: alpha", alpha, 0.0, 1.0) != THUD_OK) {
-        return NULL;
+    thud_result result = td_check_place(w, "poses: x or y of origin", origin.x, origin.y);
+    result = result != THUD_OK ? result : td_check(w, "poses: alpha", alpha, 0.0, 1.0);
+    if (result != THUD_OK) {
+        return result;
     }
     if (!td_array_reserve(&w->memory, &w->poses, td_max_int(w->bodies.count, 1))) {
-        td_refuse(w, THUD_ERROR_MEMORY, "poses: out of memory");
-        return NULL;
+        return td_refuse(w, THUD_ERROR_MEMORY, "poses: out of memory");
     }
     thud_pose *poses = w->poses.data;
     td_position from = td_place_from(w, origin);
@@ -69,10 +71,9 @@ const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, 
         poses[i.at] = (thud_pose){x - (c * body->center_x - s * body->center_y),
                                   y - (s * body->center_x + c * body->center_y), c, s};
     }
-    if (count) {
-        *count = w->bodies.count;
-    }
-    return poses;
+    *out = poses;
+    *out_count = w->bodies.count;
+    return THUD_OK;
 }
 
 const char *thud_stage_name(thud_stage stage) {
@@ -83,9 +84,9 @@ const char *thud_stage_name(thud_stage stage) {
     return (int)stage >= 0 && stage < THUD_STAGE_COUNT ? names[stage] : "unknown";
 }
 
-thud_stats thud_world_stats(const thud_world *w) {
-    if (!w) {
-        return (thud_stats){0};
+thud_result thud_world_get_stats(const thud_world *w, thud_stats *out) {
+    if (!w || !out) {
+        return THUD_ERROR_NULL;
     }
     thud_stats stats = w->stats;
     stats.steps = w->steps;
@@ -98,38 +99,40 @@ thud_stats thud_world_stats(const thud_world *w) {
     }
     stats.contacts = w->touching;
     stats.bytes = w->memory.bytes;
-    return stats;
+    *out = stats;
+    return THUD_OK;
 }
 
-thud_step_error thud_world_error(const thud_world *w) {
-    if (!w) {
-        return (thud_step_error){0};
+thud_result thud_world_get_step_error(const thud_world *w, thud_step_error *out) {
+    if (!w || !out) {
+        return THUD_ERROR_NULL;
     }
-    td_errors step = td_error_of_step(w), *e = &step;
+    td_errors step = td_errors_of_step(w), *e = &step;
     td_joint_gaps gaps = {0};
     if (w->joint_hooks) {
         w->joint_hooks->measure(w, &gaps);
     }
-    return (thud_step_error){
+    *out = (thud_step_error){
         .penetration_max = (double)e->deepest,
         .penetration_mean = e->points ? e->depth / w->to_fixed / (double)e->points : 0.0,
         .residual = (double)e->residual,
         .energy_change = e->energy_change,
         .overlaps = (int)e->overlaps,
-        .shortfall = __builtin_sqrt((double)e->shortfall),
+        .shortfall = __builtin_sqrt((double)e->shortfall_squared),
         .joint_gap_max = gaps.worst,
         .joint_gap_mean = gaps.mean,
         .joint_angle_max = gaps.angle,
     };
+    return THUD_OK;
 }
 
 /* Maximum and mean penetration over the points of touching contacts, length. Separations are stored
  * with the skin taken off. Where detection moved bodies after the solver they are computed anew
- * from the poses (td_error_separation). */
+ * from the poses (td_errors_separation). */
 static void measure_penetration(const thud_world *w, thud_measure *m) {
     int points = 0;
     double sum = 0.0;
-    bool moved = td_error_has_moved(w);
+    bool moved = td_errors_points_stale(w);
     for (int i = 0; i < w->constraints.count; i++) {
         const td_constraint *contact = td_constraint_at(w, i);
         if (!td_is_contact(contact) || !contact->live || contact->state != TD_TOUCHING) {
@@ -142,7 +145,7 @@ static void measure_penetration(const thud_world *w, thud_measure *m) {
                 continue;
             }
             float separation =
-                (moved ? td_error_separation(w, contact, k) : p->separation[at.lane]) + w->skin;
+                (moved ? td_errors_separation(w, contact, k) : p->separation[at.lane]) + w->skin;
             double depth = separation < 0.0f ? -(double)separation : 0.0;
             m->penetration_max = depth > m->penetration_max ? depth : m->penetration_max;
             sum += depth;
@@ -152,16 +155,16 @@ static void measure_penetration(const thud_world *w, thud_measure *m) {
     m->penetration_mean = points ? sum / points : 0.0;
 }
 
-thud_measure thud_world_measure(const thud_world *w) {
-    TD_IN_OWN_MODE;
-    thud_measure m = {0};
-    if (!w) {
-        return m;
+thud_result thud_world_get_measure(const thud_world *w, thud_measure *out) {
+    TD_IN_OWN_FLOAT_MODE;
+    if (!w || !out) {
+        return THUD_ERROR_NULL;
     }
+    thud_measure m = {0};
     measure_penetration(w, &m);
     for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         const td_body *body = td_body_at(w, i);
-        if (!(body->flags & TD_BODY_LIVE) || body->kind != THUD_DYNAMIC) {
+        if (!(body->flags & TD_BODY_LIVE) || body->kind != THUD_BODY_DYNAMIC) {
             continue;
         }
         const float *v = td_body_velocity(w, body);
@@ -175,7 +178,8 @@ thud_measure thud_world_measure(const thud_world *w) {
         m.potential_energy -=
             mass * ((double)w->def.gravity.x * center.x + (double)w->def.gravity.y * center.y);
     }
-    return m;
+    *out = m;
+    return THUD_OK;
 }
 
 /* FNV-1a (Fowler, Noll, Vo), by words of 64 bits in place of bytes. */
@@ -189,9 +193,12 @@ static uint64_t bits_of(float x) {
     return bits;
 }
 
-uint64_t thud_world_hash(const thud_world *w) {
+thud_result thud_world_get_hash(const thud_world *w, uint64_t *out) {
+    if (!w || !out) {
+        return THUD_ERROR_NULL;
+    }
     uint64_t hash = 0xcbf29ce484222325ull;
-    for (td_body_index i = {0}; w && i.at < w->bodies.count; i.at++) {
+    for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         if (!td_body_lives(w, i)) {
             continue;
         }
@@ -205,5 +212,6 @@ uint64_t thud_world_hash(const thud_world *w) {
         hash ^=
             hash >> 29; /* the product only carries bits upwards: fold high bits into low ones */
     }
-    return hash;
+    *out = hash;
+    return THUD_OK;
 }

@@ -17,21 +17,22 @@ static thud_world *unconst(const thud_world *w) {
     return pointer.same;
 }
 
-thud_result thud_world_snapshot_size(const thud_world *w, size_t *bytes) {
-    if (!w || !bytes) {
+thud_result thud_world_get_snapshot_size(const thud_world *w, size_t *out_bytes) {
+    if (!w || !out_bytes) {
         return td_refuse(w, THUD_ERROR_NULL, "snapshot size: world or bytes is null");
     }
     if (w->locked) {
         return td_refuse(w, THUD_ERROR_LOCKED, "snapshot size: not inside a callback");
     }
-    *bytes = (size_t)td_snapshot_head_of(unconst(w)).bytes;
+    *out_bytes = (size_t)td_snapshot_head_of(unconst(w)).bytes;
     return THUD_OK;
 }
 
 /* The checksum is over all bytes from this offset on. */
 static const size_t SUMMED_FROM = offsetof(td_snapshot_head, checksum) + sizeof(uint64_t);
 
-thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capacity, size_t *bytes) {
+thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capacity,
+                                size_t *out_bytes) {
     if (!w || !buffer) {
         return td_refuse(w, THUD_ERROR_NULL, "snapshot: world or buffer is null");
     }
@@ -51,8 +52,8 @@ thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capaci
     }
     head.checksum = td_snapshot_checksum(to + SUMMED_FROM, size - SUMMED_FROM);
     memcpy(to, &head, SUMMED_FROM);
-    if (bytes) {
-        *bytes = size;
+    if (out_bytes) {
+        *out_bytes = size;
     }
     return THUD_OK;
 }
@@ -76,9 +77,9 @@ static bool counts_valid(const td_snapshot_head *head) {
         valid = valid && p->count >= 0 && p->count <= max && p->used >= 0 && p->used <= max;
     }
     for (int i = 0; i < TD_CONSTRAINT_KINDS; i++) {
-        valid = valid && head->contacts[i] >= 0 && head->contacts[i] <= max;
+        valid = valid && head->constraints[i] >= 0 && head->constraints[i] <= max;
     }
-    return valid && head->ruled.rules >= 0 && head->ruled.rules <= TD_RULES_MOST &&
+    return valid && head->ruled.rules >= 0 && head->ruled.rules <= TD_RULES_MAX &&
            head->ruled.impulses >= 0 && head->ruled.impulses <= max;
 }
 
@@ -97,10 +98,10 @@ static bool lengths_valid(thud_world *w, const td_snapshot_head *head) {
         valid = valid && parts[i].used == head->slots[TD_SNAPSHOT_SHAPES].count;
     }
     for (int i = 0; i < TD_AWAKE_ARRAY_COUNT; i++) {
-        valid = valid && parts[TD_SNAPSHOT_AWAKE + i].used >= td_awake_kept[i] * slots;
+        valid = valid && parts[TD_SNAPSHOT_AWAKE + i].used >= (td_awake_is_state[i] ? slots : 0);
     }
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
-        valid = valid && parts[TD_SNAPSHOT_WAITING + kind].count <= head->contacts[kind];
+        valid = valid && parts[TD_SNAPSHOT_WAITING + kind].count <= head->constraints[kind];
     }
     for (int p = 0; p < 2; p++) {
         const td_snapshot_part *set =

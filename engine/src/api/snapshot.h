@@ -26,7 +26,7 @@ enum { TD_SNAPSHOT_VERSION = 9 }; /* to be raised whenever the meaning of the by
 enum {
     TD_SNAPSHOT_BODIES,
     TD_SNAPSHOT_SHAPES,
-    TD_SNAPSHOT_CONTACTS,
+    TD_SNAPSHOT_CONSTRAINTS, /* contacts and parts of joints */
     TD_SNAPSHOT_JOINTS,
     TD_SNAPSHOT_TERRAINS,
     TD_SNAPSHOT_POOLS, /* of blocks, by td_block_form */
@@ -37,8 +37,8 @@ enum {
  * parts. */
 enum {
     TD_SNAPSHOT_LIST,
-    TD_SNAPSHOT_IDS, /* from here to PLACES_MOVED: arrays by place in the set, which every
-                        broadphase has */
+    TD_SNAPSHOT_IDS, /* from here to PLACES_MOVED: arrays in the order of td_proxy_set.ids, which
+                        every broadphase fills */
     TD_SNAPSHOT_MIN_X,
     TD_SNAPSHOT_MIN_Y,
     TD_SNAPSHOT_MAX_X,
@@ -46,7 +46,7 @@ enum {
     TD_SNAPSHOT_PLACES_MOVED,
     TD_SNAPSHOT_CELLS,
     TD_SNAPSHOT_STARTS,
-    TD_SNAPSHOT_SPOT,
+    TD_SNAPSHOT_INDEX_OF,
     TD_SNAPSHOT_ANCHOR_X,
     TD_SNAPSHOT_ANCHOR_Y,
     TD_SNAPSHOT_KEYS,
@@ -57,7 +57,7 @@ enum {
 enum {
     TD_SNAPSHOT_POSE,
     TD_SNAPSHOT_PROXY,
-    TD_SNAPSHOT_WAS,
+    TD_SNAPSHOT_PREVIOUS_FAT,
     TD_SNAPSHOT_MARKS,
     TD_SNAPSHOT_AWAKE, /* arrays by awake slot, in the order of awake_arrays.h */
     TD_SNAPSHOT_MOVED = TD_SNAPSHOT_AWAKE + TD_AWAKE_ARRAY_COUNT,
@@ -70,7 +70,7 @@ enum {
     TD_SNAPSHOT_GATHERED,
     TD_SNAPSHOT_GATHERED_BROKEN = TD_SNAPSHOT_GATHERED + TD_EVENT_LIST_COUNT,
     TD_SNAPSHOT_GATHERED_IMPULSES,
-    TD_SNAPSHOT_PULLS,
+    TD_SNAPSHOT_FORCE_RECORDS,
     TD_SNAPSHOT_PROXY_SETS,
     TD_SNAPSHOT_PARTS = TD_SNAPSHOT_PROXY_SETS + 2 * TD_SNAPSHOT_PROXY_SET_PARTS
 };
@@ -116,9 +116,9 @@ typedef struct td_snapshot_head {
     double unit;         /* thud_world.unit: the power of two at or below length_scale */
     td_snapshot_settings settings;
     uint32_t plugged;
-    int32_t detection;                     /* rank of the quality's detection */
-    int32_t bins;                          /* number of bins with lanes */
-    int32_t contacts[TD_CONSTRAINT_KINDS]; /* constraints of each kind */
+    int32_t detection;                        /* rank of the quality's detection */
+    int32_t bins;                             /* number of bins with lanes */
+    int32_t constraints[TD_CONSTRAINT_KINDS]; /* constraints of each kind */
     int32_t levels[2]; /* grid levels stored of either proxy set: the last ones, from the first that
                           is not empty on */
     td_snapshot_slots slots[TD_SNAPSHOT_SLOTS];
@@ -129,24 +129,25 @@ typedef struct td_snapshot_head {
 
 /* ---- snapshot_parts.c ---- */
 
-/* By array of awake_arrays.h: 1 where it is state, 0 where each step computes it anew. */
-extern const uint8_t td_awake_kept[TD_AWAKE_ARRAY_COUNT];
+/* By array of awake_arrays.h: true where it is state, false where each step computes it anew. */
+extern const bool td_awake_is_state[TD_AWAKE_ARRAY_COUNT];
 
 /* An array of the world, and how much of it goes into a snapshot. */
 typedef struct td_part {
     td_array *array;
     int used; /* elements of the present world that are state */
     int room; /* elements that a world with the head's counts must have room for, because stages of
-                 the step write that many without reserving */
+                 the step write that many without reserving; 0: no more than `used` */
 } td_part;
 
-/* Lists the arrays in the order of TD_SNAPSHOT_POSE and so on. */
+/* Lists the arrays in the order of TD_SNAPSHOT_POSE and so on: how much of each the present world
+ * `w` uses, and how much room it needs for the counts of `head`. */
 void td_snapshot_list_parts(thud_world *w, const td_snapshot_head *head,
                             td_part parts[TD_SNAPSHOT_PARTS]);
 /* Lists them in the order of TD_SNAPSHOT_BODIES and so on. */
 void td_snapshot_list_slots(thud_world *w, td_slots *slots[TD_SNAPSHOT_SLOTS]);
-/* The number of entries of the table after the head. */
-int td_snapshot_table_of(const td_snapshot_head *head);
+/* The number of entries of the table after the head: one a terrain slot and one a block slot. */
+int td_snapshot_table_count(const td_snapshot_head *head);
 
 /* ---- snapshot_stream.c ---- */
 

@@ -1,29 +1,41 @@
 /* snapshot_checksum.c: the checksum of a snapshot: the multiplicative step of FNV-1a (Fowler, Noll,
  * Vo) on words of 64 bits, with a rotation, in eight independent lanes that are mixed at the end.
- * Each step is a bijection of the sum, so that a change within one word is always found. */
+ *
+ * A step is a bijection of the running sum for a given word, and of the word for a given sum: two
+ * snapshots of the same size that differ in one word only have different checksums. Words are in
+ * the byte order of the machine, as the snapshot is. Snapshots have the result, so that any change
+ * of it raises TD_SNAPSHOT_VERSION. */
 #include "api/snapshot.h"
 
 #include <string.h>
 
-/* One step. The rotation carries high bits, which the product never moves down, to low ones. */
+#define FNV_PRIME 0x100000001b3ull /* that of FNV-1a for 64 bits */
+enum { ROTATION = 29 };            /* bits. Chosen; not tuned */
+
+/* One step: the running sum after the next word. The rotation carries high bits, which a product
+ * never moves down, to low places. */
 static uint64_t mix(uint64_t sum, uint64_t word) {
-    sum = (sum ^ word) * 0x100000001b3ull;
-    return sum << 29 | sum >> 35;
+    sum = (sum ^ word) * FNV_PRIME;
+    return sum << ROTATION | sum >> (64 - ROTATION);
 }
 
 uint64_t td_snapshot_checksum(const void *bytes, size_t count) {
     enum { LANES = 8 }; /* a single lane would wait for the latency of each product */
+    /* The start values are arbitrary, but not 0: mix(0, 0) is 0, so that a lane would stay 0
+     * through any number of zero words at the beginning. */
     uint64_t lane[LANES] = {1, 2, 3, 4, 5, 6, 7, 8}, words[LANES], sum = count;
-    const char *at = bytes;
-    size_t whole = count - count % sizeof words;
-    for (size_t i = 0; i < whole; i += sizeof words) {
-        memcpy(words, at + i, sizeof words);
+    const char *from = bytes;
+    size_t in_groups = count - count % sizeof words; /* bytes in whole groups of a word a lane */
+    for (size_t i = 0; i < in_groups; i += sizeof words) {
+        memcpy(words, from + i, sizeof words);
         for (int k = 0; k < LANES; k++) {
             lane[k] = mix(lane[k], words[k]);
         }
     }
+    /* The last bytes, filled up with zeros; the sum begins with the count, which tells zeros that
+     * the snapshot has from these. */
     memset(words, 0, sizeof words);
-    memcpy(words, at + whole, count - whole);
+    memcpy(words, from + in_groups, count - in_groups);
     for (int k = 0; k < LANES; k++) {
         sum = mix(sum, mix(lane[k], words[k]));
     }

@@ -26,10 +26,10 @@ static const struct {
     FIELD(quality.substeps),
     FIELD(quality.contact_stiffness),
     FIELD(quality.contact_damping),
-    FIELD(quality.sag_limit),
+    FIELD(quality.overlap_limit),
     FIELD(quality.island_limit),
     FIELD(quality.island_work),
-    FIELD(quality.island_patience),
+    FIELD(quality.island_slow_steps),
     FIELD(substeps),
     FIELD(skin),
     FIELD(number), /* so that handles stay valid */
@@ -45,7 +45,7 @@ static const struct {
     FIELD(mobile_sensors),
     FIELD(breakable),
     FIELD(damped),
-    FIELD(push_stale),
+    FIELD(substep_gain_stale),
     FIELD(kinetic),
     FIELD(kinetic_stale),
     FIELD(idle_bodies),
@@ -95,7 +95,7 @@ _Static_assert(sizeof KINDS / sizeof *KINDS == THUD_SHAPE_KIND_COUNT, "every kin
 
 /* A hash of the sizes of all records and of the byte order (by the bytes of 0x01020304). */
 static uint32_t layout_of_build(void) {
-#define ELEMENT_BYTES(name, element, kept) sizeof(element),
+#define ELEMENT_BYTES(name, element, is_state) sizeof(element),
     const uint32_t sizes[] = {0x01020304,
                               TD_AWAKE_ARRAYS(ELEMENT_BYTES) sizeof(td_snapshot_head),
                               sizeof(void *),
@@ -111,7 +111,7 @@ static uint32_t layout_of_build(void) {
                               (uint32_t)td_form_bytes(TD_FORM_TWO_CACHED),
                               sizeof(td_joint),
                               sizeof(td_kept_rule),
-                              sizeof(td_pull),
+                              sizeof(td_force_record),
                               sizeof(thud_impulse_event),
                               sizeof(td_errors),
                               sizeof(td_budget),
@@ -183,7 +183,7 @@ td_snapshot_head td_snapshot_head_of(thud_world *w) {
                              .levels = {levels_of(&w->awake_shapes), levels_of(&w->rest_shapes)},
                              .points = points_of(w)};
     strncpy(head.broadphase, w->def.broadphase->name, sizeof head.broadphase - 1);
-    memcpy(head.contacts, w->constraint_count, sizeof head.contacts);
+    memcpy(head.constraints, w->constraint_count, sizeof head.constraints);
     const td_bin *bins = &w->bins[0][0];
     for (int i = 0; i < BIN_COUNT; i++) {
         head.bins += bins[i].lanes > 0;
@@ -209,7 +209,7 @@ uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head) {
     const td_snapshot_slots *slots = head->slots;
     td_part parts[TD_SNAPSHOT_PARTS];
     td_snapshot_list_parts(w, head, parts);
-    uint64_t bytes = sizeof *head + sizeof(int32_t) * (uint64_t)td_snapshot_table_of(head);
+    uint64_t bytes = sizeof *head + sizeof(int32_t) * (uint64_t)td_snapshot_table_count(head);
     for (int i = 0; i < FIELD_COUNT; i++) {
         bytes += FIELDS[i].bytes;
     }
@@ -217,7 +217,7 @@ uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head) {
     bytes += (uint64_t)(head->levels[0] + head->levels[1]) * sizeof(td_level);
     bytes += (uint64_t)slots[TD_SNAPSHOT_BODIES].count * BODY_BYTES;
     bytes += (uint64_t)slots[TD_SNAPSHOT_SHAPES].count * sizeof(td_shape);
-    bytes += (uint64_t)slots[TD_SNAPSHOT_CONTACTS].count * sizeof(td_contact);
+    bytes += (uint64_t)slots[TD_SNAPSHOT_CONSTRAINTS].count * sizeof(td_contact);
     bytes += (uint64_t)slots[TD_SNAPSHOT_JOINTS].count * sizeof(td_joint);
     bytes += (uint64_t)slots[TD_SNAPSHOT_TERRAINS].count * TERRAIN_BYTES;
     bytes += head->points * sizeof(thud_pos) + td_ruled_bytes(head->ruled);
@@ -373,7 +373,7 @@ static void take_counts(thud_world *w, const td_snapshot_head *head) {
          slot.at < w->body_of.count; slot.at++) {
         memset(td_row(&w->velocity, slot), 0, sizeof(float[4]));
     }
-    memcpy(w->constraint_count, head->contacts, sizeof head->contacts);
+    memcpy(w->constraint_count, head->constraints, sizeof head->constraints);
 }
 
 /* Table and values, in the order of the layout. */

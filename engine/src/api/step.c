@@ -107,15 +107,15 @@ static bool find_islands(thud_world *w) {
 }
 
 /* Runs the soft solver on all islands, then the direct solver on some of them, which keeps the
- * better result of each. Of joints, `forget` first drops warm-start impulses that pressed bodies
- * into static shapes, `share_caps` bounds springs and motors of two directions, and `yield` at last
- * takes back the motion by which a joint pressed a body into a static shape. */
+ * better result of each. Of joints, clear_yielded first drops warm-start impulses that pressed
+ * bodies into static shapes, share_caps bounds springs and motors of two directions, and yield at
+ * last takes back the motion by which a joint pressed a body into a static shape. */
 static void solve(thud_world *w) {
     w->stats.direct_islands = w->stats.direct_bodies = w->stats.soft_islands = w->stats.factorings =
         0;
     w->stats.island_work = 0;
     if (w->joint_hooks) {
-        w->joint_hooks->forget(w);
+        w->joint_hooks->clear_yielded(w);
         w->joint_hooks->share_caps(w);
     }
     if (w->quality.islands) {
@@ -213,7 +213,7 @@ thud_result td_step(thud_world *w) {
 }
 
 thud_result thud_world_step(thud_world *w) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
     }

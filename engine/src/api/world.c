@@ -18,7 +18,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
-thud_world_def thud_world_def_of(const thud_quality *quality) {
+thud_world_def thud_default_world_def_of(const thud_quality *quality) {
     return (thud_world_def) {
         .gravity = {0.0f, -10.0f}, .time_step = 1.0 / 60.0, .length_scale = 1.0f,
         .quality = quality, .push_speed = 3.0f, .restitution_threshold = 1.0f, .hit_speed = 1.0f,
@@ -57,7 +57,7 @@ static bool numbers_in(const thud_world_def *d, td_reason *why) {
 
 /* Why the def is refused, or null. */
 static const char *def_error(const thud_world_def *d, td_reason *why) {
-    if (d->cookie != TD_COOKIE) {
+    if (d->cookie != TD_COOKIE && d->cookie != TD_COOKIE_BASELINE) {
         return "world_create: the def does not start from thud_default_world_def()";
     }
     if (!numbers_in(d, why)) {
@@ -67,7 +67,7 @@ static const char *def_error(const thud_world_def *d, td_reason *why) {
         return "world def: quality is null";
     }
     const char *error = td_quality_error(d->quality, why);
-    error = error ? error : td_max_error_error(d->max_error, d->quality, why);
+    error = error ? error : td_check_max_error(d->max_error, d->quality, why);
     if (error) {
         return error;
     }
@@ -83,7 +83,7 @@ static const char *def_error(const thud_world_def *d, td_reason *why) {
     return NULL;
 }
 
-/* Whether this processor runs the AVX2 kernels; `baseline`: thud_world_def.baseline_simd. */
+/* Whether this processor runs the AVX2 kernels; `baseline`: the def does not want them. */
 static bool has_avx2(bool baseline) {
 #if defined(TD_HAS_AVX2)
     return !baseline && __builtin_cpu_supports("avx2");
@@ -105,7 +105,7 @@ static double power_below(double x) {
 
 /* The arrays of a world, with the type of their elements. */
 #define ARRAY(name, element) TD_ARRAY_PLACE(thud_world, name, element)
-#define BY_SLOT(name, element, kept) ARRAY(name, element),
+#define BY_SLOT(name, element, is_state) ARRAY(name, element),
 #define EVENTS(list)                                                                              \
     ARRAY(list.begin, thud_contact_event), ARRAY(list.end, thud_contact_event),                   \
         ARRAY(list.sensor_begin, thud_contact_event), ARRAY(list.sensor_end, thud_contact_event), \
@@ -115,7 +115,7 @@ static double power_below(double x) {
 static const td_array_place ARRAYS[] = {
     TD_AWAKE_ARRAYS(BY_SLOT) ARRAY(pose, td_pose),
     ARRAY(proxy, td_shape_proxy),
-    ARRAY(was, td_bounds),
+    ARRAY(previous_fat, td_bounds),
     ARRAY(marks, uint8_t),
     ARRAY(moved, int),
     ARRAY(changed, td_body_index),
@@ -124,7 +124,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(preview.shape, int),
     ARRAY(preview.proxy, td_shape_proxy),
     ARRAY(preview.number, int),
-    ARRAY(scratch.hits, int),
+    ARRAY(scratch.found_shapes, int),
     ARRAY(scratch.ahead, int),
     ARRAY(scratch.crowded, int),
     ARRAY(scratch.stamps, uint32_t),
@@ -133,7 +133,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.constraints, int),
     ARRAY(scratch.blocks, td_block *),
     ARRAY(scratch.runs, td_run),
-    ARRAY(scratch.parted, td_block *),
+    ARRAY(scratch.separated, td_block *),
     ARRAY(scratch.chunks, td_chunk),
     ARRAY(scratch.counters, atomic_int),
     ARRAY(scratch.begins, int),
@@ -141,8 +141,8 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.parents, td_awake_slot),
     ARRAY(scratch.lane_bins, int),
     ARRAY(scratch.trajectories, td_trajectory),
-    ARRAY(scratch.candidates, td_toi_candidate),
-    ARRAY(scratch.strays, td_stray),
+    ARRAY(scratch.extra_candidates, td_toi_candidate),
+    ARRAY(scratch.escaped, td_escaped_shape),
     ARRAY(scratch.impacts, td_impact),
     ARRAY(scratch.test_list, td_block *),
     ARRAY(scratch.fast, td_awake_slot),
@@ -150,7 +150,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.order, int32_t),
     ARRAY(scratch.next_tied, td_awake_slot),
     ARRAY(scratch.before, float[4]),
-    ARRAY(scratch.powers, double[3]),
+    ARRAY(scratch.brace_groups, double[3]),
     ARRAY(scratch.legs, td_leg),
     ARRAY(scratch.first_legs, int),
     ARRAY(scratch.held_at, double),
@@ -161,7 +161,7 @@ static const td_array_place ARRAYS[] = {
     EVENTS(gathered.lists),
     ARRAY(gathered.broken, thud_joint_event),
     ARRAY(gathered.impulses, thud_impulse_event),
-    ARRAY(pulls, td_pull),
+    ARRAY(force_records, td_force_record),
 };
 enum { ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
 
@@ -203,7 +203,7 @@ static thud_result refuse(const thud_world_def *def, thud_result result, const c
 }
 
 thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     static const char no_memory[] = "world create: out of memory";
     static atomic_uint made;
     if (!def) {
@@ -225,7 +225,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
     w->def = *def;
     w->memory = memory;
     w->number = atomic_fetch_add(&made, 1u) + 1u;
-    w->wide = has_avx2(def->baseline_simd);
+    w->wide = has_avx2(def->cookie == TD_COOKIE_BASELINE);
     w->def.broadphase = def->broadphase ? def->broadphase : &thud_broadphase_grid;
     double unit = power_below((double)def->length_scale);
     w->unit = (float)unit;
@@ -238,7 +238,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
     td_islands_init(&w->islands, w->wide);
     td_proxy_set_init(&w->awake_shapes);
     td_proxy_set_init(&w->rest_shapes);
-    td_quality_take(w, def->quality);
+    td_quality_apply(w, def->quality);
     if (!td_awake_reserve(w, 0)) {
         thud_world_destroy(w);
         return refuse(def, THUD_ERROR_MEMORY, no_memory);
@@ -326,7 +326,7 @@ thud_result thud_world_set_time_step(thud_world *w, double time_step) {
     w->def.time_step = time_step;
     w->drowsy_bodies =
         w->body_of.count; /* with a longer step bodies may fall asleep earlier than planned */
-    w->push_stale = true;
+    w->substep_gain_stale = true;
     return THUD_OK;
 }
 

@@ -58,12 +58,11 @@
 #define TD_APART 1e18f
 /* Distance, L, at which contacts rest in a world that is bisected or swept, so that bodies under
  * load do not overlap although soft contacts give way. Where all islands are solved directly it is
- * TD_MEET. Chosen. */
+ * TD_IMPACT_DISTANCE. Chosen. */
 #define TD_SKIN 0.004f
-/* Distance, L, at which the time of impact of two shapes ends, unless they are nearer already.
- * Chosen.
- */
-#define TD_MEET 0.001f
+/* Distance, L, at which two shapes that close count as having met: the time of impact is when they
+ * are this near, unless they are nearer at the start. Chosen. */
+#define TD_IMPACT_DISTANCE 0.001f
 /* When fat bounds are made, they exceed the tight bounds by TD_MARGIN + min(TD_MARGIN_MORE, extent
  * / 8), L. TD_MARGIN is a little more than half of TD_SPECULATIVE, so that the fat bounds of two
  * shapes overlap before they are as near as that. (Shapes then drift within their fat bounds, so
@@ -82,6 +81,8 @@
 /* The value of `cookie` that default functions set in defs ("thud" in ASCII). A def without it was
  * not made by its default function, and is refused. */
 #define TD_COOKIE 0x74687564u
+/* The same for a world def whose world is not to use AVX2; see thud_testing.h. */
+#define TD_COOKIE_BASELINE 0x74687563u
 
 static inline int td_min_int(int a, int b) {
     return a < b ? a : b;

@@ -94,45 +94,46 @@ TD_INLINE void td_pause(void) {
  * return. wasm has this mode alone. On processors other than those below the caller must have it
  * set. */
 #if defined(__SSE2__)
-typedef unsigned td_mode;
-#define TD_MODE_GET(mode) __asm__ volatile("stmxcsr %0" : "+m"(mode)::"memory")
-#define TD_MODE_SET(mode) __asm__ volatile("ldmxcsr %0" ::"m"(mode) : "memory")
-#define TD_MODE_OWN 0x1f80u
-#define TD_MODE_NOTES 0x3fu /* sticky flags of exceptions that occurred: no part of the mode */
+typedef unsigned td_float_mode;
+#define TD_FLOAT_MODE_GET(mode) __asm__ volatile("stmxcsr %0" : "+m"(mode)::"memory")
+#define TD_FLOAT_MODE_SET(mode) __asm__ volatile("ldmxcsr %0" ::"m"(mode) : "memory")
+#define TD_FLOAT_MODE_OWN 0x1f80u
+#define TD_FLOAT_MODE_FLAGS 0x3fu /* sticky, of exceptions that occurred: no part of the mode */
 #elif defined(__aarch64__)
-typedef uint64_t td_mode;
-#define TD_MODE_GET(mode) __asm__ volatile("mrs %0, fpcr" : "=r"(mode)::"memory")
-#define TD_MODE_SET(mode) __asm__ volatile("msr fpcr, %0" ::"r"(mode) : "memory")
-#define TD_MODE_OWN 0u
-#define TD_MODE_NOTES 0u
+typedef uint64_t td_float_mode;
+#define TD_FLOAT_MODE_GET(mode) __asm__ volatile("mrs %0, fpcr" : "=r"(mode)::"memory")
+#define TD_FLOAT_MODE_SET(mode) __asm__ volatile("msr fpcr, %0" ::"r"(mode) : "memory")
+#define TD_FLOAT_MODE_OWN 0u
+#define TD_FLOAT_MODE_FLAGS 0u
 #endif
 
-#if defined(TD_MODE_OWN)
+#if defined(TD_FLOAT_MODE_OWN)
 /* Sets the engine's mode, and returns the one before. Writing the register waits for all operations
  * under way, so that it is written only where the mode differs. `mode` is initialised for clang's
  * memory sanitizer, which does not see that the assembly writes it. */
-static inline td_mode td_mode_take(void) {
-    td_mode mode = TD_MODE_OWN, own = TD_MODE_OWN;
-    TD_MODE_GET(mode);
-    if (__builtin_expect((mode & ~(td_mode)TD_MODE_NOTES) != TD_MODE_OWN, 0)) {
-        TD_MODE_SET(own);
+static inline td_float_mode td_float_mode_enter(void) {
+    td_float_mode mode = TD_FLOAT_MODE_OWN, own = TD_FLOAT_MODE_OWN;
+    TD_FLOAT_MODE_GET(mode);
+    if (__builtin_expect((mode & ~(td_float_mode)TD_FLOAT_MODE_FLAGS) != TD_FLOAT_MODE_OWN, 0)) {
+        TD_FLOAT_MODE_SET(own);
     }
     return mode;
 }
 
-/* Restores the mode that td_mode_take returned. */
-static inline void td_mode_give_back(const td_mode *mode) {
-    if (__builtin_expect((*mode & ~(td_mode)TD_MODE_NOTES) != TD_MODE_OWN, 0)) {
-        TD_MODE_SET(*mode);
+/* Restores the mode that td_float_mode_enter returned. */
+static inline void td_float_mode_restore(const td_float_mode *mode) {
+    if (__builtin_expect((*mode & ~(td_float_mode)TD_FLOAT_MODE_FLAGS) != TD_FLOAT_MODE_OWN, 0)) {
+        TD_FLOAT_MODE_SET(*mode);
     }
 }
 
 /* Stands as the first line of a function, which then runs in the engine's mode until it returns. */
-#define TD_IN_OWN_MODE                                                                       \
-    __attribute__((cleanup(td_mode_give_back))) const td_mode callers_mode = td_mode_take(); \
+#define TD_IN_OWN_FLOAT_MODE                                                           \
+    __attribute__((cleanup(td_float_mode_restore))) const td_float_mode callers_mode = \
+        td_float_mode_enter();                                                         \
     (void)callers_mode
 #else
-#define TD_IN_OWN_MODE (void)0
+#define TD_IN_OWN_FLOAT_MODE (void)0
 #endif
 
 /* `yes` in the lanes of the mask, `no` in the others. */
@@ -311,7 +312,7 @@ TD_INLINE_SMALL f8 f8_two(const float *low, const float *high) {
 }
 
 /* Transposes: r0 has the records 0 and 4, r1 the records 1 and 5, r2 2 and 6, r3 3 and 7. */
-TD_INLINE td_rows td_turn(f8 r0, f8 r1, f8 r2, f8 r3) {
+TD_INLINE td_rows td_transpose(f8 r0, f8 r1, f8 r2, f8 r3) {
     f8 t0 = __builtin_shufflevector(r0, r1, 0, 8, 1, 9, 4, 12, 5, 13);
     f8 t1 = __builtin_shufflevector(r2, r3, 0, 8, 1, 9, 4, 12, 5, 13);
     f8 t2 = __builtin_shufflevector(r0, r1, 2, 10, 3, 11, 6, 14, 7, 15);
@@ -332,17 +333,18 @@ TD_INLINE td_rows td_gather(const float (*records)[4], const uint32_t *offset) {
     for (int i = 0; i < 8; i++) {
         r[i] = (const float *)(const void *)(base + offset[i]);
     }
-    return td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
+    return td_transpose(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]),
+                        f8_two(r[3], r[7]));
 }
 
 /* Reads eight consecutive records. */
 TD_INLINE td_rows td_load_rows(const float (*records)[4]) {
-    return td_turn(f8_two(records[0], records[4]), f8_two(records[1], records[5]),
-                   f8_two(records[2], records[6]), f8_two(records[3], records[7]));
+    return td_transpose(f8_two(records[0], records[4]), f8_two(records[1], records[5]),
+                        f8_two(records[2], records[6]), f8_two(records[3], records[7]));
 }
 
-/* The inverse of td_turn: `out` gets the eight records in their order. */
-TD_INLINE void td_turn_back(td_rows v, f4 out[8]) {
+/* The inverse of td_transpose: `out` gets the eight records in their order. */
+TD_INLINE void td_transpose_back(td_rows v, f4 out[8]) {
     f8 t0 = __builtin_shufflevector(v.x, v.y, 0, 8, 1, 9, 4, 12, 5, 13);
     f8 t1 = __builtin_shufflevector(v.x, v.y, 2, 10, 3, 11, 6, 14, 7, 15);
     f8 t2 = __builtin_shufflevector(v.z, v.w, 0, 8, 1, 9, 4, 12, 5, 13);
@@ -360,7 +362,7 @@ TD_INLINE void td_turn_back(td_rows v, f4 out[8]) {
 /* Writes eight records to offsets in bytes. Where two offsets are equal, the later lane's stays. */
 TD_INLINE void td_scatter(float (*records)[4], const uint32_t *offset, td_rows v) {
     f4 r[8];
-    td_turn_back(v, r);
+    td_transpose_back(v, r);
     for (int i = 0; i < 8; i++) {
         __builtin_memcpy((char *)records + offset[i], &r[i], sizeof r[i]);
     }

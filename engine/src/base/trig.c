@@ -39,13 +39,13 @@ void td_sincos(double angle, double *s, double *c) {
     *c = (quarters + 1) & 2 ? -v : v;
 }
 
-thud_result thud_sincos(double angle, double *sine, double *cosine) {
-    if (!sine || !cosine) {
+thud_result thud_sincos(double angle, double *out_sine, double *out_cosine) {
+    if (!out_sine || !out_cosine) {
         return THUD_ERROR_NULL;
     }
     if (!(td_abs(angle) <= THUD_ANGLE_MAX)) {
         return THUD_ERROR_INVALID;
     }
-    td_sincos(angle, sine, cosine);
+    td_sincos(angle, out_sine, out_cosine);
     return THUD_OK;
 }

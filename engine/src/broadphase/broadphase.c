@@ -100,7 +100,7 @@ static int stamp_partners(thud_world *w, int a) {
     uint32_t stamp = w->scratch.stamp;
     int count = 0, e = td_body_at(w, td_shape_at(w, a)->body)->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *contact = td_constraint_at(w, e / 2);
+        const td_constraint *contact = td_constraint_at(w, td_edge_constraint(e));
         if (contact->shape_a == a || contact->shape_b == a) {
             stamps[contact->shape_a == a ? contact->shape_b : contact->shape_a] = stamp;
             count++;
@@ -193,17 +193,17 @@ static unsigned turn_mask(int count, int max) {
 static bool keep_pairs_in_turn(thud_world *w, int shape, int first, unsigned skip_mask) {
     td_array *pairs = &w->scratch.pairs;
     td_pairs_filter(w, first);
-    int kept = first,
+    int kept_count = first,
         max = stamp_partners(w, shape) < CROWD_CONTACTS_A_SHAPE ? CROWD_CONTACTS_A_SHAPE : 1;
     skip_mask += (skip_mask + 1) * turn_mask(pairs->count - first, max);
     for (int i = first; i < pairs->count; i++) {
         const td_new_pair *pair = TD_AT(td_new_pair, pairs, i);
         bool sensor = td_senses(w, pair->a) || td_senses(w, pair->b);
         if (sensor || !(turn_number(w, pair->a, pair->b) & skip_mask)) {
-            *TD_AT(td_new_pair, pairs, kept++) = *pair;
+            *TD_AT(td_new_pair, pairs, kept_count++) = *pair;
         }
     }
-    pairs->count = kept;
+    pairs->count = kept_count;
     return skip_mask != 0;
 }
 
@@ -228,11 +228,13 @@ static bool add_hits(void *context, int shape, const int *hits, int count) {
     return !s->crowded;
 }
 
-/* Puts the shapes of a proxy set whose bounds overlap those of `shape` into scratch.hits. */
+/* Puts the shapes of a proxy set whose bounds overlap those of `shape` into scratch.found_shapes.
+ */
 static bool query(thud_world *w, const td_proxy_set *set, int shape) {
-    w->scratch.hits.count = 0;
+    w->scratch.found_shapes.count = 0;
     return w->def.broadphase->find[w->wide](set, &w->memory, td_fat_at(w, shape),
-                                            td_shape_proxy_at(w, shape)->center, &w->scratch.hits);
+                                            td_shape_proxy_at(w, shape)->center,
+                                            &w->scratch.found_shapes);
 }
 
 /* Searches all pairs of awake shapes of which one moved. False where add_hits ended it or memory is
@@ -242,9 +244,9 @@ static bool sweep(pair_search *s) {
     s->overlaps = 0;
     const td_proxy_set *set = &w->awake_shapes;
     bool every = set->moved_count * 2 > set->ids.count;
-    w->scratch.hits.count = w->scratch.pairs.count = 0;
+    w->scratch.found_shapes.count = w->scratch.pairs.count = 0;
     return w->def.broadphase->sweep[w->wide](set, &w->memory, w->proxy.data, every,
-                                             &w->scratch.hits, add_hits, s);
+                                             &w->scratch.found_shapes, add_hits, s);
 }
 
 /* Whether the world was crowded in the last step: requeue_crowded puts the shapes of a crowd at the
@@ -280,8 +282,8 @@ static bool find_awake_pairs_of(thud_world *w, int shape, bool with_moved) {
     if (!query(w, &w->awake_shapes, shape)) {
         return false;
     }
-    for (int k = 0; k < w->scratch.hits.count; k++) {
-        const int *other = TD_AT(int, &w->scratch.hits, k);
+    for (int k = 0; k < w->scratch.found_shapes.count; k++) {
+        const int *other = TD_AT(int, &w->scratch.found_shapes, k);
         if (has_moved(w, *other) == with_moved && !add_new_pairs(w, shape, other, 1, 0)) {
             return false;
         }
@@ -298,8 +300,8 @@ static bool find_resting_sensor_pairs_of(thud_world *w, int shape) {
         return true;
     }
     bool done = query(w, &w->rest_shapes, shape);
-    for (int k = 0; k < w->scratch.hits.count && done; k++) {
-        const int *other = TD_AT(int, &w->scratch.hits, k);
+    for (int k = 0; k < w->scratch.found_shapes.count && done; k++) {
+        const int *other = TD_AT(int, &w->scratch.found_shapes, k);
         bool finds = (own || td_senses(w, *other)) && !(has_moved(w, *other) && *other < shape);
         done = !finds || add_new_pairs(w, shape, other, 1, 0);
     }
@@ -309,7 +311,7 @@ static bool find_resting_sensor_pairs_of(thud_world *w, int shape) {
 /* Adds the new pairs of an awake shape with resting ones. False when memory is short. */
 static bool find_resting_pairs_of(thud_world *w, int shape) {
     return query(w, &w->rest_shapes, shape) &&
-           add_new_pairs(w, shape, w->scratch.hits.data, w->scratch.hits.count, 0);
+           add_new_pairs(w, shape, w->scratch.found_shapes.data, w->scratch.found_shapes.count, 0);
 }
 
 /* Adds every new pair of an awake and a resting shape of which one moved, and of two resting ones

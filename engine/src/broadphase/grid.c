@@ -147,7 +147,7 @@ static bool reserve(thud_world *w, td_proxy_set *grid, bool few_moved) {
     return td_proxy_set_reserve(w, grid) &&
            td_array_reserve(&w->memory, &grid->cells, count + TD_LANES) &&
            td_array_reserve(&w->memory, &w->scratch.order, count + TD_LANES) &&
-           (!few_moved || (td_array_reserve(&w->memory, &grid->spot, w->shapes.count) &&
+           (!few_moved || (td_array_reserve(&w->memory, &grid->index_of, w->shapes.count) &&
                            td_array_reserve(&w->memory, &grid->anchor_x, count) &&
                            td_array_reserve(&w->memory, &grid->anchor_y, count)));
 }
@@ -178,12 +178,12 @@ static void sort(td_proxy_set *grid, const td_grid_measures *m, int starts_count
 
 /* Stores each shape's index in `ids` and its centre, from which `follow` measures its motion. */
 static void store_anchors(td_proxy_set *grid) {
-    int32_t *spot = grid->spot.data, *anchor_x = grid->anchor_x.data;
+    int32_t *index_of = grid->index_of.data, *anchor_x = grid->anchor_x.data;
     int32_t *anchor_y = grid->anchor_y.data;
     const int32_t *ids = grid->ids.data, *min_x = grid->min_x.data, *min_y = grid->min_y.data;
     const int32_t *max_x = grid->max_x.data, *max_y = grid->max_y.data;
     for (int i = 0; i < grid->ids.count; i++) {
-        spot[ids[i]] = i;
+        index_of[ids[i]] = i;
         anchor_x[i] = td_middle(min_x[i], max_x[i]);
         anchor_y[i] = td_middle(min_y[i], max_y[i]);
     }
@@ -254,7 +254,7 @@ static bool follow(thud_world *w, td_proxy_set *grid, const int *moved, int coun
     if (!grid->loose) {
         return false;
     }
-    const int32_t *spot = grid->spot.data, *anchor_x = grid->anchor_x.data;
+    const int32_t *index_of = grid->index_of.data, *anchor_x = grid->anchor_x.data;
     const int32_t *anchor_y = grid->anchor_y.data;
     grid->moved_count = 0;
     for (int i = 0; i < count; i++) {
@@ -262,7 +262,7 @@ static bool follow(thud_world *w, td_proxy_set *grid, const int *moved, int coun
             continue;
         }
         const td_bounds *b = td_fat_at(w, moved[i]);
-        int at = spot[moved[i]];
+        int at = index_of[moved[i]];
         const td_level *level = level_at(grid, at);
         if (extent_of(b) + 2 + 2 * (int64_t)level->slack > level->cell ||
             !is_near_anchor(anchor_x[at], b->min_x, b->max_x, level->slack) ||

@@ -6,14 +6,14 @@
 #include "state/shape.h"
 
 /* Whether the shape overlaps the solid below the line. */
-static bool overlap(const thud_world *w, int line, const thud_shape_instance *shape) {
+static bool overlap(const thud_world *w, int line, const thud_geometry *shape) {
     thud_terrain terrain = td_terrain_view(w, line);
     return thud_terrain_overlap(&terrain, shape);
 }
 
 /* The time, in [0, 1] of the motion, at which the shape meets the line: see
  * thud_terrain_time_of_impact. */
-static void time_of_impact(const thud_world *w, int line, const thud_shape_instance *shape,
+static void time_of_impact(const thud_world *w, int line, const thud_geometry *shape,
                            thud_motion motion, bool *hit, double *time) {
     thud_terrain terrain = td_terrain_view(w, line);
     thud_terrain_time_of_impact(&terrain, shape, motion, 0.0, hit, time);
@@ -21,7 +21,7 @@ static void time_of_impact(const thud_world *w, int line, const thud_shape_insta
 
 /* Contact geometry for a shape on the ground: both closest points are the point of the line above
  * or below the shape's centre, and the normal is that of the line there. */
-static thud_closest closest_below(const thud_world *w, int line, const thud_shape_instance *shape) {
+static thud_closest closest_below(const thud_world *w, int line, const thud_geometry *shape) {
     thud_terrain terrain = td_terrain_view(w, line);
     thud_terrain_sample ground = {.height = shape->y, .ny = 1.0};
     thud_terrain_sample_at(&terrain, shape->x, &ground);
@@ -62,7 +62,7 @@ static void sweep(const thud_world *w, int line, const td_swept *swept, td_swept
     const td_position *origin = &td_shape_proxy_at(w, line)->center;
     double x = (double)(swept->start.x - origin->x) / w->to_fixed;
     double y = (double)(swept->start.y - origin->y) / w->to_fixed;
-    thud_shape_instance placed = swept->placed;
+    thud_geometry placed = swept->placed;
     thud_motion motion = swept->motion;
     placed.x += x, placed.y += y;
     hit->inside = thud_terrain_overlap(&terrain, &placed);

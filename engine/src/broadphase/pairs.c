@@ -21,7 +21,7 @@ bool td_pairs_add(thud_world *w, int a, int b, int child) {
 void td_pairs_filter(thud_world *w, int first) {
     td_array *pairs = &w->scratch.pairs;
     td_new_pair *pair = pairs->data;
-    int kept = first;
+    int kept_count = first;
     for (int i = first; i < pairs->count; i++) {
         if (i + 16 < pairs->count) {
             __builtin_prefetch(td_shape_at(w, pair[i + 16].a));
@@ -32,10 +32,10 @@ void td_pairs_filter(thud_world *w, int first) {
             __builtin_prefetch(td_body_at(w, td_shape_at(w, pair[i + 8].b)->body), 1);
         }
         if (td_pair_allowed(w, pair[i].a, pair[i].b) && td_pair_meets(w, pair[i].a, pair[i].b)) {
-            pair[kept++] = pair[i];
+            pair[kept_count++] = pair[i];
         }
     }
-    pairs->count = kept;
+    pairs->count = kept_count;
 }
 
 /* The radix sort goes by digits of 8 bits: its table of 256 counts fits the first cache. */
@@ -91,7 +91,7 @@ bool td_pair_has_contact(const thud_world *w, const td_new_pair *p) {
     int e = td_body_at(w, a->body)->first_constraint;
     int f = td_body_at(w, b->body)->first_constraint;
     while (e != TD_NONE && f != TD_NONE) {
-        const td_constraint *c = td_constraint_at(w, e / 2);
+        const td_constraint *c = td_constraint_at(w, td_edge_constraint(e));
         if (c->shape_a == p->a && c->shape_b == p->b && c->child == p->child) {
             return true;
         }

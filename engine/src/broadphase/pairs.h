@@ -43,7 +43,8 @@ static inline bool td_bounds_tell_nothing(const thud_world *w, int marks) {
 
 /* The fat bounds that the shape had at the last broadphase. */
 static inline const td_bounds *td_bounds_before(const thud_world *w, int shape) {
-    return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_was_at(w, shape) : td_fat_at(w, shape);
+    return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_previous_fat_at(w, shape)
+                                                  : td_fat_at(w, shape);
 }
 
 #endif

@@ -26,7 +26,7 @@ static void update_keys(thud_world *w, td_proxy_set *set) {
     uint8_t *present = w->scratch.order.data;
     const int32_t *list = set->list.data;
     td_sweep_key *keys = set->keys.data;
-    int kept = 0;
+    int kept_count = 0;
     memset(present, 0, (size_t)w->shapes.count);
     for (int i = 0; i < set->list.count; i++) {
         present[list[i]] = 1;
@@ -34,15 +34,15 @@ static void update_keys(thud_world *w, td_proxy_set *set) {
     for (int i = 0; i < set->keys.count; i++) {
         if (keys[i].shape < w->shapes.count && present[keys[i].shape]) {
             present[keys[i].shape] = 0;
-            keys[kept++] = keys[i];
+            keys[kept_count++] = keys[i];
         }
     }
     for (int i = 0; i < set->list.count; i++) {
         if (present[list[i]]) {
-            keys[kept++].shape = list[i];
+            keys[kept_count++].shape = list[i];
         }
     }
-    set->keys.count = kept;
+    set->keys.count = kept_count;
 }
 
 /* Sets each key to the shape's min_x relative to that of the first key's place, and set->widest to
@@ -55,7 +55,7 @@ static void update_key_values(const thud_world *w, td_proxy_set *set) {
     for (int i = 0; i < set->keys.count; i++) {
         const td_shape_proxy *proxy = td_shape_proxy_at(w, keys[i].shape);
         double width = (double)td_wrap_sub(proxy->fat.max_x, proxy->fat.min_x);
-        keys[i].least = (double)(td_unwrap(proxy->fat.min_x, proxy->center.x) - set->reference);
+        keys[i].min_x = (double)(td_unwrap(proxy->fat.min_x, proxy->center.x) - set->reference);
         set->widest = td_max_double(set->widest, width);
     }
 }
@@ -65,7 +65,7 @@ static void update_key_values(const thud_world *w, td_proxy_set *set) {
 static bool is_disordered(const td_sweep_key *keys, int count) {
     int descents = 0;
     for (int i = 1; i < count; i++) {
-        descents += keys[i].least < keys[i - 1].least;
+        descents += keys[i].min_x < keys[i - 1].min_x;
     }
     return descents > count / 8 + 8;
 }
@@ -75,7 +75,7 @@ static void insertion_sort(td_sweep_key *keys, int count, int gap) {
     for (int i = gap; i < count; i++) {
         td_sweep_key key = keys[i];
         int to = i;
-        for (; to >= gap && keys[to - gap].least > key.least; to -= gap) {
+        for (; to >= gap && keys[to - gap].min_x > key.min_x; to -= gap) {
             keys[to] = keys[to - gap];
         }
         keys[to] = key;

@@ -11,7 +11,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(ids, int32_t),       ARRAY(min_x, int32_t),    ARRAY(min_y, int32_t),
     ARRAY(max_x, int32_t),     ARRAY(max_y, int32_t),    ARRAY(moved, int32_t),
     ARRAY(list, int32_t),      ARRAY(cells, int32_t),    ARRAY(starts, int32_t),
-    ARRAY(spot, int32_t),      ARRAY(anchor_x, int32_t), ARRAY(anchor_y, int32_t),
+    ARRAY(index_of, int32_t),  ARRAY(anchor_x, int32_t), ARRAY(anchor_y, int32_t),
     ARRAY(keys, td_sweep_key),
 };
 enum { FILLED = 6, ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };

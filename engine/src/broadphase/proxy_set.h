@@ -10,7 +10,7 @@
 
 /* Sort key of plane_sweep.c. */
 typedef struct td_sweep_key {
-    double least; /* min_x of the shape's fat bounds, bounds quanta from td_proxy_set.reference */
+    double min_x; /* of the shape's fat bounds, bounds quanta from td_proxy_set.reference */
     int32_t shape, padding;
 } td_sweep_key;
 
@@ -24,9 +24,9 @@ typedef struct td_proxy_set {
     bool loose;  /* built so that thud_broadphase.follow can update it */
     bool valid;  /* the arrays hold the present bounds */
 
-    td_array cells;  /* grid: int, index of each shape's cell within its level */
-    td_array starts; /* grid: int, by level and cell: index in ids of the cell's first shape */
-    td_array spot;   /* grid: int, by shape: its index in ids; while `loose` */
+    td_array cells;    /* grid: int, index of each shape's cell within its level */
+    td_array starts;   /* grid: int, by level and cell: index in ids of the cell's first shape */
+    td_array index_of; /* grid: int, by shape: its index in ids; while `loose` */
     td_array anchor_x, anchor_y; /* grid: int32, centres when cells were chosen; while `loose` */
     td_level levels[TD_LEVELS];
     int64_t origin_x, origin_y; /* bounds quanta: the least coordinates of the centres */

@@ -17,7 +17,7 @@ bool td_sensed_reserve(thud_world *w) {
     int more[TD_CONSTRAINT_KINDS] = {[TD_PAIR_SENSOR] = room};
     int shapes = w->awake_shapes.ids.count + w->rest_shapes.ids.count;
     return td_array_reserve(&w->memory, &w->scratch.sensing, w->body_of.count) &&
-           td_array_reserve(&w->memory, &w->scratch.hits, 3 * shapes + 4 * TD_LANES) &&
+           td_array_reserve(&w->memory, &w->scratch.found_shapes, 3 * shapes + 4 * TD_LANES) &&
            td_array_reserve(&w->memory, &w->scratch.pairs, 2 * room) &&
            td_constraints_reserve(w, more);
 }
@@ -81,12 +81,12 @@ static bool try_line(thud_world *w, int shape, int line) {
 /* Adds the pairs of a moved shape with the shapes of a set that did not move: of those, and only of
  * those, the set has the present bounds. */
 static bool pair_with_set(thud_world *w, const td_proxy_set *set, int shape) {
-    td_array *hits = &w->scratch.hits;
-    hits->count = 0;
+    td_array *found = &w->scratch.found_shapes;
+    found->count = 0;
     bool done = w->def.broadphase->find[w->wide](set, &w->memory, td_fat_at(w, shape),
-                                                 td_shape_proxy_at(w, shape)->center, hits);
-    for (int i = 0; i < hits->count && done; i++) {
-        int other = td_int_at(hits, i);
+                                                 td_shape_proxy_at(w, shape)->center, found);
+    for (int i = 0; i < found->count && done; i++) {
+        int other = td_int_at(found, i);
         done = moved(w, other) || try_pair(w, shape, other);
     }
     return done;

@@ -10,20 +10,20 @@
 TD_INLINE int end_of_overlaps(const td_proxy_set *set, int from, double max_x) {
     const td_sweep_key *keys = set->keys.data;
     int count = set->ids.count;
-    while (from < count && (!keys || keys[from].least <= max_x)) {
+    while (from < count && (!keys || keys[from].min_x <= max_x)) {
         from += TD_LANES;
     }
     return from < count ? from : count;
 }
 
-/* The first index whose shape may reach the coordinate `least`: its min_x is not below that by more
+/* The first index whose shape may reach the coordinate `min_x`: its min_x is not below that by more
  * than the widest shape. By binary search; 0 where the set is not sorted. */
-TD_INLINE int first_reaching(const td_proxy_set *set, double least) {
+TD_INLINE int first_reaching(const td_proxy_set *set, double min_x) {
     const td_sweep_key *keys = set->keys.data;
     int low = 0, high = keys ? set->ids.count : 0;
     while (low < high) {
         int middle = low + (high - low) / 2;
-        if (keys[middle].least < least - set->widest) {
+        if (keys[middle].min_x < min_x - set->widest) {
             low = middle + 1;
         } else {
             high = middle;
@@ -36,7 +36,7 @@ TD_INLINE int first_reaching(const td_proxy_set *set, double least) {
  */
 TD_INLINE double min_x_of(const td_proxy_set *set, int i) {
     const td_sweep_key *keys = set->keys.data;
-    return keys ? keys[i].least : 0.0;
+    return keys ? keys[i].min_x : 0.0;
 }
 
 TD_INLINE double max_x_of(const scan *s, int i) {
@@ -86,10 +86,10 @@ bool TD_WIDE(td_sorted_axis_find)(const td_proxy_set *set, td_memory *memory,
                                   const td_bounds *bounds, td_position near_place, td_array *hits) {
     scan s = begin_scan(set, memory, hits);
     set_query(&s, bounds);
-    double least = (double)(td_unwrap(bounds->min_x, near_place.x) - set->reference);
-    int first = first_reaching(set, least);
+    double min_x = (double)(td_unwrap(bounds->min_x, near_place.x) - set->reference);
+    int first = first_reaching(set, min_x);
     int end =
-        end_of_overlaps(set, first, least + (double)td_wrap_sub(bounds->max_x, bounds->min_x));
+        end_of_overlaps(set, first, min_x + (double)td_wrap_sub(bounds->max_x, bounds->min_x));
     if (!reserve_hits(&s, end - first)) {
         return false;
     }

@@ -95,12 +95,12 @@ static void cells_one_by_one(const td_level *levels, td_grid_measures *m) {
 }
 
 /* Columns or rows of eight coordinates. */
-TD_INLINE u8 indices(const double *x, double least, double inv_cell) {
+TD_INLINE u8 indices(const double *x, double min, double inv_cell) {
     d4 a, b;
     __builtin_memcpy(&a, x, sizeof a);
     __builtin_memcpy(&b, x + 4, sizeof b);
-    i4 low = __builtin_convertvector((a - least) * inv_cell, i4);
-    i4 high = __builtin_convertvector((b - least) * inv_cell, i4);
+    i4 low = __builtin_convertvector((a - min) * inv_cell, i4);
+    i4 high = __builtin_convertvector((b - min) * inv_cell, i4);
     return (u8)__builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 

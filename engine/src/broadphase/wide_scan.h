@@ -17,8 +17,8 @@ TD_INLINE void load_four_words(const td_shape_proxy *proxy, const int32_t *ids, 
     for (int i = 0; i < TD_LANES; i++) {
         r[i] = (const float *)(const void *)((const char *)&proxy[ids[i]] + offset);
     }
-    td_rows rows =
-        td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
+    td_rows rows = td_transpose(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]),
+                                f8_two(r[3], r[7]));
     out[0] = (i8)rows.x, out[1] = (i8)rows.y, out[2] = (i8)rows.z, out[3] = (i8)rows.w;
 }
 

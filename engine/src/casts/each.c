@@ -40,7 +40,7 @@ static void report_hits(td_walk *walk, thud_cast_fn *fn, void *context) {
 
 /* The cast after its checks. */
 static thud_result each(thud_world *w, td_path *way, thud_cast_fn *fn, void *context) {
-    td_array *scratch = &w->scratch.hits;
+    td_array *scratch = &w->scratch.found_shapes;
     int size = td_walk_room(w);
     if (!td_query_prepare(w) || !td_array_reserve(&w->memory, scratch, size)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "cast: out of memory");
@@ -64,32 +64,30 @@ static thud_query_filter copied(const thud_query_filter *filter) {
     return filter ? *filter : thud_default_query_filter();
 }
 
-thud_result thud_world_cast_ray_each(thud_world *w, thud_pos origin, double dx, double dy,
-                                     const thud_query_filter *filter, thud_cast_fn *fn,
+thud_result thud_world_cast_ray_each(thud_world *w, const thud_ray *ray, thud_cast_fn *fn,
                                      void *context) {
-    TD_IN_OWN_MODE;
-    thud_query_filter own = copied(filter);
-    td_path way = {td_point_meets, origin, .dx = dx, .dy = dy, .filter = &own};
-    if (!w || !fn) {
-        return td_refuse(w, THUD_ERROR_NULL, "cast ray: world or callback is null");
+    TD_IN_OWN_FLOAT_MODE;
+    if (!w || !ray || !fn) {
+        return td_refuse(w, THUD_ERROR_NULL, "cast ray: world, ray or callback is null");
     }
+    thud_query_filter own = copied(ray->filter);
+    td_path way = {td_point_meets, ray->origin, .dx = ray->dx, .dy = ray->dy, .filter = &own};
     thud_result result = td_path_check(w, &way);
     return result != THUD_OK ? result : each(w, &way, fn, context);
 }
 
-thud_result thud_world_cast_shape_each(thud_world *w, thud_pos center,
-                                       const thud_shape_instance *shape, double dx, double dy,
-                                       const thud_query_filter *filter, thud_cast_fn *fn,
+thud_result thud_world_cast_shape_each(thud_world *w, const thud_shape_cast *cast, thud_cast_fn *fn,
                                        void *context) {
-    TD_IN_OWN_MODE;
-    if (!w || !shape || !fn) {
-        return td_refuse(w, THUD_ERROR_NULL, "cast: world, shape or callback is null");
+    TD_IN_OWN_FLOAT_MODE;
+    if (!w || !cast || !fn) {
+        return td_refuse(w, THUD_ERROR_NULL, "cast: world, cast or callback is null");
     }
-    thud_query_filter own = copied(filter);
-    thud_shape_instance moving = *shape;
-    td_path way = {td_shape_meets, center, .dx = dx, .dy = dy, .shape = &moving, .filter = &own};
+    thud_query_filter own = copied(cast->filter);
+    thud_geometry moving = cast->shape;
+    td_path way = {td_shape_meets, cast->center,     .dx = cast->dx,
+                   .dy = cast->dy, .shape = &moving, .filter = &own};
     thud_result result = td_path_check(w, &way);
-    if (result == THUD_OK && td_query_check(w, center, &moving) != THUD_OK) {
+    if (result == THUD_OK && td_query_check(w, way.origin, &moving) != THUD_OK) {
         result = td_refuse(w, THUD_ERROR_INVALID, "cast: the shape is invalid");
     }
     return result != THUD_OK ? result : each(w, &way, fn, context);

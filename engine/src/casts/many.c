@@ -45,7 +45,7 @@ static td_path ray_path(const batch *b, int i) {
 static td_path shape_path(const batch *b, int i) {
     const thud_shape_cast *cast = (const thud_shape_cast *)b->casts + i;
     return (td_path){td_shape_meets, cast->center, td_place_from(b->world, cast->center),
-                     cast->dx,       cast->dy,     cast->shape,
+                     cast->dx,       cast->dy,     &cast->shape,
                      cast->filter,   false};
 }
 
@@ -82,10 +82,10 @@ static thud_result cast_all(thud_world *w, batch *b) {
     b->job = (td_job){.counters = shared ? counters : NULL, .workers = shared ? workers : 1};
     b->room_size = td_walk_room(w);
     if (!td_query_prepare(w) ||
-        !td_array_reserve(&w->memory, &w->scratch.hits, b->room_size * b->job.workers)) {
+        !td_array_reserve(&w->memory, &w->scratch.found_shapes, b->room_size * b->job.workers)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "casts: out of memory");
     }
-    b->rooms = w->scratch.hits.data;
+    b->rooms = w->scratch.found_shapes.data;
     td_job_run(w, &b->job, cast_chunks, b);
     return THUD_OK;
 }
@@ -103,12 +103,12 @@ static thud_result check_lists(const batch *b) {
 }
 
 thud_result thud_world_cast_rays(thud_world *w, const thud_ray *rays, int count,
-                                 thud_ray_hit *hits) {
-    TD_IN_OWN_MODE;
+                                 thud_ray_hit *out_hits) {
+    TD_IN_OWN_FLOAT_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
     }
-    batch b = {w, ray_path, rays, hits, .count = count};
+    batch b = {w, ray_path, rays, out_hits, .count = count};
     thud_result result = check_lists(&b);
     for (int i = 0; i < count && result == THUD_OK; i++) {
         td_path way = {.origin = rays[i].origin,
@@ -121,24 +121,20 @@ thud_result thud_world_cast_rays(thud_world *w, const thud_ray *rays, int count,
 }
 
 thud_result thud_world_cast_shapes(thud_world *w, const thud_shape_cast *casts, int count,
-                                   thud_ray_hit *hits) {
-    TD_IN_OWN_MODE;
+                                   thud_ray_hit *out_hits) {
+    TD_IN_OWN_FLOAT_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
     }
-    batch b = {w, shape_path, casts, hits, .count = count};
+    batch b = {w, shape_path, casts, out_hits, .count = count};
     thud_result result = check_lists(&b);
     for (int i = 0; i < count && result == THUD_OK; i++) {
-        if (!casts[i].shape) {
-            result = td_refuse(w, THUD_ERROR_NULL, "cast shapes: a shape is null");
-            continue;
-        }
         td_path way = {.origin = casts[i].center,
                        .dx = casts[i].dx,
                        .dy = casts[i].dy,
                        .filter = casts[i].filter};
         result = td_path_check(w, &way);
-        if (result == THUD_OK && td_query_check(w, way.origin, casts[i].shape) != THUD_OK) {
+        if (result == THUD_OK && td_query_check(w, way.origin, &casts[i].shape) != THUD_OK) {
             result = td_refuse(w, THUD_ERROR_INVALID, "cast shapes: a shape is invalid");
         }
     }

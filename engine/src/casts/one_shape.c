@@ -44,9 +44,9 @@ static thud_result measure(thud_world *w, thud_shape_id id, thud_pos point, int 
     return result;
 }
 
-thud_result thud_shape_meets_ray(thud_world *w, thud_shape_id id, thud_pos origin, double dx,
-                                 double dy, bool *hit, thud_ray_hit *out) {
-    TD_IN_OWN_MODE;
+thud_result thud_shape_cast_ray(thud_world *w, thud_shape_id id, thud_pos origin, double dx,
+                                double dy, bool *out_hit, thud_ray_hit *out) {
+    TD_IN_OWN_FLOAT_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
     }
@@ -61,8 +61,8 @@ thud_result thud_shape_meets_ray(thud_world *w, thud_shape_id id, thud_pos origi
     thud_ray_hit met = {.shape = id};
     way.from = td_place_from(w, origin);
     bool any = td_point_meets(w, index, &way, &met);
-    if (hit) {
-        *hit = any;
+    if (out_hit) {
+        *out_hit = any;
     }
     if (out && any) {
         *out = met;
@@ -71,23 +71,23 @@ thud_result thud_shape_meets_ray(thud_world *w, thud_shape_id id, thud_pos origi
 }
 
 thud_result thud_shape_contains_point(thud_world *w, thud_shape_id id, thud_pos point,
-                                      bool *inside) {
-    TD_IN_OWN_MODE;
+                                      bool *out_inside) {
+    TD_IN_OWN_FLOAT_MODE;
     int index;
-    if (!w || !inside) {
+    if (!w || !out_inside) {
         return td_refuse(w, THUD_ERROR_NULL, "shape contains point: world or inside is null");
     }
     thud_closest c;
     thud_result result = measure(w, id, point, &index, &c);
     if (result == THUD_OK) {
-        *inside = c.distance <= 0.0;
+        *out_inside = c.distance <= 0.0;
     }
     return result;
 }
 
 thud_result thud_shape_closest_point(thud_world *w, thud_shape_id id, thud_pos point,
                                      thud_closest_hit *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int index;
     if (!w || !out) {
         return td_refuse(w, THUD_ERROR_NULL, "shape's closest point: world or out is null");
@@ -113,10 +113,11 @@ static void line_bounds(const thud_terrain *line, thud_pos *lower, thud_pos *upp
     }
 }
 
-thud_result thud_shape_bounds(thud_world *w, thud_shape_id id, thud_pos *lower, thud_pos *upper) {
-    TD_IN_OWN_MODE;
+thud_result thud_shape_get_bounds(thud_world *w, thud_shape_id id, thud_pos *out_lower,
+                                  thud_pos *out_upper) {
+    TD_IN_OWN_FLOAT_MODE;
     int index;
-    if (!w || !lower || !upper) {
+    if (!w || !out_lower || !out_upper) {
         return td_refuse(w, THUD_ERROR_NULL, "shape bounds: world, lower or upper is null");
     }
     thud_result result = find(w, id, &index);
@@ -131,14 +132,14 @@ thud_result thud_shape_bounds(thud_world *w, thud_shape_id id, thud_pos *lower, 
     if (result != THUD_OK) {
         return result;
     }
-    thud_shape_instance shape = td_query_instance(w, index, (td_position){0, 0});
+    thud_geometry shape = td_query_instance(w, index, (td_position){0, 0});
     if (line) {
         thud_terrain terrain = td_terrain_view(w, index);
-        line_bounds(&terrain, lower, upper);
-        *lower = (thud_pos){shape.x + lower->x, shape.y + lower->y};
-        *upper = (thud_pos){shape.x + upper->x, shape.y + upper->y};
+        line_bounds(&terrain, out_lower, out_upper);
+        *out_lower = (thud_pos){shape.x + out_lower->x, shape.y + out_lower->y};
+        *out_upper = (thud_pos){shape.x + out_upper->x, shape.y + out_upper->y};
     } else {
-        td_query_bounds((thud_pos){0.0, 0.0}, &shape, lower, upper);
+        td_query_bounds((thud_pos){0.0, 0.0}, &shape, out_lower, out_upper);
     }
     return THUD_OK;
 }

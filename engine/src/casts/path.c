@@ -30,15 +30,16 @@ void td_nearest_keep(td_nearest *k, const thud_ray_hit *hit) {
 /* ---- one shape ---- */
 
 bool td_point_meets(const thud_world *w, int index, const td_path *way, thud_ray_hit *out) {
-    thud_shape_instance shape = td_query_instance(w, index, way->from);
+    thud_geometry shape = td_query_instance(w, index, way->from);
     double nx = 0.0, ny = 0.0;
     bool hit;
     if (td_kind_is_line(shape.kind)) {
         thud_terrain terrain = td_terrain_view(w, index);
-        hit = thud_terrain_cast_ray(&terrain, -shape.x, -shape.y, way->dx, way->dy, &out->fraction,
-                                    &nx, &ny);
+        hit = thud_terrain_cast_ray(&terrain, (thud_segment){-shape.x, -shape.y, way->dx, way->dy},
+                                    &out->fraction, &nx, &ny);
     } else {
-        hit = thud_shape_cast_ray(&shape, 0.0, 0.0, way->dx, way->dy, &out->fraction, &nx, &ny);
+        hit = thud_geometry_cast_ray(&shape, (thud_segment){0.0, 0.0, way->dx, way->dy},
+                                     &out->fraction, &nx, &ny);
     }
     out->point = (thud_pos){way->origin.x + out->fraction * way->dx,
                             way->origin.y + out->fraction * way->dy};
@@ -63,9 +64,9 @@ static thud_pos displacement_before(const td_path *way, double fraction) {
 /* Whether the moving shape meets the shape `still`; the fraction of the path at the impact, and the
  * closest features there, from `still` to the moving shape. Shapes that overlap at the start meet
  * at 0. */
-static bool meets_solid(const thud_shape_instance *still, const td_path *way, double *fraction,
+static bool meets_solid(const thud_geometry *still, const td_path *way, double *fraction,
                         thud_closest *c) {
-    thud_shape_instance moving = *way->shape;
+    thud_geometry moving = *way->shape;
     td_closest(still, &moving, c);
     if (c->distance <= 0.0) {
         *fraction = 0.0;
@@ -86,7 +87,7 @@ static bool meets_solid(const thud_shape_instance *still, const td_path *way, do
 /* The same for a terrain whose origin is at (x, y). */
 static bool meets_ground(const thud_terrain *terrain, double x, double y, const td_path *way,
                          double *fraction, thud_closest *c) {
-    thud_shape_instance moving = *way->shape;
+    thud_geometry moving = *way->shape;
     moving.x -= x;
     moving.y -= y;
     bool hit;
@@ -104,7 +105,7 @@ static bool meets_ground(const thud_terrain *terrain, double x, double y, const 
 }
 
 bool td_shape_meets(const thud_world *w, int index, const td_path *way, thud_ray_hit *out) {
-    thud_shape_instance shape = td_query_instance(w, index, way->from);
+    thud_geometry shape = td_query_instance(w, index, way->from);
     thud_closest c;
     if (td_kind_is_line(shape.kind)) {
         thud_terrain terrain = td_terrain_view(w, index);

@@ -15,12 +15,12 @@ typedef bool td_meets_fn(const thud_world *w, int index, const td_path *way, thu
 
 struct td_path {
     td_meets_fn *meets;
-    thud_pos origin;                  /* of the path, in the world */
-    td_position from;                 /* the same in fixed point */
-    double dx, dy;                    /* the displacement from the origin to the end, length */
-    const thud_shape_instance *shape; /* the moving shape, about the origin; null: a point */
-    const thud_query_filter *filter;  /* null: everything but sensors */
-    bool sensors;                     /* only sensors are hit */
+    thud_pos origin;                 /* of the path, in the world */
+    td_position from;                /* the same in fixed point */
+    double dx, dy;                   /* the displacement from the origin to the end, length */
+    const thud_geometry *shape;      /* the moving shape, about the origin; null: a point */
+    const thud_query_filter *filter; /* null: everything but sensors */
+    bool only_sensors;               /* shapes that are no sensors are passed */
 };
 
 td_meets_fn td_point_meets, td_shape_meets;
@@ -44,7 +44,7 @@ thud_result td_path_check(const thud_world *w, const td_path *way);
 static inline bool td_path_meets(const thud_world *w, int index, const td_path *way,
                                  thud_ray_hit *hit) {
     return td_query_passes(w, index, way->filter) &&
-           (!way->sensors || td_shape_at(w, index)->flags & TD_SHAPE_SENSOR) &&
+           (!way->only_sensors || td_shape_at(w, index)->flags & TD_SHAPE_SENSOR) &&
            way->meets(w, index, way, hit);
 }
 

@@ -46,18 +46,30 @@ typedef struct td_point {
     f8 normal_mass;    /* effective mass along the normal; 0: no point here */
     f8 normal_impulse; /* of one substep, >= 0 for contacts */
     f8 cross_a, cross_b; /* r x n: the lever arm r from the body's centre of mass to the point */
-    f8 base;             /* separation at the start of the step */
+    f8 start_separation; /* that at the start of the step */
 } td_point;
 
 /* The fields of a contact point that few passes need, apart from td_point so that it stays small.
- * Blocks of locks and rods use them for bracing (joints/joint_brace.c): `approach` of point 0 is
- * the number of the lane's ring, that of point 1 says in lane 0 whether all lanes have the same
- * ring; `total` is impulse times speed, before (point 0) and after the impulse (point 1), and at
- * last, in point 0, the share of the impulse that is kept. */
+ * Blocks of locks and rods have a td_brace_rows in their place. */
 typedef struct td_point_history {
-    f8 approach; /* normal velocity at the start of the step, length/s; negative: closing */
-    f8 total;    /* normal impulse of all substeps; valid where td_solve_context.keep_totals */
+    f8 normal_velocity; /* at the start of the step, length/s; negative: closing. Of manifolds that
+                           are kept from an earlier step valid in bouncy blocks only */
+    f8 total; /* normal impulse of all substeps; valid where td_solve_context.keep_totals */
 } td_point_history;
+
+/* What locks and rods keep for bracing (joints/joint_brace.c), where contacts have their two
+ * td_point_history. Work is impulse times speed, an energy, mass length^2 / s^2. */
+typedef struct td_brace_rows {
+    f8 group; /* number of the lane's group of tied bodies */
+    union {
+        f8 work_without; /* at the speeds without the impulses: p.u */
+        f8 kept_share;   /* then: the share of the impulses that is kept */
+    };
+    f8 same_group; /* element 0: 1 where all lanes have the same group, else 0; others not used */
+    f8 work_with;  /* at the speeds with the impulses: p.u' */
+} td_brace_rows;
+
+static_assert(sizeof(td_brace_rows) == 2 * sizeof(td_point_history), "they share their place");
 
 /* The fields of friction and restitution that few contacts need. */
 typedef struct td_surface {
@@ -75,7 +87,7 @@ typedef struct td_manifold_cache {
     f8 dx, dy;         /* from a's centre of mass to b's, length; on terrain: b's position, as the
                           bits of an int in units of 256 position quanta */
     f8 ac, as, bc, bs; /* cosine and sine of both shapes' rotations */
-    f8 base[2];        /* separations of the points */
+    f8 separation[2];  /* of the points, in those poses */
     f8 limit;          /* relative motion up to which the manifold is kept, length */
     f8 reach; /* greatest half extent: the lever arm by which a rotation counts as motion */
 } td_manifold_cache;
@@ -89,7 +101,7 @@ typedef struct td_applied_impulse {
 } td_applied_impulse;
 
 /* The anchors of a joint. They follow from the joint and the bodies' centres of mass alone, and are
- * looked up again where td_block.armed is set (joints/anchors.c). */
+ * looked up again where td_block.anchors_stale is set (joints/anchors.c). */
 typedef struct td_anchor_rows {
     i8 body_a, body_b;     /* td_body_index, of a static side too */
     f8 a_x, a_y, b_x, b_y; /* from the centre of mass to the anchor, in the body's frame */
@@ -100,15 +112,19 @@ typedef struct td_anchor_rows {
 /* The further rows of a lock: a joint's locked directions, or a rod. The joint's frame is
  * u = (nx, ny), v = (-ny, nx). Point 0 of the block is the row along u (`along`, or the rod), point
  * 1 that along v (`across`), and the tangent row is the rotation (`turn`). The points' separations
- * and `turn_apart` are the gaps that the solver closes. */
+ * and `turn_gap` are the gaps that the solver closes. */
 typedef struct td_lock_rows {
     td_applied_impulse applied;
-    f8 frame;      /* 1: the frame turns with body a; 0: it is constant in the step */
-    f8 turn_base;  /* gap of `turn` at the start of the step, rad; of a rod its length */
-    f8 turn_sign;  /* 1, or -1 where td_joint.swapped: the sides are the caller's b and a */
-    f8 turn_apart; /* gap of `turn` at present, rad */
-    f8 haste;      /* gaps close at no more than so many times TD_JOINT_CLOSING in this step */
-    i8 locked;     /* td_joint.locked: bits of the locked directions */
+    f8 frame_turns; /* 1: the frame turns with body a; 0: it is constant in the step */
+    union {
+        f8 start_turn_gap; /* of a lock: gap of `turn` at the start of the step, rad */
+        f8 rest_length;    /* of a rod */
+    };
+    f8 turn_sign;      /* 1, or -1 where td_joint.swapped: the sides are the caller's b and a */
+    f8 turn_gap;       /* gap of `turn` at present, rad */
+    f8 closing_factor; /* gaps close at no more than so many times TD_JOINT_CLOSING_SPEED in this
+                          step */
+    i8 locked;         /* td_joint.locked: bits of the locked directions */
     td_anchor_rows anchor;
 } td_lock_rows;
 
@@ -119,17 +135,17 @@ typedef struct td_lock_rows {
 typedef struct td_drive_rows {
     td_applied_impulse applied;
     f8 gap_u, gap_v; /* from a's anchor to b's along u and v, at the start of the step */
-    f8 value_base;   /* the coordinate at the start of the step */
+    f8 start_value;  /* the coordinate at the start of the step */
     f8 turn_sign;    /* as in td_lock_rows */
     f8 limit;        /* the limit that is nearer at present: `lower` or `upper` */
     f8 limit_side;   /* 1: `limit` is the lower one, -1: the upper one, 0: no limits */
     f8 locked;       /* 1: both limits are equal, so that the row is an equality row; else 0 */
     f8 target, frequency, damping; /* of the spring; frequency in Hz, 0: none; damping ratio */
-    f8 spring_most;                /* bound of the spring's force (or torque) */
+    f8 max_spring_force;           /* bound of the spring's force (or torque) */
     f8 motor_speed;                /* target speed of the motor */
-    f8 motor_most;                 /* bound of the motor's force (or torque); 0: no motor */
+    f8 max_motor_force;            /* bound of the motor's force (or torque); 0: no motor */
     f8 lower, upper;               /* limits of the coordinate */
-    i8 limited, across;            /* masks: there are limits; the direction is THUD_ACROSS */
+    i8 limited, across; /* masks: there are limits; the direction is THUD_DIRECTION_ACROSS */
     td_anchor_rows anchor;
 } td_drive_rows;
 
@@ -169,12 +185,14 @@ typedef struct td_block {
     int32_t used;       /* lanes 0 .. used - 1 are in use */
     uint32_t touching;  /* a bit a lane: it has a point, by the last narrowphase */
     int32_t bouncy;     /* 1: a lane may have restitution */
-    int32_t armed;      /* contacts, 1: a shape may be off its body's centre of mass, turned against
-                           its body, or have internal edges; joints, 1: td_anchor_rows and settings
-                           must be looked up again */
-    int32_t shared;     /* 1: a lane has a kinematic body, which other blocks may have as well */
-    uint32_t apart;     /* a bit a lane: the motion of the step surely keeps its shapes apart
-                           (detection/gaps.h) */
+    union {
+        int32_t has_offsets;   /* contacts, 1: a shape may be off its body's centre of mass, turned
+                                  against its body, or have internal edges */
+        int32_t anchors_stale; /* joints, 1: td_anchor_rows and settings must be looked up again */
+    };
+    int32_t shared; /* 1: a lane has a kinematic body, which other blocks may have as well */
+    uint32_t apart; /* a bit a lane: the motion of the step surely keeps its shapes apart
+                       (detection/gaps.h) */
     td_lane_marks mark[TD_LANES];
     /* The rows that the solver reads begin here. */
     uint32_t a[TD_LANES], b[TD_LANES]; /* awake slot times TD_AWAKE_BYTES; 0: that side is static */
@@ -226,6 +244,10 @@ static inline td_point_history *td_history_of(td_block *block, int points) {
 
 static inline td_surface *td_surface_at(td_block *block, int points) {
     return (td_surface *)&td_history_of(block, points)[points];
+}
+
+static inline td_brace_rows *td_brace_rows_of(td_block *block) {
+    return (td_brace_rows *)td_history_of(block, 2);
 }
 
 static inline td_manifold_cache *td_manifold_cache_of(td_block *block, int points) {
@@ -301,10 +323,10 @@ static inline size_t td_form_bytes(td_block_form form) {
 typedef struct td_collide_context {
     const td_shape_proxy *proxy; /* by shape */
     const float (*velocity)[4];  /* by awake slot: x, y, turn, inverse mass */
-    td_block **parted;    /* out: the blocks that have a lane without a point; has room for one
+    td_block **separated; /* out: the blocks that have a lane without a point; has room for one
                              more than there are blocks */
-    int *parted_count;    /* in and out: their number */
-    int *armed;           /* out: set to 1 where a block is armed */
+    int *separated_count; /* in and out: their number */
+    int *has_offsets;     /* out: set to 1 where a block has offsets */
     float quantum;        /* length of a position quantum */
     float margin;         /* separation below which a pair touches (speculative margin), length */
     float skin;           /* distance at which contacts rest, length */
@@ -319,32 +341,33 @@ typedef enum td_bounce { TD_BOUNCE_FIRST, TD_BOUNCE_AGAIN, TD_BOUNCE_LAST } td_b
 /* Passes of bracing (joints/joint_brace.c), which scales down the impulses of torn joints so that
  * they add no energy, after the warm start and after the relax pass of a substep. In this order: */
 typedef enum td_brace {
-    TD_BRACE_GIVE, /* apply the warm start along the present directions; not in the first substep */
-    TD_BRACE_AFTER,  /* compute impulse times speed, at the speeds after the impulses */
-    TD_BRACE_TAKE,   /* where energy may have been added: take the impulses back */
-    TD_BRACE_BEFORE, /* compute impulse times speed, at the speeds without them */
-    TD_BRACE_KEEP    /* apply the share of the impulses that adds no energy */
+    TD_BRACE_WARM_START,   /* apply the warm start along the present directions; not in the first
+                              substep */
+    TD_BRACE_WORK_WITH,    /* compute impulse times speed, at the speeds with the impulses */
+    TD_BRACE_REMOVE,       /* where energy may have been added: take the impulses back */
+    TD_BRACE_WORK_WITHOUT, /* compute impulse times speed, at the speeds without them */
+    TD_BRACE_APPLY_SHARE   /* apply the share of the impulses that adds no energy */
 } td_brace;
 
 /* Passes over blocks that one bracing takes, and tasks of a single worker between them; by these
  * the counters of a job are reserved (state/jobs.c). */
-enum { TD_BRACE_STAGES = TD_BRACE_KEEP + 1, TD_BRACE_TASKS = 2 };
+enum { TD_BRACE_STAGES = TD_BRACE_APPLY_SHARE + 1, TD_BRACE_TASKS = 2 };
 
 /* Greatest speed at which the gap of a joint closes, length scales/s, or rad/s of a rotation: in
- * the direct solver, and in the soft solver in rings that are braced. Chosen, the same as the
+ * the direct solver, and in the soft solver in groups that are braced. Chosen, the same as the
  * default of push_speed for contacts. */
-#define TD_JOINT_CLOSING 3.0f
-/* In the soft solver otherwise, gaps close at up to so many times TD_JOINT_CLOSING. The impulse of
- * a soft joint grows with its gap, so that this bound also bounds the load that it bears. Chosen.
- */
-#define TD_JOINT_HASTE 30.0f
+#define TD_JOINT_CLOSING_SPEED 3.0f
+/* In the soft solver otherwise, gaps close at up to so many times TD_JOINT_CLOSING_SPEED. The
+ * impulse of a soft joint grows with its gap, so that this bound also bounds the load that it
+ * bears. Chosen. */
+#define TD_JOINT_CLOSING_FACTOR 30.0f
 
 /* Softness of a joint in the soft solver, h omega in the equations of solve.c: the phase of its
  * spring in a substep, rad, with a damping ratio of 1. Bodies that swing lose less energy with
  * stiffer joints. Measured: from some 2.2 on, hanging chains and lattices never come to rest. */
-#define TD_JOINT_ANGLE 2.0f
+#define TD_JOINT_PHASE 2.0f
 /* The share of a gap that closes in a substep: h bias_rate = h omega / (2 + h omega), one half. */
-#define TD_JOINT_PULL (TD_JOINT_ANGLE / (2.0f + TD_JOINT_ANGLE))
+#define TD_JOINT_GAP_SHARE (TD_JOINT_PHASE / (2.0f + TD_JOINT_PHASE))
 
 /* Greatest phase q = h omega of a joint's spring in a substep, rad: a faster spring acts as one
  * with this phase. Derived: with damping ratio d and a = q (q + 2 d), a soft row has mass_scale =
@@ -358,14 +381,14 @@ enum { TD_BOUNCE_PASSES = 64 };
 
 /* Of the solver's passes: constants of the step, then the state of the present pass. */
 typedef struct td_solve_context {
-    float (*velocity)[4];   /* by awake slot: x, y, turn, inverse mass */
-    float (*delta)[4];      /* by awake slot: motion since the start of the step: x, y, angle */
-    const float (*push)[4]; /* by awake slot: velocity that gravity and forces give in a substep */
-    float inv_h;            /* 1 / h: substeps per second */
-    float substeps;         /* number of substeps of the step */
-    float time_step;        /* s */
-    float push_speed;       /* greatest speed at which overlap is corrected, length/s */
-    float joint_closing;    /* TD_JOINT_CLOSING, length/s */
+    float (*velocity)[4]; /* by awake slot: x, y, turn, inverse mass */
+    float (*delta)[4];    /* by awake slot: motion since the start of the step: x, y, angle */
+    const float (*substep_gain)[4]; /* by awake slot: velocity gained by forces in a substep */
+    float inv_h;                    /* 1 / h: substeps per second */
+    float substeps;                 /* number of substeps of the step */
+    float time_step;                /* s */
+    float push_speed;               /* greatest speed at which overlap is corrected, length/s */
+    float joint_closing_speed;      /* TD_JOINT_CLOSING_SPEED, length/s */
     float bounce_speed;  /* <= 0, length/s: a pair bounces if its normal velocity is below this */
     float elastic_speed; /* the same for pairs with a restitution of 1 or more */
     float fall; /* gravity times time_step^2, length: a pair bounces in this step only if its
@@ -388,7 +411,7 @@ typedef struct td_solve_context {
     atomic_bool *adds;      /* flag of the present bracing: impulses of torn joints may have added
                                energy. Those of the next bracings follow it */
     atomic_bool *torn;      /* set by the warm start where the gap of a joint is so large that the
-                               bias of one substep exceeds TD_JOINT_CLOSING */
+                               bias of one substep exceeds TD_JOINT_CLOSING_SPEED */
     struct td_tally *tally; /* error statistics of this worker */
 } td_solve_context;
 
@@ -398,11 +421,11 @@ typedef void td_collide_fn(td_block *const *blocks, int count, const td_collide_
 /* A pass of the solver over blocks of one run. */
 typedef void td_solve_fn(td_block *const *blocks, int count, const td_solve_context *context);
 
-/* The result of a quick test of eight waiting pairs, a bit a pair. parted: the fat bounds no longer
- * overlap, and the contact ends. near: the shapes may touch, and need the exact test. A pair in
- * neither waits on. */
+/* The result of a quick test of eight waiting pairs, a bit a pair. bounds_apart: the fat bounds no
+ * longer overlap, and the contact ends. near: the shapes may touch, and need the exact test. A pair
+ * in neither waits on. */
 typedef struct td_sifted {
-    unsigned parted, near;
+    unsigned bounds_apart, near;
 } td_sifted;
 
 typedef td_sifted td_sift_fn(const int32_t *shape_a, const int32_t *shape_b,

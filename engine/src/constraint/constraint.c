@@ -21,11 +21,11 @@ bool td_constraints_reserve(thud_world *w, const int more[TD_CONSTRAINT_KINDS]) 
 static void link_edge(thud_world *w, int index, int side) {
     td_constraint *constraint = td_constraint_at(w, index);
     td_body *body = td_body_at(w, constraint->body[side]);
-    int edge = index * 2 + side, head = body->first_constraint;
+    int edge = td_edge_of(index, side), head = body->first_constraint;
     constraint->next[side] = head;
     constraint->prev[side] = TD_NONE;
     if (head != TD_NONE) {
-        td_constraint_at(w, head / 2)->prev[head & 1] = edge;
+        td_constraint_at(w, td_edge_constraint(head))->prev[td_edge_side(head)] = edge;
     }
     body->first_constraint = edge;
 }
@@ -35,10 +35,10 @@ static void unlink_edge(thud_world *w, int index, int side) {
     const td_constraint *constraint = td_constraint_at(w, index);
     int next = constraint->next[side], prev = constraint->prev[side];
     if (next != TD_NONE) {
-        td_constraint_at(w, next / 2)->prev[next & 1] = prev;
+        td_constraint_at(w, td_edge_constraint(next))->prev[td_edge_side(next)] = prev;
     }
     if (prev != TD_NONE) {
-        td_constraint_at(w, prev / 2)->next[prev & 1] = next;
+        td_constraint_at(w, td_edge_constraint(prev))->next[td_edge_side(prev)] = next;
     } else {
         td_body_at(w, constraint->body[side])->first_constraint = next;
     }
@@ -95,7 +95,7 @@ void td_constraint_destroy(thud_world *w, int index) {
     unlink_edge(w, index, 1);
     w->constraint_count[constraint->kind]--;
     if (!td_is_contact(constraint)) {
-        w->joint_hooks->leave(w, constraint->joint, index);
+        w->joint_hooks->remove_part(w, constraint->joint, index);
     }
     constraint->live = 0;
     td_slots_give(&w->constraints, index);

@@ -1,7 +1,7 @@
 /* constraint.h: the graph of constraints. Its nodes are bodies. Each constraint joins two bodies,
  * and is an edge in the doubly linked list of either (td_body.first_constraint, td_constraint.next,
- * prev). An edge is the number constraint * 2 + side, with side 0 for the list of body[0], 1 for
- * that of body[1].
+ * prev). An edge (td_edge_of) is the number constraint * 2 + side, with side 0 for the list of
+ * body[0], 1 for that of body[1].
  *
  * A contact is a constraint of a pair kind, a part of a joint one of a TD_CONSTRAINT_ kind;
  * contact/pair_kinds.h numbers them all. A kind's operations are a td_constraint_ops
@@ -31,12 +31,12 @@ void td_constraint_wait(thud_world *w, int constraint);
 
 /* The next edge of a body's list, or TD_NONE. */
 static inline int td_next_edge(const thud_world *w, int edge) {
-    return td_constraint_at(w, edge / 2)->next[edge & 1];
+    return td_constraint_at(w, td_edge_constraint(edge))->next[td_edge_side(edge)];
 }
 
 /* The body at the other end of an edge. */
 static inline td_body_index td_other_body(const thud_world *w, int edge) {
-    return td_constraint_at(w, edge / 2)->body[1 - (edge & 1)];
+    return td_constraint_at(w, td_edge_constraint(edge))->body[1 - td_edge_side(edge)];
 }
 
 #endif

@@ -29,8 +29,8 @@ typedef struct td_span {
  * systems subject to holonomic constraints: differential-algebraic formulations and conservative
  * integration", 1999). The target speeds are the mean speeds that close the gaps by the end of the
  * part. For an instant it is the ordinary Jacobian, and the target speeds do not close gaps. */
-typedef void td_turn_rows_fn(const struct thud_world *world, const td_block *block, int lane,
-                             const td_span *span, struct td_direct_constraint *constraint);
+typedef void td_update_rows_fn(const struct thud_world *world, const td_block *block, int lane,
+                               const td_span *span, struct td_direct_constraint *constraint);
 
 /* How a kind fills, empties and counts its lanes. The bodies' awake slots and inverse inertias in a
  * lane are set by lanes.c, for all kinds alike. */
@@ -54,7 +54,7 @@ typedef struct td_lane_ops {
      * solver does not link it. */
     td_take_rows_fn *take_rows;
     /* Null for contacts, whose rows are those of the start of the step. */
-    td_turn_rows_fn *turn_rows;
+    td_update_rows_fn *update_rows;
 } td_lane_ops;
 
 /* All of a kind. Pair kinds plug theirs in when their shapes are first used (state/kinds.h), joints
@@ -70,8 +70,8 @@ typedef struct td_constraint_ops {
     void (*collide_world)(struct thud_world *world, td_block *const *blocks, int count,
                           const td_collide_context *context);
     const td_solve_ops *solve;
-    const td_solve_ops *solve_unarmed; /* passes with less arithmetic, for runs in which no block is
-                                          armed (td_block.armed) */
+    const td_solve_ops *solve_centered; /* passes with less arithmetic, for runs in which no block
+                                           has offsets (td_block.has_offsets) */
 } td_constraint_ops;
 
 #endif

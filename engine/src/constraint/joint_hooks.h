@@ -23,12 +23,12 @@ typedef struct td_joint_hooks {
     void (*suspend)(thud_world *w, td_body_index body);
     /* After a body or its centre of mass was moved by the caller: locks of single axes
      * (edits/locks.c) hold it at its new position. */
-    void (*follow)(thud_world *w, td_body_index body);
+    void (*move_locks)(thud_world *w, td_body_index body);
     /* Whether a joint of both bodies excludes contacts between them. */
-    bool (*keeps_apart)(const thud_world *w, td_body_index a, td_body_index b);
+    bool (*exclude_contact)(const thud_world *w, td_body_index a, td_body_index b);
     /* A constraint (`part`) of a joint has been destroyed; with the last one the joint's record is
      * freed. */
-    void (*leave)(thud_world *w, int joint, int part);
+    void (*remove_part)(thud_world *w, int joint, int part);
 
     /* ---- joint_tied.c, see tied_bodies.h ---- */
     /* Makes the groups of tied bodies, unless this step has them already. */
@@ -40,11 +40,11 @@ typedef struct td_joint_hooks {
     /* ---- joint_brace.c, between passes of the solver ---- */
     /* Whether the impulses of locks may have added energy: those of the warm start, or, if
      * `relaxed`, all up to the end of the relax pass. */
-    bool (*adds_energy)(thud_world *w, bool relaxed);
+    bool (*may_add_energy)(thud_world *w, bool relaxed);
     /* Computes the share of its impulses that each group keeps. */
-    void (*weigh)(thud_world *w, bool relaxed);
-    /* Whether a lock is wide open. Valid after the first call of adds_energy in a step. */
-    bool (*gape)(const thud_world *w);
+    void (*set_shares)(thud_world *w, bool relaxed);
+    /* Whether a lock is wide open. Valid after the first call of may_add_energy in a step. */
+    bool (*wide_open)(const thud_world *w);
 
     /* ---- joint_caps.c, before the solver ---- */
     /* Sets the bounds of springs and motors that act both along and across. */
@@ -52,7 +52,7 @@ typedef struct td_joint_hooks {
 
     /* ---- joint_yield.c ---- */
     /* Before the solver: clears the impulses of joints that yielded in the last step. */
-    void (*forget)(thud_world *w);
+    void (*clear_yielded)(thud_world *w);
     /* After the solver: moves bodies back that joints have pressed into static shapes. */
     void (*yield)(thud_world *w);
 
@@ -79,20 +79,20 @@ static inline const thud_island_solver *td_direct_solver_of(const thud_world *w)
 /* The functions of that table, from the files named there. */
 bool td_joints_engage(thud_world *w);
 void td_joints_suspend(thud_world *w, td_body_index body);
-void td_joints_follow(thud_world *w, td_body_index body);
+void td_joints_move_locks(thud_world *w, td_body_index body);
 void td_joints_tie(thud_world *w);
 void td_joints_hold_back(thud_world *w, td_awake_slot slot, double time);
-bool td_joints_add_energy(thud_world *w, bool relaxed);
-void td_joints_weigh(thud_world *w, bool relaxed);
-bool td_joints_gape(const thud_world *w);
+bool td_joints_may_add_energy(thud_world *w, bool relaxed);
+void td_joints_set_shares(thud_world *w, bool relaxed);
+bool td_joints_wide_open(const thud_world *w);
 void td_joints_share_caps(thud_world *w);
-void td_joints_forget(thud_world *w);
+void td_joints_clear_yielded(thud_world *w);
 void td_joints_yield(thud_world *w);
 void td_joints_break_up(thud_world *w);
 void td_joints_draw(const struct td_drawing *drawing);
 void td_joints_measure(const thud_world *w, td_joint_gaps *gaps);
-void td_joints_leave(thud_world *w, int joint, int part);
-bool td_joints_keep_apart(const thud_world *w, td_body_index a, td_body_index b);
+void td_joints_remove_part(thud_world *w, int joint, int part);
+bool td_joints_exclude_contact(const thud_world *w, td_body_index a, td_body_index b);
 
 /* The bit of a body in td_body.passes, a Bloom filter of the bodies that its joints exclude
  * contacts with: if contacts of two bodies are excluded, each has the bit of the other. Other pairs

@@ -13,7 +13,7 @@ static td_slots *pool_of(thud_world *w, int kind) {
 
 /* The awake slot of the body if the solver moves it, else 0. */
 static td_awake_slot moving_slot(const td_body *body) {
-    return body->kind == THUD_DYNAMIC && body->awake.at > 0 ? body->awake : (td_awake_slot){0};
+    return body->kind == THUD_BODY_DYNAMIC && body->awake.at > 0 ? body->awake : (td_awake_slot){0};
 }
 
 /* Sets or clears the colour of a bin at a body. Slot 0, the bin of sleeping lanes and the overflow
@@ -21,7 +21,7 @@ static td_awake_slot moving_slot(const td_body *body) {
 static void mark_colour(thud_world *w, td_awake_slot slot, int bin, bool taken) {
     if (slot.at > 0 && bin != TD_SLEEPING && bin % TD_COLOURS != TD_OVERFLOW) {
         td_colours *colours = td_colours_at(w, slot);
-        uint64_t *mask = bin < TD_COLOURS ? &colours->moving : &colours->fixed;
+        uint64_t *mask = bin < TD_COLOURS ? &colours->with_moving : &colours->with_static;
         uint64_t bit = 1ull << (bin % TD_COLOURS);
         *mask = taken ? *mask | bit : *mask & ~bit;
     }
@@ -31,17 +31,18 @@ static void mark_colour(thud_world *w, td_awake_slot slot, int bin, bool taken) 
 static int choose_bin(thud_world *w, const td_constraint *constraint) {
     const td_body *a = td_body_at(w, constraint->body[0]);
     const td_body *b = td_body_at(w, constraint->body[1]);
-    bool fixed = a->kind == THUD_STATIC;
+    bool a_static = a->kind == THUD_BODY_STATIC;
     td_awake_slot slot_a = moving_slot(a), slot_b = moving_slot(b);
     uint64_t taken = 1ull << TD_OVERFLOW;
     if (slot_a.at) {
-        taken |= td_colours_at(w, slot_a)->moving;
+        taken |= td_colours_at(w, slot_a)->with_moving;
     }
     if (slot_b.at) {
-        taken |= fixed ? td_colours_at(w, slot_b)->fixed : td_colours_at(w, slot_b)->moving;
+        taken |= a_static ? td_colours_at(w, slot_b)->with_static
+                          : td_colours_at(w, slot_b)->with_moving;
     }
     int colour = ~taken ? __builtin_ctzll(~taken) : TD_OVERFLOW;
-    int bin = colour + (fixed ? TD_COLOURS : 0);
+    int bin = colour + (a_static ? TD_COLOURS : 0);
     mark_colour(w, slot_a, bin, true);
     mark_colour(w, slot_b, bin, true);
     return bin;
@@ -91,7 +92,7 @@ static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_
     }
     t[OWN_ROW * TD_LANES] = own;
     to->bouncy |= to->restitution[to_lane] > 0.0f;
-    to->armed |= from->armed;
+    to->has_offsets |= from->has_offsets; /* of joints anchors_stale, in the same place */
     to->shared |= from->shared;
     to->touching =
         (to->touching & ~(1u << to_lane)) | ((from->touching >> from_lane & 1u) << to_lane);
@@ -184,8 +185,8 @@ static void place(thud_world *w, int index, int bin) {
         w->touching += td_is_contact(constraint);
     }
     set_slots(w, td_block_at(w, kind, block), lane, constraint);
-    if (td_body_at(w, constraint->body[0])->kind == THUD_KINEMATIC ||
-        td_body_at(w, constraint->body[1])->kind == THUD_KINEMATIC) {
+    if (td_body_at(w, constraint->body[0])->kind == THUD_BODY_KINEMATIC ||
+        td_body_at(w, constraint->body[1])->kind == THUD_BODY_KINEMATIC) {
         td_block_at(w, kind, block)->shared = 1;
         w->scratch.sequenced = false;
     }
@@ -313,13 +314,14 @@ static void list_bin(thud_world *w, int kind, int bin) {
     }
     td_array *runs = &w->scratch.runs, *blocks = &w->scratch.blocks;
     td_run *run = &TD_PUSH(td_run, runs);
-    *run = (td_run){.kind = kind, .fixed = bin >= TD_COLOURS, .bin = bin, .first = blocks->count};
+    *run =
+        (td_run){.kind = kind, .a_static = bin >= TD_COLOURS, .bin = bin, .first = blocks->count};
     for (int i = w->bins[kind][bin].head; i != TD_NONE;) {
         td_block *block = td_block_at(w, kind, i);
         TD_PUSH(td_block *, blocks) = block;
         prefetch_listed(blocks);
         run->count++;
-        run->armed |= block->armed;
+        run->has_offsets |= block->has_offsets;
         run->shared |= block->shared;
         i = block->next;
     }
@@ -369,7 +371,7 @@ bool td_lanes_sequence(thud_world *w) {
         return true;
     }
     if (!td_array_reserve(&w->memory, &w->scratch.blocks, blocks_max) ||
-        !td_array_reserve(&w->memory, &w->scratch.parted, 2 * blocks_max + 1) ||
+        !td_array_reserve(&w->memory, &w->scratch.separated, 2 * blocks_max + 1) ||
         !td_array_reserve(&w->memory, &w->scratch.runs, 2 * TD_COLOURS * TD_CONSTRAINT_KINDS)) {
         return false;
     }

@@ -16,11 +16,11 @@
 
 /* A run of blocks of one bin, in the order of solving. */
 typedef struct td_run {
-    int32_t kind, fixed; /* kind of the constraints; `fixed` 1: side a is static */
-    int32_t bin; /* colour, + TD_COLOURS where fixed: runs of the same bin, of whatever kinds,
+    int32_t kind, a_static; /* kind of the constraints; `a_static` 1: side a is static */
+    int32_t bin; /* colour, + TD_COLOURS where a_static: runs of the same bin, of whatever kinds,
                     have no moving body in common, except in the overflow colour */
     int32_t first, count; /* blocks, in scratch.blocks */
-    int32_t armed;        /* 1: one of its blocks is armed */
+    int32_t has_offsets;  /* 1: one of its blocks has offsets (td_block.has_offsets) */
     int32_t shared;       /* 1: one of its blocks is shared, so that only one worker may solve it */
 } td_run;
 
@@ -33,8 +33,8 @@ static inline bool td_run_is_single(const td_run *run) {
 /* A part of a run, which one worker takes, and the result of its narrowphase. */
 typedef struct td_chunk {
     int32_t run, first, count; /* index of the run; blocks, in scratch.blocks */
-    int32_t armed;             /* 1: one of its blocks is armed */
-    int32_t parted;            /* number of blocks with a lane that no longer touches */
+    int32_t has_offsets;       /* 1: one of its blocks has offsets */
+    int32_t separated;         /* number of blocks with a lane that no longer touches */
 } td_chunk;
 
 /* The block with this index in the pool of its kind's form. */

@@ -27,8 +27,8 @@ td_pair_kind td_pair_of(const thud_world *w, int *shape_a, int *shape_b) {
         }
         return TD_PAIR_SENSOR;
     }
-    bool a_static = body_of_shape(w, *shape_a)->kind == THUD_STATIC;
-    bool b_static = body_of_shape(w, *shape_b)->kind == THUD_STATIC;
+    bool a_static = body_of_shape(w, *shape_a)->kind == THUD_BODY_STATIC;
+    bool b_static = body_of_shape(w, *shape_b)->kind == THUD_BODY_STATIC;
     unsigned pairing = td_pairing_of(a->kind, b->kind);
     bool swaps = a->kind == b->kind ? *shape_a > *shape_b : pairing & TD_PAIR_SWAPS;
     if (b_static || (!a_static && swaps)) {
@@ -42,13 +42,14 @@ bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b) {
     const td_shape *a = td_shape_at(w, shape_a), *b = td_shape_at(w, shape_b);
     const td_body *body_a = td_body_at(w, a->body), *body_b = td_body_at(w, b->body);
     /* A collision needs a dynamic body; a sensor one that moves. */
-    int kind_min = (a->flags | b->flags) & TD_SHAPE_SENSOR ? THUD_KINEMATIC : THUD_DYNAMIC;
+    int kind_min =
+        (a->flags | b->flags) & TD_SHAPE_SENSOR ? THUD_BODY_KINEMATIC : THUD_BODY_DYNAMIC;
     if (td_same_body(a->body, b->body) || (body_a->kind < kind_min && body_b->kind < kind_min) ||
         ((body_a->flags | body_b->flags) & TD_BODY_DISABLED)) {
         return false;
     }
-    if (w->joint_hooks && kind_min == THUD_DYNAMIC &&
-        w->joint_hooks->keeps_apart(w, a->body, b->body)) {
+    if (w->joint_hooks && kind_min == THUD_BODY_DYNAMIC &&
+        w->joint_hooks->exclude_contact(w, a->body, b->body)) {
         return false;
     }
     bool collides = (a->filter.mask & b->filter.category) && (b->filter.mask & a->filter.category);
@@ -110,7 +111,7 @@ static int open_elsewhere(const thud_world *w, int contact_index) {
     }
     int e = td_body_at(w, contact->body[ground_first])->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *other = td_constraint_at(w, e / 2);
+        const td_constraint *other = td_constraint_at(w, td_edge_constraint(e));
         if (other != contact && other->open && other->shape_a == contact->shape_a &&
             other->shape_b == contact->shape_b) {
             return other->open;

@@ -51,14 +51,18 @@ void td_contact_part(thud_world *w, int contact);
 thud_contact td_contact_between(const thud_world *w, int shape_a, int shape_b, td_position at,
                                 thud_vec2 normal, double distance);
 
-/* The approach speed of a hit event, finite: the sum of two great velocities may overflow. */
-static inline float td_hit_speed(float approach) {
-    return approach <= FLT_MAX ? approach : FLT_MAX;
+/* The speed of a hit event, length/s: the closing speed, or FLT_MAX where that, the difference of
+ * two great velocities, has overflowed to infinity. */
+static inline float td_hit_speed(float closing_speed) {
+    return closing_speed <= FLT_MAX ? closing_speed : FLT_MAX;
 }
 
-/* contact_view.c: the public view of a lane; and the speed at which a point of it closes, > 0,
- * length/s. */
+/* contact_view.c: the public view of a lane. Its point_count is 0 where the lane is muted
+ * (td_surface_mute); separation and point mean nothing then. */
 thud_contact td_contact_view(const thud_world *w, td_block *block, int lane);
-float td_contact_closing(const thud_world *w, const td_block *block, const td_point *p, int lane);
+/* The normal velocity at which the two bodies close at a point of a lane, length/s, for their
+ * present velocities; negative where they part. */
+float td_contact_closing_speed(const thud_world *w, const td_block *block, const td_point *p,
+                               int lane);
 
 #endif

@@ -26,8 +26,8 @@ static void fill(thud_world *w, td_block *block, int lane, int index) {
     block->shape_a[lane] = contact->shape_a;
     block->shape_b[lane] = contact->shape_b;
     td_contact_settle(w, block, lane, index);
-    block->armed |= !(a->plain && b->plain) || b->internal_edges ||
-                    (a->internal_edges && td_body_at(w, a->body)->kind != THUD_STATIC);
+    block->has_offsets |= !(a->plain && b->plain) || b->internal_edges ||
+                          (a->internal_edges && td_body_at(w, a->body)->kind != THUD_BODY_STATIC);
     block->mark[lane].internal_edges = td_internal_edges_of(a, b);
 }
 
@@ -41,7 +41,7 @@ static void clear(thud_world *w, td_block *block, int lane, int index) {
 /* Makes the narrowphase compute the manifold anew: a lane without effective masses is not kept by
  * the manifold cache. */
 static void renew(thud_world *w, td_block *block, int lane, int index) {
-    block->armed = 1; /* a body may have got another centre of mass */
+    block->has_offsets = 1; /* a body may have got another centre of mass */
     for (int k = 0; k < points_of(w, td_contact_at(w, index)); k++) {
         block->point[k].normal_mass[lane] = 0.0f;
     }

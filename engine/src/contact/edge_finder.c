@@ -20,7 +20,7 @@ static void set_masks(thud_world *w, int shape, unsigned internal_edges, unsigne
     s->hidden = (uint8_t)hidden;
     int e = same ? TD_NONE : td_body_at(w, s->body)->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *contact = td_constraint_at(w, e / 2);
+        const td_constraint *contact = td_constraint_at(w, td_edge_constraint(e));
         if (td_is_contact(contact) && contact->state == TD_TOUCHING) {
             td_lane at = td_lane_of(w, contact);
             at.block->mark[at.lane].internal_edges =
@@ -32,8 +32,8 @@ static void set_masks(thud_world *w, int shape, unsigned internal_edges, unsigne
 
 /* A thin box outside a face, for testing whether a neighbour covers some of it: it reaches from one
  * to two `width`s away from the face, and ends one width short of the face's ends. */
-static thud_shape_instance strip_outside(const thud_shape_instance *box, int face, double width) {
-    thud_shape_instance strip = *box;
+static thud_geometry strip_outside(const thud_geometry *box, int face, double width) {
+    thud_geometry strip = *box;
     double along = face % 2 ? box->hx : box->hy, out = (face % 2 ? box->hy : box->hx) + 1.5 * width;
     double u = face % 2 ? 0.0 : out, v = face % 2 ? out : 0.0, x, y;
     td_from_frame(box, face >= 2 ? -u : u, face >= 2 ? -v : v, &x, &y);
@@ -68,11 +68,11 @@ static unsigned corners_of_face(int face) {
 typedef struct box_parts {
     bool known;        /* the rest is set */
     double x[4], y[4]; /* corners: of the number, bit 0 is right, bit 1 top */
-    thud_shape_instance strip[TD_FACES];
+    thud_geometry strip[TD_FACES];
 } box_parts;
 
 /* Computes corners and strips of a box; `width`: that of the strips. */
-static void find_parts(box_parts *parts, const thud_shape_instance *box, double width) {
+static void find_parts(box_parts *parts, const thud_geometry *box, double width) {
     parts->known = true;
     for (int k = 0; k < 4; k++) {
         double x, y;
@@ -87,9 +87,9 @@ static void find_parts(box_parts *parts, const thud_shape_instance *box, double 
 
 /* Whether a neighbour that contains the corner at (x, y) hides it from all sides: it extends past
  * it along the normals closest to either face. */
-static bool flattens_corner(const td_neighbourhood *s, int neighbour,
-                            const thud_shape_instance *placed, int corner, double x, double y) {
-    const thud_shape_instance *box = &s->a;
+static bool flattens_corner(const td_neighbourhood *s, int neighbour, const thud_geometry *placed,
+                            int corner, double x, double y) {
+    const thud_geometry *box = &s->a;
     double u = corner & 1 ? 1.0 : -1.0, v = corner & 2 ? 1.0 : -1.0, nx, ny, mx, my;
     double level = 0.5 * FLAT_CORNER_SLOPE * (box->hx < box->hy ? box->hx : box->hy);
     td_from_frame(box, u, FLAT_CORNER_SLOPE * v, &nx, &ny);
@@ -108,7 +108,7 @@ static bool add_neighbour_bits(const td_neighbourhood *s, int neighbour, void *c
     }
     const td_shape *inspected = td_shape_at(s->w, s->shape);
     unsigned internal_edges = inspected->internal_edges, hidden = inspected->hidden, corners = 0;
-    thud_shape_instance other = td_neighbour_instance(s, neighbour);
+    thud_geometry other = td_neighbour_instance(s, neighbour);
     bool solid = !td_kind_is_line(other.kind) && same_filter(s->w, s->shape, neighbour);
     for (int k = 0; k < 4; k++) {
         double x = parts->x[k], y = parts->y[k];
@@ -140,8 +140,8 @@ static void find_masks(const td_neighbourhood *s) {
  * just outside and below the end vertex, so that the ground's upright side there cannot be met. */
 static uint8_t sealed_ends(const td_neighbourhood *s, int terrain_shape, int neighbour) {
     thud_terrain t = td_terrain_view(s->w, terrain_shape);
-    thud_shape_instance at = td_shape_instance(s->w, terrain_shape, s->origin);
-    thud_shape_instance other = td_neighbour_instance(s, neighbour);
+    thud_geometry at = td_shape_instance(s->w, terrain_shape, s->origin);
+    thud_geometry other = td_neighbour_instance(s, neighbour);
     double out = TD_NEIGHBOUR_GAP * s->unit;
     if (t.kind == THUD_TERRAIN_FLAT) {
         return 0;
@@ -158,7 +158,7 @@ static uint8_t sealed_ends(const td_neighbourhood *s, int terrain_shape, int nei
 /* Room for the broadphase's results in td_neighbour_any, so that it does not fail. False when
  * memory is short. */
 static bool reserve_hits(thud_world *w) {
-    return td_array_reserve(&w->memory, &w->scratch.hits,
+    return td_array_reserve(&w->memory, &w->scratch.found_shapes,
                             3 * w->rest_shapes.ids.count + 4 * TD_LANES);
 }
 
@@ -272,7 +272,7 @@ static bool reset_neighbour(const td_neighbourhood *s, int neighbour, void *cont
  * of moved shapes, and gets its masks from td_internal_edges_find. */
 bool td_internal_edges_lose(thud_world *w, td_body_index body) {
     int i = td_body_at(w, body)->first_shape;
-    if (td_body_at(w, body)->kind != THUD_STATIC || i == TD_NONE) {
+    if (td_body_at(w, body)->kind != THUD_BODY_STATIC || i == TD_NONE) {
         return true;
     }
     if (!reserve_hits(w)) {

@@ -9,14 +9,13 @@
 #include "terrain/terrain.h"
 
 td_neighbourhood td_neighbourhood_between(thud_world *w, int shape, int other,
-                                          const thud_shape_instance *a,
-                                          const thud_shape_instance *b) {
+                                          const thud_geometry *a, const thud_geometry *b) {
     const td_shape *first = td_shape_at(w, shape);
     td_neighbourhood s = {.w = w,
                           .shape = shape,
                           .other = other,
                           .origin = td_shape_proxy_at(w, shape)->center,
-                          .moves = td_body_at(w, first->body)->kind != THUD_STATIC,
+                          .moves = td_body_at(w, first->body)->kind != THUD_BODY_STATIC,
                           .c = 1.0,
                           .a = *a,
                           .b = *b,
@@ -25,9 +24,9 @@ td_neighbourhood td_neighbourhood_between(thud_world *w, int shape, int other,
     s.b.y -= s.a.y;
     s.a.x = s.a.y = 0.0;
     if (s.moves) {
-        thud_shape_instance own = {.c = (double)first->angle_c, .s = (double)first->angle_s};
+        thud_geometry own = {.c = (double)first->angle_c, .s = (double)first->angle_s};
         td_to_frame(&own, a->c, a->s, &s.c, &s.s);
-        thud_shape_instance axes = {.c = s.c, .s = s.s};
+        thud_geometry axes = {.c = s.c, .s = s.s};
         s.a.c = own.c;
         s.a.s = own.s;
         td_to_frame(&axes, s.b.x, s.b.y, &s.b.x, &s.b.y);
@@ -38,7 +37,7 @@ td_neighbourhood td_neighbourhood_between(thud_world *w, int shape, int other,
 
 td_neighbourhood td_neighbourhood_of(thud_world *w, int shape, int other) {
     td_position origin = td_shape_proxy_at(w, shape)->center;
-    thud_shape_instance a = td_shape_instance(w, shape, origin), b = a;
+    thud_geometry a = td_shape_instance(w, shape, origin), b = a;
     if (other != TD_NONE) {
         b = td_shape_instance(w, other, origin);
     }
@@ -48,37 +47,37 @@ td_neighbourhood td_neighbourhood_of(thud_world *w, int shape, int other) {
 bool td_is_ground(const thud_world *w, int shape) {
     const td_shape *s = td_shape_at(w, shape);
     return (s->flags & (TD_SHAPE_LIVE | TD_SHAPE_HOLLOW)) == TD_SHAPE_LIVE &&
-           td_body_at(w, s->body)->kind == THUD_STATIC &&
+           td_body_at(w, s->body)->kind == THUD_BODY_STATIC &&
            !(td_body_at(w, s->body)->flags & TD_BODY_DISABLED);
 }
 
-thud_shape_instance td_neighbour_instance(const td_neighbourhood *s, int neighbour) {
+thud_geometry td_neighbour_instance(const td_neighbourhood *s, int neighbour) {
     if (!s->moves) {
         return td_shape_instance(s->w, neighbour, s->origin);
     }
     const td_shape *n = td_shape_at(s->w, neighbour), *first = td_shape_at(s->w, s->shape);
-    return (thud_shape_instance){.kind = (thud_shape_kind)n->kind,
-                                 .x = (double)(n->x - first->x),
-                                 .y = (double)(n->y - first->y),
-                                 .c = (double)n->angle_c,
-                                 .s = (double)n->angle_s,
-                                 .hx = (double)n->half_x,
-                                 .hy = (double)n->half_y};
+    return (thud_geometry){.kind = (thud_shape_kind)n->kind,
+                           .x = (double)(n->x - first->x),
+                           .y = (double)(n->y - first->y),
+                           .c = (double)n->angle_c,
+                           .s = (double)n->angle_s,
+                           .hx = (double)n->half_x,
+                           .hy = (double)n->half_y};
 }
 
-bool td_neighbour_contains(const td_neighbourhood *s, int neighbour, const thud_shape_instance *n,
+bool td_neighbour_contains(const td_neighbourhood *s, int neighbour, const thud_geometry *n,
                            double x, double y, double slack) {
-    thud_shape_instance point = {.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = slack};
+    thud_geometry point = {.kind = THUD_SHAPE_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = slack};
     switch (n->kind) {
-    case THUD_CIRCLE:
-        return thud_shapes_overlap(n, &point);
-    case THUD_AABB:
-    case THUD_OBB: {
+    case THUD_SHAPE_CIRCLE:
+        return thud_geometry_overlap(n, &point);
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB: {
         double u, v;
         td_to_frame(n, x - n->x, y - n->y, &u, &v);
         return td_abs(u) <= n->hx + slack && td_abs(v) <= n->hy + slack;
     }
-    case THUD_TERRAIN: {
+    case THUD_SHAPE_TERRAIN: {
         thud_terrain terrain = td_terrain_view(s->w, neighbour);
         point.x -= n->x;
         point.y -= n->y;
@@ -97,17 +96,17 @@ static bool is_line_end(const td_neighbourhood *s, const thud_terrain *t, int ve
     return end && td_abs(at - x) <= 2.0 * TD_NEIGHBOUR_GAP * s->unit;
 }
 
-bool td_neighbour_overlaps(const td_neighbourhood *s, int neighbour, const thud_shape_instance *n,
-                           const thud_shape_instance *box) {
+bool td_neighbour_overlaps(const td_neighbourhood *s, int neighbour, const thud_geometry *n,
+                           const thud_geometry *box) {
     switch (n->kind) {
-    case THUD_CIRCLE:
-        return thud_shapes_overlap(n, box);
-    case THUD_AABB:
-    case THUD_OBB:
+    case THUD_SHAPE_CIRCLE:
+        return thud_geometry_overlap(n, box);
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
         return td_boxes_overlap(n, box);
-    case THUD_TERRAIN: {
+    case THUD_SHAPE_TERRAIN: {
         thud_terrain terrain = td_terrain_view(s->w, neighbour);
-        thud_shape_instance moved = *box;
+        thud_geometry moved = *box;
         moved.x -= n->x;
         moved.y -= n->y;
         return thud_terrain_overlap(&terrain, &moved);
@@ -116,7 +115,7 @@ bool td_neighbour_overlaps(const td_neighbourhood *s, int neighbour, const thud_
     return false;
 }
 
-bool td_neighbour_extends(const td_neighbourhood *s, int neighbour, const thud_shape_instance *n,
+bool td_neighbour_extends(const td_neighbourhood *s, int neighbour, const thud_geometry *n,
                           double x, double y, double nx, double ny, double level) {
     double past = (n->x - x) * nx + (n->y - y) * ny;
     if (td_kind_is_line(n->kind)) {
@@ -148,12 +147,12 @@ static bool visit(const td_neighbourhood *s, int n, td_neighbour_fn *fn, void *c
 }
 
 /* td_neighbour_any for the shapes of one moving body, by their bounding squares. */
-static bool any_in_body(const td_neighbourhood *s, const thud_shape_instance *where,
-                        td_neighbour_fn *fn, void *context) {
+static bool any_in_body(const td_neighbourhood *s, const thud_geometry *where, td_neighbour_fn *fn,
+                        void *context) {
     double near = td_reach(where) + 2.0 * TD_NEIGHBOUR_GAP * s->unit;
     int n = td_body_at(s->w, td_shape_at(s->w, s->shape)->body)->first_shape;
     for (; n != TD_NONE; n = td_shape_at(s->w, n)->next) {
-        thud_shape_instance p = td_neighbour_instance(s, n);
+        thud_geometry p = td_neighbour_instance(s, n);
         double reach = near + td_reach(&p);
         int flags = td_shape_at(s->w, n)->flags & (TD_SHAPE_LIVE | TD_SHAPE_HOLLOW);
         if (td_abs(p.x - where->x) <= reach && td_abs(p.y - where->y) <= reach &&
@@ -164,21 +163,21 @@ static bool any_in_body(const td_neighbourhood *s, const thud_shape_instance *wh
     return false;
 }
 
-bool td_neighbour_any(const td_neighbourhood *s, const thud_shape_instance *where,
-                      td_neighbour_fn *fn, void *context) {
+bool td_neighbour_any(const td_neighbourhood *s, const thud_geometry *where, td_neighbour_fn *fn,
+                      void *context) {
     thud_world *w = s->w;
-    td_array *hits = &w->scratch.hits;
+    td_array *found = &w->scratch.found_shapes;
     if (s->moves) {
         return any_in_body(s, where, fn, context);
     }
     td_bounds b = td_placed_bounds(w, where, s->origin, 2.0 * TD_NEIGHBOUR_GAP * s->unit);
-    hits->count = 0;
+    found->count = 0;
     if (!td_kind_is_line(where->kind) &&
-        !w->def.broadphase->find[w->wide](&w->rest_shapes, &w->memory, &b, s->origin, hits)) {
+        !w->def.broadphase->find[w->wide](&w->rest_shapes, &w->memory, &b, s->origin, found)) {
         return false;
     }
-    for (int i = 0; i < hits->count; i++) {
-        int n = td_int_at(hits, i);
+    for (int i = 0; i < found->count; i++) {
+        int n = td_int_at(found, i);
         if (td_is_ground(w, n) && visit(s, n, fn, context)) {
             return true;
         }

@@ -23,8 +23,8 @@ typedef struct td_neighbourhood {
     td_position origin; /* centre of the shape in the world; only for a static body */
     bool moves;         /* the body is not static */
     double c, s;        /* cosine and sine of the frame's rotation in the world; not static only */
-    thud_shape_instance a, b; /* `shape` and `other` in the frame */
-    double unit;              /* length scale */
+    thud_geometry a, b; /* `shape` and `other` in the frame */
+    double unit;        /* length scale */
 } td_neighbourhood;
 
 /* For the present poses. With `other` TD_NONE, the field b is a copy of a. */
@@ -32,32 +32,30 @@ td_neighbourhood td_neighbourhood_of(thud_world *w, int shape, int other);
 /* The same for given instances of both shapes, relative to any common origin, such as the poses at
  * a time within the step. */
 td_neighbourhood td_neighbourhood_between(thud_world *w, int shape, int other,
-                                          const thud_shape_instance *a,
-                                          const thud_shape_instance *b);
+                                          const thud_geometry *a, const thud_geometry *b);
 
 /* Whether a shape is one that can hide edges of static shapes: live, not a sensor, and of a static
  * body that is enabled. */
 bool td_is_ground(const thud_world *w, int shape);
 
 /* The instance of a neighbour in the frame of `s`. */
-thud_shape_instance td_neighbour_instance(const td_neighbourhood *s, int neighbour);
+thud_geometry td_neighbour_instance(const td_neighbourhood *s, int neighbour);
 
 /* Three queries about a neighbour. `placed` is its td_neighbour_instance, which the caller computes
  * once for all of them. */
 
 /* Whether the neighbour, grown by `slack` on all sides, contains the point. A terrain contains what
  * is below its line. */
-bool td_neighbour_contains(const td_neighbourhood *s, int neighbour,
-                           const thud_shape_instance *placed, double x, double y, double slack);
+bool td_neighbour_contains(const td_neighbourhood *s, int neighbour, const thud_geometry *placed,
+                           double x, double y, double slack);
 /* Whether the neighbour and a box share a point. */
-bool td_neighbour_overlaps(const td_neighbourhood *s, int neighbour,
-                           const thud_shape_instance *placed, const thud_shape_instance *box);
+bool td_neighbour_overlaps(const td_neighbourhood *s, int neighbour, const thud_geometry *placed,
+                           const thud_geometry *box);
 /* Whether the neighbour extends further than `level` (length) beyond the point (x, y), which it
  * contains, in the direction of the unit vector (nx, ny). Of a terrain only the part of the line
  * within 2 TD_NEIGHBOUR_GAP of x counts, without its ends. */
-bool td_neighbour_extends(const td_neighbourhood *s, int neighbour,
-                          const thud_shape_instance *placed, double x, double y, double nx,
-                          double ny, double level);
+bool td_neighbour_extends(const td_neighbourhood *s, int neighbour, const thud_geometry *placed,
+                          double x, double y, double nx, double ny, double level);
 
 /* Called for a neighbour; true ends the enumeration. */
 typedef bool td_neighbour_fn(const td_neighbourhood *s, int neighbour, void *context);
@@ -65,9 +63,10 @@ typedef bool td_neighbour_fn(const td_neighbourhood *s, int neighbour, void *con
 /* Calls `fn` for the neighbours whose bounds are within 2 TD_NEIGHBOUR_GAP of `where` (an instance
  * in the frame of `s`), as long as it returns false; whether a call returned true. Where `other` is
  * not TD_NONE, only neighbours count that may collide with it, too, and that no one-way rule lets
- * it pass. Terrains count wherever they are. Uses scratch.hits, for which td_internal_edges_see and
- * its siblings reserve room; false where the search runs out of memory. */
-bool td_neighbour_any(const td_neighbourhood *s, const thud_shape_instance *where,
-                      td_neighbour_fn *fn, void *context);
+ * it pass. Terrains count wherever they are. Uses scratch.found_shapes, for which
+ * td_internal_edges_see and its siblings reserve room; false where the search runs out of memory.
+ */
+bool td_neighbour_any(const td_neighbourhood *s, const thud_geometry *where, td_neighbour_fn *fn,
+                      void *context);
 
 #endif

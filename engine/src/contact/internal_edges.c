@@ -48,7 +48,7 @@ typedef struct probe {
 /* A td_neighbour_fn: whether the neighbour contains the place. */
 static bool covers_point(const td_neighbourhood *s, int neighbour, void *context) {
     const probe *p = context;
-    thud_shape_instance n = td_neighbour_instance(s, neighbour);
+    thud_geometry n = td_neighbour_instance(s, neighbour);
     return td_neighbour_contains(s, neighbour, &n, p->x, p->y, 0.5 * TD_NEIGHBOUR_GAP * s->unit);
 }
 
@@ -56,7 +56,7 @@ static bool covers_point(const td_neighbourhood *s, int neighbour, void *context
  * normal. */
 static bool hides_corner(const td_neighbourhood *s, int neighbour, void *context) {
     const probe *p = context;
-    thud_shape_instance n = td_neighbour_instance(s, neighbour);
+    thud_geometry n = td_neighbour_instance(s, neighbour);
     return td_neighbour_contains(s, neighbour, &n, p->x, p->y, TD_NEIGHBOUR_GAP * s->unit) &&
            td_neighbour_extends(s, neighbour, &n, p->x, p->y, p->nx, p->ny,
                                 CORNER_RISE_MIN * s->unit);
@@ -65,7 +65,7 @@ static bool hides_corner(const td_neighbourhood *s, int neighbour, void *context
 /* Whether `fn` is true for some neighbour at the place of `p`. Only neighbours whose bounds contain
  * that point are asked: no other one covers it. */
 static bool any_neighbour_at(const td_neighbourhood *s, td_neighbour_fn *fn, probe *p) {
-    thud_shape_instance place = {.kind = THUD_CIRCLE, .x = p->x, .y = p->y, .c = 1.0};
+    thud_geometry place = {.kind = THUD_SHAPE_CIRCLE, .x = p->x, .y = p->y, .c = 1.0};
     return td_neighbour_any(s, &place, fn, p);
 }
 
@@ -168,7 +168,7 @@ static bool is_open(const thud_world *w, const td_block *block, int lane) {
 }
 
 /* Whether (nx, ny) is, to rounding, a normal of a face of the box. */
-static bool is_face_normal(const thud_shape_instance *box, double nx, double ny) {
+static bool is_face_normal(const thud_geometry *box, double nx, double ny) {
     return feature_of(box->c, box->s, nx, ny, FACE_SINE_MAX).face != TD_NONE;
 }
 
@@ -198,7 +198,7 @@ static sides sides_of(const td_internal_edge_pair *p) {
  * `context`: sides. */
 static bool is_hidden(double nx, double ny, void *context) {
     const sides *s = context;
-    const thud_shape_instance *placed = s->pair->placed;
+    const thud_geometry *placed = s->pair->placed;
     bool face =
         s->count > 1 && (is_face_normal(&placed[0], nx, ny) || is_face_normal(&placed[1], nx, ny));
     bool hidden = false;
@@ -206,8 +206,8 @@ static bool is_hidden(double nx, double ny, void *context) {
         const td_neighbourhood *neighbourhood = &s->neighbourhood[i];
         double x = s->sign[i] * nx, y = s->sign[i] * ny;
         if (neighbourhood->moves) {
-            td_to_frame(&(thud_shape_instance){.c = neighbourhood->c, .s = neighbourhood->s}, x, y,
-                        &x, &y);
+            td_to_frame(&(thud_geometry){.c = neighbourhood->c, .s = neighbourhood->s}, x, y, &x,
+                        &y);
         }
         hidden = is_ghost(neighbourhood, x, y, face ? RESTING_FACE_SINE_MAX : FACE_SINE_MAX);
     }
@@ -227,7 +227,7 @@ static void clear_points(td_block *block, int points, int lane) {
     for (int k = 0; k < points; k++) {
         td_point *p = &block->point[k];
         p->normal_mass[lane] = p->normal_impulse[lane] = 0.0f;
-        p->separation[lane] = p->base[lane] = TD_APART;
+        p->separation[lane] = p->start_separation[lane] = TD_APART;
     }
     block->tangent_mass[lane] = block->tangent_impulse[lane] = 0.0f;
     block->touching &= ~(1u << lane);
@@ -251,9 +251,9 @@ static void write_lane(thud_world *w, td_block *block, int kind, int lane,
     float dx = (float)((double)(a->center.x - b->center.x) / w->to_fixed) + b->x;
     float dy = (float)((double)(a->center.y - b->center.y) / w->to_fixed) + b->y;
     float ia = block->inv_inertia_a[lane], ib = block->inv_inertia_b[lane], mass = va[3] + vb[3];
-    bool fixed = block->a[lane] == 0;
+    bool a_static = block->a[lane] == 0;
     float to_a_x = a->x - dx, to_a_y = a->y - dy; /* from b's centre of mass to that of a */
-    float ax = fixed ? 0.0f : to_a_x, ay = fixed ? 0.0f : to_a_y;
+    float ax = a_static ? 0.0f : to_a_x, ay = a_static ? 0.0f : to_a_y;
     float impulse[3] = {block->tangent_impulse[lane], block->point[0].normal_impulse[lane],
                         block->point[points - 1].normal_impulse[lane]};
     float cosine = nx * block->nx[lane] + ny * block->ny[lane];
@@ -273,22 +273,22 @@ static void write_lane(thud_world *w, td_block *block, int kind, int lane,
         td_point *p = &block->point[k];
         float x = dx + (float)c->x[k], y = dy + (float)c->y[k],
               separation = (float)c->separation[k];
-        float cross = x * ny - y * nx, cross_a = fixed ? 0.0f : (ax + x) * ny - (ay + y) * nx;
-        p->separation[lane] = p->base[lane] = separation - w->skin;
+        float cross = x * ny - y * nx, cross_a = a_static ? 0.0f : (ax + x) * ny - (ay + y) * nx;
+        p->separation[lane] = p->start_separation[lane] = separation - w->skin;
         p->cross_a[lane] = cross_a;
         p->cross_b[lane] = cross;
         p->normal_impulse[lane] = cosine > SAME_NORMAL_COSINE_MIN ? impulse[1 + k] : 0.0f;
         p->normal_mass[lane] = inverse_or_zero(mass + ib * cross * cross + ia * cross_a * cross_a);
-        td_history_of(block, points)[k].approach[lane] =
+        td_history_of(block, points)[k].normal_velocity[lane] =
             (vb[0] - va[0]) * nx + (vb[1] - va[1]) * ny + vb[2] * cross - va[2] * cross_a;
         if (kept) {
-            kept->base[k][lane] = p->base[lane];
+            kept->separation[k][lane] = p->start_separation[lane];
         }
         mid_x += x / (float)count;
         mid_y += y / (float)count;
     }
     float turn = -(mid_x * nx + mid_y * ny);
-    float turn_a = fixed ? 0.0f : -((ax + mid_x) * nx + (ay + mid_y) * ny);
+    float turn_a = a_static ? 0.0f : -((ax + mid_x) * nx + (ay + mid_y) * ny);
     block->tangent_cross_a[lane] = turn_a;
     block->tangent_cross_b[lane] = turn;
     block->tangent_mass[lane] = inverse_or_zero(mass + ib * turn * turn + ia * turn_a * turn_a);
@@ -309,8 +309,8 @@ static void average_points(td_internal_edge_contact *c) {
 static bool same_surface(const thud_world *w, const td_contact *to, const td_contact *from,
                          int side) {
     return td_same_body(to->body[side], from->body[side]) ||
-           (td_body_at(w, to->body[side])->kind == THUD_STATIC &&
-            td_body_at(w, from->body[side])->kind == THUD_STATIC);
+           (td_body_at(w, to->body[side])->kind == THUD_BODY_STATIC &&
+            td_body_at(w, from->body[side])->kind == THUD_BODY_STATIC);
 }
 
 /* Moves the impulses of a lane that is about to be cleared to a contact of the same kind between
@@ -321,7 +321,7 @@ static void transfer_impulses(thud_world *w, td_block *block, int kind, int lane
     int points = td_form_points(w->kinds[kind]->form);
     int e = td_body_at(w, from->body[1])->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *to = td_constraint_at(w, e / 2);
+        const td_constraint *to = td_constraint_at(w, td_edge_constraint(e));
         bool continues = (to->shape_b == from->shape_b && same_surface(w, to, from, 0)) ||
                          (to->shape_a == from->shape_a && same_surface(w, to, from, 1));
         if (to == from || to->kind != kind || to->state != TD_TOUCHING || !continues) {
@@ -342,11 +342,11 @@ static void transfer_impulses(thud_world *w, td_block *block, int kind, int lane
 
 /* td_internal_edge_ops.contact. */
 static bool open_contact(const td_internal_edge_pair *p, td_internal_edge_contact *contact) {
-    const thud_shape_instance *a = &p->placed[0], *b = &p->placed[1];
+    const thud_geometry *a = &p->placed[0], *b = &p->placed[1];
     sides s = sides_of(p);
     return td_kind_is_box(a->kind) && td_kind_is_box(b->kind) &&
-           td_internal_edge_boxes(a, b, (double)(TD_SPECULATIVE * p->w->unit), is_hidden, &s,
-                                  contact);
+           td_box_contact_on_open_axis(a, b, (double)(TD_SPECULATIVE * p->w->unit), is_hidden, &s,
+                                       contact);
 }
 
 /* Replaces the manifold of a lane that is at a hidden feature, or clears the lane. */
@@ -388,19 +388,20 @@ static void correct_block(thud_world *w, td_block *block, int kind) {
     }
 }
 
-/* Blocks of two moving bodies only have internal edges where they are armed (contact_lanes.c). */
+/* Blocks of two moving bodies only have internal edges where they have offsets
+ * (contact_lanes.c). */
 static void amend_all(thud_world *w) {
     td_block *const *blocks = w->scratch.blocks.data;
-    td_block **parted = w->scratch.parted.data;
+    td_block **separated = w->scratch.separated.data;
     for (int r = 0; r < w->scratch.runs.count; r++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, r);
-        int count = run->fixed || run->armed ? run->count : 0;
+        int count = run->a_static || run->has_offsets ? run->count : 0;
         for (int i = run->first; i < run->first + count; i++) {
             td_block *block = blocks[i];
             bool whole = block->touching == (1u << block->used) - 1u;
             correct_block(w, block, run->kind);
             if (whole && block->touching != (1u << block->used) - 1u) {
-                parted[w->scratch.parted.count++] = block;
+                separated[w->scratch.separated.count++] = block;
             }
         }
     }

@@ -38,7 +38,7 @@ enum { TD_SHAPE_UNSEEN = 4 };
 typedef struct td_internal_edge_pair {
     thud_world *w;
     int shape[2];
-    thud_shape_instance placed[2];
+    thud_geometry placed[2];
 } td_internal_edge_pair;
 
 /* The value of td_lane_marks.internal_edges for the lane of a and b: the mask of a. It is all bits
@@ -67,7 +67,7 @@ typedef struct td_internal_edge_ops {
      * td_block.touching. */
     void (*amend)(thud_world *w, td_block *block, int kind);
     /* The same for all lanes of the step, where they may have internal edges. Adds the blocks in
-     * which a lane stops touching to scratch.parted, which has room. */
+     * which a lane stops touching to scratch.separated, which has room. */
     void (*amend_all)(thud_world *w);
     /* Whether the unit normal, from the first shape to the second, belongs to a hidden face or
      * corner. */

@@ -39,16 +39,16 @@ thud_manifold td_manifold_of(const thud_world *w, const td_contact *contact) {
     return out;
 }
 
-thud_result thud_body_contacts(thud_world *w, thud_body_id id, thud_manifold *out, int capacity,
-                               int *count) {
-    TD_IN_OWN_MODE;
+thud_result thud_body_get_contacts(thud_world *w, thud_body_id id, thud_manifold *out, int capacity,
+                                   int *out_count) {
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     int n = 0;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
         return result;
     }
-    if (!count || (!out && capacity > 0)) {
+    if (!out_count || (!out && capacity > 0)) {
         return td_refuse(w, THUD_ERROR_NULL, "body contacts: out or count is null");
     }
     if (capacity < 0) {
@@ -58,7 +58,7 @@ thud_result thud_body_contacts(thud_world *w, thud_body_id id, thud_manifold *ou
         return td_refuse(w, THUD_ERROR_LOCKED, "body contacts: not inside a callback");
     }
     for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *contact = td_constraint_at(w, e / 2);
+        const td_constraint *contact = td_constraint_at(w, td_edge_constraint(e));
         if (!td_is_contact(contact) || contact->state != TD_TOUCHING ||
             td_contact_is_ending(w, contact)) {
             continue;
@@ -68,6 +68,6 @@ thud_result thud_body_contacts(thud_world *w, thud_body_id id, thud_manifold *ou
         }
         n++;
     }
-    *count = n;
+    *out_count = n;
     return THUD_OK;
 }

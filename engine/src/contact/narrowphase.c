@@ -18,7 +18,7 @@
 
 enum { TEST_BLOCKS = 32 }; /* scratch blocks: 256 waiting contacts are tested at once. Chosen. */
 
-/* The input of the kernels, without the outputs `armed` and `parted`. */
+/* The input of the kernels, without the outputs `has_offsets` and `separated`. */
 static td_collide_context context_of(const thud_world *w) {
     return (td_collide_context){
         .proxy = w->proxy.data,
@@ -30,22 +30,22 @@ static td_collide_context context_of(const thud_world *w) {
     };
 }
 
-/* Runs a kind's kernel on blocks. Returns whether one of them is armed (td_block.armed). `parted`
- * gets the blocks of which a lane does not touch; it needs room for one more than the blocks, since
- * the kernel writes before it knows. */
-static int collide(thud_world *w, int kind, td_block *const *blocks, int count, td_block **parted,
-                   int *parted_count) {
+/* Runs a kind's kernel on blocks. Returns whether one of them has offsets
+ * (td_block.has_offsets). `separated` gets the blocks of which a lane does not touch; it needs room
+ * for one more than the blocks, since the kernel writes before it knows. */
+static int collide(thud_world *w, int kind, td_block *const *blocks, int count,
+                   td_block **separated, int *separated_count) {
     td_collide_context context = context_of(w);
-    int armed = 0;
-    context.armed = &armed;
-    context.parted = parted;
-    context.parted_count = parted_count;
+    int has_offsets = 0;
+    context.has_offsets = &has_offsets;
+    context.separated = separated;
+    context.separated_count = separated_count;
     if (w->kinds[kind]->collide) {
         w->kinds[kind]->collide(blocks, count, &context);
     } else {
         w->kinds[kind]->collide_world(w, blocks, count, &context);
     }
-    return armed;
+    return has_offsets;
 }
 
 /* ---- waiting pairs ---- */
@@ -65,7 +65,7 @@ static void test_contacts(thud_world *w, int kind, const int *contacts, int coun
     for (int i = 0; i < blocks; i++) {
         td_block *block = list[i] = td_at(&w->scratch.test_blocks, i);
         memset(block, 0, td_form_bytes(TD_FORM_TWO_CACHED));
-        block->armed = 1;
+        block->has_offsets = 1;
         block->used = td_min_int(count - i * TD_LANES, TD_LANES);
         for (int lane = 0; lane < block->used; lane++) {
             int index = contacts[i * TD_LANES + lane];
@@ -78,9 +78,9 @@ static void test_contacts(thud_world *w, int kind, const int *contacts, int coun
                                      td_shape_at(w, contact->shape_b));
         }
     }
-    td_block *parted[TEST_BLOCKS + 1];
-    int parted_count = 0;
-    collide(w, kind, list, blocks, parted, &parted_count);
+    td_block *separated[TEST_BLOCKS + 1];
+    int separated_count = 0;
+    collide(w, kind, list, blocks, separated, &separated_count);
     for (int i = 0; i < blocks; i++) {
         if (w->internal_edges) {
             w->internal_edges->amend(w, list[i], kind);
@@ -145,7 +145,7 @@ static void sift_widely(batch *b, const int *waiting, int count) {
         }
         td_sifted sifted = sift(shape_a, shape_b, &context);
         unsigned here = (1u << used) - 1u;
-        for (unsigned bits = sifted.parted & here; bits; bits &= bits - 1) {
+        for (unsigned bits = sifted.bounds_apart & here; bits; bits &= bits - 1) {
             td_push_int(&w->scratch.ends, waiting[first + __builtin_ctz(bits)]);
         }
         for (unsigned bits = sifted.near & here; bits; bits &= bits - 1) {
@@ -169,16 +169,17 @@ static void test_waiting(thud_world *w, int kind) {
 /* Part 1: finds the waiting contacts that touch. Contacts that have begun in a step that then ran
  * out of memory stay in scratch.begins, since their events have not been published. */
 static bool find_touching(thud_world *w) {
-    int contacts = w->constraints.live, *begins = w->scratch.begins.data, kept = 0;
+    int contacts = w->constraints.live, *begins = w->scratch.begins.data, kept_count = 0;
     for (int i = 0; i < w->scratch.begins.count; i++) {
         const td_contact *contact = td_contact_at(w, begins[i]);
         if (contact->live && contact->state == TD_TOUCHING) {
-            begins[kept++] = begins[i];
+            begins[kept_count++] = begins[i];
         }
     }
-    w->scratch.begins.count = kept;
+    w->scratch.begins.count = kept_count;
     w->scratch.ends.count = 0;
-    if (!reserve_tests(w) || !td_array_reserve(&w->memory, &w->scratch.begins, kept + contacts) ||
+    if (!reserve_tests(w) ||
+        !td_array_reserve(&w->memory, &w->scratch.begins, kept_count + contacts) ||
         !td_array_reserve(&w->memory, &w->scratch.ends, contacts)) {
         return false;
     }
@@ -236,16 +237,16 @@ typedef struct colliding {
     td_job task;
 } colliding;
 
-/* A chunk of blocks, for one worker. Chunks list blocks with parted lanes in disjoint pieces of one
- * array: each has room for one more than its blocks, hence `first + index`. */
+/* A chunk of blocks, for one worker. Chunks list blocks with separated lanes in disjoint pieces of
+ * one array: each has room for one more than its blocks, hence `first + index`. */
 static void collide_chunk(void *work, int index) {
     thud_world *w = ((const colliding *)work)->w;
     td_chunk *chunk = TD_AT(td_chunk, &w->scratch.chunks, index);
     const td_run *run = TD_AT(td_run, &w->scratch.runs, chunk->run);
-    td_block **parted = (td_block **)w->scratch.parted.data + chunk->first + index;
-    chunk->parted = 0;
-    chunk->armed = collide(w, run->kind, (td_block **)w->scratch.blocks.data + chunk->first,
-                           chunk->count, parted, &chunk->parted);
+    td_block **separated = (td_block **)w->scratch.separated.data + chunk->first + index;
+    chunk->separated = 0;
+    chunk->has_offsets = collide(w, run->kind, (td_block **)w->scratch.blocks.data + chunk->first,
+                                 chunk->count, separated, &chunk->separated);
 }
 
 /* A worker: takes chunks until none is left. */
@@ -260,15 +261,15 @@ static void collide_lanes(thud_world *w) {
     colliding c = {w, td_job_begin(w)};
     td_job_run(w, &c.task, collide_as_worker, &c);
     for (int i = 0; i < w->scratch.runs.count; i++) {
-        TD_AT(td_run, &w->scratch.runs, i)->armed = 0;
+        TD_AT(td_run, &w->scratch.runs, i)->has_offsets = 0;
     }
-    td_block **parted = w->scratch.parted.data;
-    w->scratch.parted.count = 0;
+    td_block **separated = w->scratch.separated.data;
+    w->scratch.separated.count = 0;
     for (int i = 0; i < w->scratch.chunks.count; i++) {
         const td_chunk *chunk = TD_AT(td_chunk, &w->scratch.chunks, i);
-        TD_AT(td_run, &w->scratch.runs, chunk->run)->armed |= chunk->armed;
-        for (int k = 0; k < chunk->parted; k++) {
-            parted[w->scratch.parted.count++] = parted[chunk->first + i + k];
+        TD_AT(td_run, &w->scratch.runs, chunk->run)->has_offsets |= chunk->has_offsets;
+        for (int k = 0; k < chunk->separated; k++) {
+            separated[w->scratch.separated.count++] = separated[chunk->first + i + k];
         }
     }
 }
@@ -277,11 +278,11 @@ static void collide_lanes(thud_world *w) {
 static bool part_contacts(thud_world *w) {
     td_array *ends = &w->scratch.ends;
     ends->count = 0;
-    for (int i = 0; i < w->scratch.parted.count; i++) {
-        const td_block *block = *TD_AT(td_block *, &w->scratch.parted, i);
-        unsigned parted = ((1u << block->used) - 1u) & ~block->touching;
-        for (; parted; parted &= parted - 1) {
-            td_push_int(ends, block->constraint[__builtin_ctz(parted)]);
+    for (int i = 0; i < w->scratch.separated.count; i++) {
+        const td_block *block = *TD_AT(td_block *, &w->scratch.separated, i);
+        unsigned separated = ((1u << block->used) - 1u) & ~block->touching;
+        for (; separated; separated &= separated - 1) {
+            td_push_int(ends, block->constraint[__builtin_ctz(separated)]);
         }
     }
     if (ends->count == 0) {

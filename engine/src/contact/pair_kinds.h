@@ -9,42 +9,42 @@
 #define TD_PAIR_KINDS_H
 
 #include "constraint/constraint_ops.h"
-#include "thud/thud_shapes.h"
+#include "thud/thud_geometry.h"
 
 /* ROW(pair kind, name of its table, form of its blocks, sift, collide, collide_world, solver,
- * solver for runs without an armed block), as in td_constraint_ops. The name of a pair gives the
- * kinds of a and b in this order. Side b is never static; blocks in which a is static are marked as
- * such. */
+ * solver for runs without a block that has offsets), as in td_constraint_ops. The name of a pair
+ * gives the kinds of a and b in this order. Side b is never static; blocks in which a is static are
+ * marked as such. */
 
 /* wide_circle.c */
 #define TD_CIRCLE_PAIRS(ROW)                                                                    \
     ROW(TD_PAIR_CIRCLE_CIRCLE, td_pair_circle_circle, TD_FORM_ONE, sift_circles, circle_circle, \
-        NULL, td_solve_one, td_solve_round)
+        NULL, td_solve_one_point, td_solve_circles)
 
 /* wide_circle.c; the circle is a only where its body is static. */
 #define TD_BOX_CIRCLE_PAIRS(ROW)                                                                \
     ROW(TD_PAIR_BOX_CIRCLE, td_pair_box_circle, TD_FORM_ONE, sift_box_circle, box_circle, NULL, \
-        td_solve_one, td_solve_one)                                                             \
+        td_solve_one_point, td_solve_one_point)                                                 \
     ROW(TD_PAIR_CIRCLE_BOX, td_pair_circle_box, TD_FORM_ONE, sift_circle_box, circle_box, NULL, \
-        td_solve_one, td_solve_one)
+        td_solve_one_point, td_solve_one_point)
 
 /* wide_aabb.c */
 #define TD_AABB_PAIRS(ROW)                                                              \
     ROW(TD_PAIR_AABB_AABB, td_pair_aabb_aabb, TD_FORM_ONE, sift_aabbs, aabb_aabb, NULL, \
-        td_solve_flat, td_solve_flat)
+        td_solve_aabbs, td_solve_aabbs)
 
 /* wide_box.c; one of the two boxes may be an AABB. */
 #define TD_OBB_PAIRS(ROW)                                                                \
     ROW(TD_PAIR_BOX_BOX, td_pair_box_box, TD_FORM_TWO_CACHED, sift_boxes, box_box, NULL, \
-        td_solve_two, td_solve_two)
+        td_solve_two_points, td_solve_two_points)
 
 /* wide_terrain.c; the vertices of a terrain are not in its shape proxy, so that its kernels are
  * given the world (collide_world), and there is no sift. */
 #define TD_TERRAIN_PAIRS(ROW)                                                                  \
     ROW(TD_PAIR_TERRAIN_CIRCLE, td_pair_terrain_circle, TD_FORM_ONE_CACHED, NULL, NULL,        \
-        terrain_circle, td_solve_one, td_solve_one)                                            \
+        terrain_circle, td_solve_one_point, td_solve_one_point)                                \
     ROW(TD_PAIR_TERRAIN_BOX, td_pair_terrain_box, TD_FORM_TWO_CACHED, NULL, NULL, terrain_box, \
-        td_solve_two, td_solve_two)
+        td_solve_two_points, td_solve_two_points)
 
 /* Snapshots have these numbers: a new pair kind comes last. */
 #define TD_ALL_PAIRS(ROW)    \
@@ -78,11 +78,11 @@ enum {
 
 /* Defines the table of functions of a row; used in a wide file below the functions that the row
  * names. */
-#define TD_DEFINE_PAIR(kind, ops, form, sift, collide, collide_world, solve, solve_unarmed) \
-    extern const td_solve_ops TD_WIDE(solve), TD_WIDE(solve_unarmed);                       \
-    extern const td_constraint_ops TD_WIDE(ops);                                            \
-    const td_constraint_ops TD_WIDE(ops) = {                                                \
-        form, NULL, sift, collide, collide_world, &TD_WIDE(solve), &TD_WIDE(solve_unarmed)};
+#define TD_DEFINE_PAIR(kind, ops, form, sift, collide, collide_world, solve, solve_centered) \
+    extern const td_solve_ops TD_WIDE(solve), TD_WIDE(solve_centered);                       \
+    extern const td_constraint_ops TD_WIDE(ops);                                             \
+    const td_constraint_ops TD_WIDE(ops) = {                                                 \
+        form, NULL, sift, collide, collide_world, &TD_WIDE(solve), &TD_WIDE(solve_centered)};
 
 /* Values in the table of td_pairing_of beside pair kinds. */
 enum {
@@ -94,22 +94,22 @@ enum {
  * is wanted. Two shapes of the same kind are ordered by their indices. */
 static inline unsigned td_pairing_of(thud_shape_kind a, thud_shape_kind b) {
     static const uint8_t of[][THUD_SHAPE_KIND_COUNT] = {
-        [THUD_CIRCLE] = {[THUD_CIRCLE] = TD_PAIR_CIRCLE_CIRCLE,
-                         [THUD_AABB] = TD_PAIR_CIRCLE_BOX | TD_PAIR_SWAPS,
-                         [THUD_OBB] = TD_PAIR_CIRCLE_BOX | TD_PAIR_SWAPS,
-                         [THUD_TERRAIN] = TD_PAIR_NEVER | TD_PAIR_SWAPS},
-        [THUD_AABB] = {[THUD_CIRCLE] = TD_PAIR_BOX_CIRCLE,
-                       [THUD_AABB] = TD_PAIR_AABB_AABB,
-                       [THUD_OBB] = TD_PAIR_BOX_BOX | TD_PAIR_SWAPS,
-                       [THUD_TERRAIN] = TD_PAIR_NEVER | TD_PAIR_SWAPS},
-        [THUD_OBB] = {[THUD_CIRCLE] = TD_PAIR_BOX_CIRCLE,
-                      [THUD_AABB] = TD_PAIR_BOX_BOX,
-                      [THUD_OBB] = TD_PAIR_BOX_BOX,
-                      [THUD_TERRAIN] = TD_PAIR_NEVER | TD_PAIR_SWAPS},
-        [THUD_TERRAIN] = {[THUD_CIRCLE] = TD_PAIR_TERRAIN_CIRCLE,
-                          [THUD_AABB] = TD_PAIR_TERRAIN_BOX,
-                          [THUD_OBB] = TD_PAIR_TERRAIN_BOX,
-                          [THUD_TERRAIN] = TD_PAIR_NEVER}};
+        [THUD_SHAPE_CIRCLE] = {[THUD_SHAPE_CIRCLE] = TD_PAIR_CIRCLE_CIRCLE,
+                               [THUD_SHAPE_AABB] = TD_PAIR_CIRCLE_BOX | TD_PAIR_SWAPS,
+                               [THUD_SHAPE_OBB] = TD_PAIR_CIRCLE_BOX | TD_PAIR_SWAPS,
+                               [THUD_SHAPE_TERRAIN] = TD_PAIR_NEVER | TD_PAIR_SWAPS},
+        [THUD_SHAPE_AABB] = {[THUD_SHAPE_CIRCLE] = TD_PAIR_BOX_CIRCLE,
+                             [THUD_SHAPE_AABB] = TD_PAIR_AABB_AABB,
+                             [THUD_SHAPE_OBB] = TD_PAIR_BOX_BOX | TD_PAIR_SWAPS,
+                             [THUD_SHAPE_TERRAIN] = TD_PAIR_NEVER | TD_PAIR_SWAPS},
+        [THUD_SHAPE_OBB] = {[THUD_SHAPE_CIRCLE] = TD_PAIR_BOX_CIRCLE,
+                            [THUD_SHAPE_AABB] = TD_PAIR_BOX_BOX,
+                            [THUD_SHAPE_OBB] = TD_PAIR_BOX_BOX,
+                            [THUD_SHAPE_TERRAIN] = TD_PAIR_NEVER | TD_PAIR_SWAPS},
+        [THUD_SHAPE_TERRAIN] = {[THUD_SHAPE_CIRCLE] = TD_PAIR_TERRAIN_CIRCLE,
+                                [THUD_SHAPE_AABB] = TD_PAIR_TERRAIN_BOX,
+                                [THUD_SHAPE_OBB] = TD_PAIR_TERRAIN_BOX,
+                                [THUD_SHAPE_TERRAIN] = TD_PAIR_NEVER}};
     _Static_assert(sizeof of / sizeof *of == 4 && THUD_SHAPE_KIND_COUNT == 4,
                    "a new kind of shape needs a row and a column here");
     return of[a][b];

@@ -8,12 +8,12 @@ bool td_sensor_overlaps(const thud_world *w, int shape_a, int shape_b) {
     bool b_is_line = td_kind_is_line(td_shape_at(w, shape_b)->kind);
     int a = b_is_line ? shape_b : shape_a, b = b_is_line ? shape_a : shape_b;
     td_position origin = td_shape_proxy_at(w, a)->center;
-    thud_shape_instance placed_b = td_shape_instance(w, b, origin);
+    thud_geometry placed_b = td_shape_instance(w, b, origin);
     if (td_kind_is_line(td_shape_at(w, a)->kind)) {
         return w->ground->overlap(w, a, &placed_b);
     }
-    thud_shape_instance placed_a = td_shape_instance(w, a, origin);
-    return thud_shapes_overlap(&placed_a, &placed_b);
+    thud_geometry placed_a = td_shape_instance(w, a, origin);
+    return thud_geometry_overlap(&placed_a, &placed_b);
 }
 
 /* Bounds of td_sensors_expect. EXPECTED_PAIRS_MIN is reserved in any world with sensors;

@@ -92,9 +92,9 @@ TD_INLINE axes axes_of(const td_pairs8 *p) {
     return x;
 }
 
-/* Computes the manifolds of the lanes in `fresh`, or of all where it is null. Returns the lanes
- * that touch. */
-TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs, const i8 *fresh,
+/* Computes the manifolds of the lanes in `recomputed`, or of all where it is null. Returns the
+ * lanes that touch. */
+TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs, const i8 *recomputed,
                            const td_collide_context *context) {
     f8 half = f8_all(0.5f), margin = f8_all(context->margin);
     td_pairs8 p = *pairs;
@@ -129,15 +129,15 @@ TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs, const i8 *fr
     swap_where(by_b, &s0, &s1);
     i8 valid0 = meets & (s0 < margin), valid1 = meets & (s1 < margin);
 
-    td_set_row(&block->nx, fresh, f8_flip(t.ux, by_b));
-    td_set_row(&block->ny, fresh, f8_flip(t.uy, by_b));
+    td_set_row(&block->nx, recomputed, f8_flip(t.ux, by_b));
+    td_set_row(&block->ny, recomputed, f8_flip(t.uy, by_b));
     i8 face_a = i8_pick(by_b, e.face, t.face), face_b = i8_pick(by_b, t.face, e.face);
     i8 feature = face_a + face_b * i8_all(4) + i8_all(1);
     i8 old = i8_load((const int32_t *)block->feature);
     i8 same = old == feature;
-    if (fresh) {
-        same |= ~*fresh;
-        feature = i8_pick(*fresh, feature, old);
+    if (recomputed) {
+        same |= ~*recomputed;
+        feature = i8_pick(*recomputed, feature, old);
     }
     __builtin_memcpy(block->feature, &feature, sizeof feature);
     block->tangent_impulse = f8_keep(same, block->tangent_impulse);
@@ -154,23 +154,22 @@ TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs, const i8 *fr
                               .rbx = p.bx + wx - f8_keep(~by_b, p.dx),
                               .rby = p.by + wy - f8_keep(~by_b, p.dy)};
     }
-    td_write_points(block, found, 2, fresh, context);
+    td_write_points(block, found, 2, recomputed, context);
     return valid0 | valid1;
 }
 
-/* Stores the poses of the lanes in `fresh` in the manifold cache. */
-/* Stores the poses and limits of the lanes in `fresh` in the manifold cache. */
-TD_INLINE void note_poses(td_block *block, const td_pairs8 *p, i8 fresh, f8 dx, f8 dy,
+/* Stores the poses and limits of the lanes in `recomputed` in the manifold cache. */
+TD_INLINE void note_poses(td_block *block, const td_pairs8 *p, i8 recomputed, f8 dx, f8 dy,
                           const td_collide_context *context) {
     td_manifold_cache *kept = td_manifold_cache_of(block, 2);
-    kept->dx = f8_pick(fresh, dx, kept->dx);
-    kept->dy = f8_pick(fresh, dy, kept->dy);
-    kept->ac = f8_pick(fresh, p->ac, kept->ac);
-    kept->as = f8_pick(fresh, p->as, kept->as);
-    kept->bc = f8_pick(fresh, p->bc, kept->bc);
-    kept->bs = f8_pick(fresh, p->bs, kept->bs);
-    td_keep_note(block, 2, fresh, f8_min(f8_min(p->ahx, p->ahy), f8_min(p->bhx, p->bhy)),
-                 f8_max(f8_max(p->ahx, p->ahy), f8_max(p->bhx, p->bhy)), context);
+    kept->dx = f8_pick(recomputed, dx, kept->dx);
+    kept->dy = f8_pick(recomputed, dy, kept->dy);
+    kept->ac = f8_pick(recomputed, p->ac, kept->ac);
+    kept->as = f8_pick(recomputed, p->as, kept->as);
+    kept->bc = f8_pick(recomputed, p->bc, kept->bc);
+    kept->bs = f8_pick(recomputed, p->bs, kept->bs);
+    td_cache_store(block, 2, recomputed, f8_min(f8_min(p->ahx, p->ahy), f8_min(p->bhx, p->bhy)),
+                   f8_max(f8_max(p->ahx, p->ahy), f8_max(p->bhx, p->bhy)), context);
 }
 
 /* A td_collide_fn: keeps the manifolds that are still good, and computes the others. */
@@ -184,16 +183,16 @@ static void box_box(td_block *const *blocks, int count, const td_collide_context
         td_moved moved = {.dx = dx - kept->dx, .dy = dy - kept->dy};
         moved.small_turn = small_turn(p.ac, p.as, kept->ac, kept->as, &moved.turn_a) &
                            small_turn(p.bc, p.bs, kept->bc, kept->bs, &moved.turn_b);
-        i8 keep = td_keep_mask(block, 2, &moved, context, separation), fresh = ~keep;
+        i8 keep = td_cached_lanes(block, 2, &moved, context, separation), recomputed = ~keep;
         unsigned bits = i8_bits(keep), touching = bits;
         if (bits != i8_bits(td_used_mask(block))) {
-            i8 valid = bits ? collide_block(block, &p, &fresh, context) & fresh
+            i8 valid = bits ? collide_block(block, &p, &recomputed, context) & recomputed
                             : collide_block(block, &p, NULL, context);
             touching |= i8_bits(valid);
-            note_poses(block, &p, fresh, dx, dy, context);
+            note_poses(block, &p, recomputed, dx, dy, context);
         }
         if (bits) {
-            td_keep_follow(block, 2, keep, separation, context);
+            td_cache_update_points(block, 2, keep, separation, context);
         }
         td_set_touching(block, touching, context);
     }

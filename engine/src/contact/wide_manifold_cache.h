@@ -5,10 +5,11 @@
  * move keep soft stacks standing: with points chosen anew in every step, a column of 30 boxes leans
  * over within eight seconds. Normal, lever arms and effective masses are kept. Separations are
  * updated to first order, from the poses for which the manifold was computed, so that errors do not
- * add up: separation = base + n . (relative motion of the centres) + turn_b (r_b x n) - turn_a (r_a
- * x n) */
-#ifndef TD_WIDE_KEEP_H
-#define TD_WIDE_KEEP_H
+ * add up:
+ *     separation = kept separation + n . (relative motion of the centres)
+ *                  + turn_b (r_b x n) - turn_a (r_a x n) */
+#ifndef TD_WIDE_MANIFOLD_CACHE_H
+#define TD_WIDE_MANIFOLD_CACHE_H
 
 #include "contact/wide_collide.h"
 
@@ -38,8 +39,8 @@ TD_INLINE i8 small_turn(f8 c, f8 s, f8 old_c, f8 old_s, f8 *turn) {
 
 /* The lanes whose manifold may be kept, and their separations for the present poses. Separations of
  * other lanes are written, too, and mean nothing. */
-TD_INLINE i8 td_keep_mask(td_block *block, int points, const td_moved *moved,
-                          const td_collide_context *c, f8 *separation) {
+TD_INLINE i8 td_cached_lanes(td_block *block, int points, const td_moved *moved,
+                             const td_collide_context *c, f8 *separation) {
     const td_manifold_cache *kept = td_manifold_cache_of(block, points);
     f8 zero = f8_all(0.0f), margin = f8_all(c->margin);
     f8 motion =
@@ -50,7 +51,7 @@ TD_INLINE i8 td_keep_mask(td_block *block, int points, const td_moved *moved,
         const td_point *p = &block->point[k];
         i8 here = p->normal_mass > zero;
         separation[k] =
-            kept->base[k] + along + moved->turn_b * p->cross_b - moved->turn_a * p->cross_a;
+            kept->separation[k] + along + moved->turn_b * p->cross_b - moved->turn_a * p->cross_a;
         touches |= here & (separation[k] < margin);
         whole &= here;
     }
@@ -59,13 +60,13 @@ TD_INLINE i8 td_keep_mask(td_block *block, int points, const td_moved *moved,
     return (motion < limit) & moved->small_turn & touches & td_used_mask(block);
 }
 
-/* Writes the separations of kept lanes, and the approach speeds of blocks with restitution. */
-TD_INLINE void td_keep_follow(td_block *block, int points, i8 keep, const f8 *separation,
-                              const td_collide_context *c) {
+/* Writes the separations of kept lanes, and the normal velocities of blocks with restitution. */
+TD_INLINE void td_cache_update_points(td_block *block, int points, i8 keep, const f8 *separation,
+                                      const td_collide_context *c) {
     for (int k = 0; k < points; k++) {
         td_point *point = &block->point[k];
         i8 here = keep & (point->normal_mass > f8_all(0.0f));
-        point->base = f8_pick(here, separation[k], point->base);
+        point->start_separation = f8_pick(here, separation[k], point->start_separation);
         point->separation = f8_pick(here, separation[k], point->separation);
     }
     if (!block->bouncy) {
@@ -75,26 +76,27 @@ TD_INLINE void td_keep_follow(td_block *block, int points, i8 keep, const f8 *se
     for (int k = 0; k < points; k++) {
         const td_point *point = &block->point[k];
         td_point_history *history = &td_history_of(block, points)[k];
-        f8 approach = (vb.x - va.x) * block->nx + (vb.y - va.y) * block->ny +
-                      vb.z * point->cross_b - va.z * point->cross_a;
-        history->approach = f8_pick(keep, approach, history->approach);
+        f8 normal_velocity = (vb.x - va.x) * block->nx + (vb.y - va.y) * block->ny +
+                             vb.z * point->cross_b - va.z * point->cross_a;
+        history->normal_velocity = f8_pick(keep, normal_velocity, history->normal_velocity);
     }
 }
 
-/* Stores separations and motion limits of the lanes in `fresh`, whose manifold has just been
+/* Stores separations and motion limits of the lanes in `recomputed`, whose manifold has just been
  * computed; `min_extent` and `max_extent` are the smallest and the largest half extent of the pair.
  */
-TD_INLINE void td_keep_note(td_block *block, int points, i8 fresh, f8 min_extent, f8 max_extent,
-                            const td_collide_context *c) {
+TD_INLINE void td_cache_store(td_block *block, int points, i8 recomputed, f8 min_extent,
+                              f8 max_extent, const td_collide_context *c) {
     td_manifold_cache *kept = td_manifold_cache_of(block, points);
     /* The contact point of a rolling circle moves over its rim: its arm is computed anew much
      * sooner. */
     float margins = points == 1 ? TD_KEEP_MARGINS_ONE : TD_KEEP_MARGINS;
     f8 limit = f8_min(f8_all(TD_KEEP_SHARE) * min_extent, f8_all(margins * c->margin));
-    kept->limit = f8_pick(fresh, limit, kept->limit);
-    kept->reach = f8_pick(fresh, max_extent, kept->reach);
+    kept->limit = f8_pick(recomputed, limit, kept->limit);
+    kept->reach = f8_pick(recomputed, max_extent, kept->reach);
     for (int k = 0; k < points; k++) {
-        kept->base[k] = f8_pick(fresh, block->point[k].base, kept->base[k]);
+        kept->separation[k] =
+            f8_pick(recomputed, block->point[k].start_separation, kept->separation[k]);
     }
 }
 

@@ -34,11 +34,11 @@ void td_ballistics_save_velocities(thud_world *w) {
 static bool gained_only_gravity(const thud_world *w, td_awake_slot slot, double share) {
     const td_trajectory *f = td_trajectory_at(w, slot);
     const float *velocity = td_row(&w->velocity, slot), *delta = td_row(&w->delta, slot);
-    const float *push = td_row(&w->push, slot);
+    const float *substep_gain = td_row(&w->substep_gain, slot);
     double n = w->substeps;
     bool free = true;
     for (int k = 0; k < 3 && free; k++) {
-        double v1 = (double)velocity[k], gain = n * (double)push[k];
+        double v1 = (double)velocity[k], gain = n * (double)substep_gain[k];
         double rounding = 0x1p-22 * n * (td_abs(f->motion[k]) + td_abs(gain));
         double tolerance = rounding + (k < 2 ? share : share / (double)td_row(&w->reach, slot)[1]);
         double deviation = (double)delta[k] / w->def.time_step - (v1 - 0.25 * gain);
@@ -56,7 +56,7 @@ static void set_parabola(thud_world *w, td_awake_slot slot, bool touched) {
     double dt = w->def.time_step;
     for (int axis = 0; axis < 2; axis++) {
         float *velocity = td_row(&w->velocity, slot) + axis;
-        double gain = w->substeps * (double)td_row(&w->push, slot)[axis];
+        double gain = w->substeps * (double)td_row(&w->substep_gain, slot)[axis];
         if (!touched) {
             *velocity = (float)(f->motion[axis] + gain);
             gain = (double)*velocity - f->motion[axis];
@@ -72,7 +72,7 @@ static bool is_joined(const thud_world *w, const td_body *body) {
     bool joined = false;
     for (int e = w->joint_hooks ? body->first_constraint : TD_NONE; e != TD_NONE && !joined;
          e = td_next_edge(w, e)) {
-        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
         joined = !td_is_contact(constraint) && constraint->state == TD_TOUCHING;
     }
     return joined;
@@ -82,12 +82,12 @@ void td_ballistics_set_parabolas(thud_world *w) {
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         td_trajectory *f = td_trajectory_at(w, slot);
         const td_body *body = td_body_at(w, f->body);
-        if (body->kind != THUD_DYNAMIC || body->detection->rank != TD_RANK_SWEPT ||
+        if (body->kind != THUD_BODY_DYNAMIC || body->detection->rank != TD_RANK_SWEPT ||
             w->skin == 0.0f) {
             continue;
         }
-        const float *push = td_row(&w->push, slot);
-        double x = (double)push[0], y = (double)push[1];
+        const float *substep_gain = td_row(&w->substep_gain, slot);
+        double x = (double)substep_gain[0], y = (double)substep_gain[1];
         double gain = w->substeps * __builtin_sqrt(x * x + y * y);
         /* A gain above the maximum speed is clamped by the substeps, and there is no parabola. */
         f->free = gain <= (double)(w->def.maximum_speed * w->unit) &&

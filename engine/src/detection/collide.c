@@ -11,9 +11,9 @@
 #include "contact/contact.h"
 #include "geometry/shape_instance.h"
 
-/* In multiples of TD_MEET: a change of `fall` of a whole step by less does not change times of
- * impact noticeably. Chosen equal to CLOSING_MIN of toi_queue.c, motion below which touching shapes
- * do not collide. */
+/* In multiples of TD_IMPACT_DISTANCE: a change of `fall` of a whole step by less does not change
+ * times of impact noticeably. Chosen equal to CLOSING_MIN of toi_queue.c, motion below which
+ * touching shapes do not collide. */
 #define FALL_MIN 0.01
 /* Bound of velocities, length/s or rad/s: below FLT_MAX, 3.4e38, so that the conversion is finite.
  */
@@ -48,7 +48,7 @@ static side side_of(thud_world *w, td_body_index index, const td_impact_point *a
             s.motion[k] = (f.motion[k] + fall * (time - f.since)) / w->def.time_step;
         }
         s.trajectory = td_trajectory_at(w, body->awake);
-        if (body->kind == THUD_DYNAMIC) {
+        if (body->kind == THUD_BODY_DYNAMIC) {
             s.inv_mass = (double)body->inv_mass;
             s.inv_inertia = (double)body->inv_inertia;
         }
@@ -199,7 +199,7 @@ static outcome apply_collision(side *a, side *b, bool use_motion, const surface 
  * more than FALL_MIN. */
 static void stop_mutual_fall(const thud_world *w, const side *a, const side *b, const surface *u,
                              bool fall_reduced[2]) {
-    double fall_min = FALL_MIN * (double)(TD_MEET * w->unit);
+    double fall_min = FALL_MIN * (double)(TD_IMPACT_DISTANCE * w->unit);
     double x = u->nx, y = u->ny;
     double fall_a = a->trajectory ? a->trajectory->fall[0] * x + a->trajectory->fall[1] * y : 0.0;
     double fall_b = b->trajectory ? b->trajectory->fall[0] * x + b->trajectory->fall[1] * y : 0.0;
@@ -219,7 +219,7 @@ static void stop_mutual_fall(const thud_world *w, const side *a, const side *b, 
  * `fall` adds until then, motions per step. A body that keeps its motion has no impact counted. */
 static void write_back(const thud_world *w, const side *s) {
     td_trajectory *f = s->trajectory;
-    if (!f || s->body->kind != THUD_DYNAMIC) {
+    if (!f || s->body->kind != THUD_BODY_DYNAMIC) {
         return;
     }
     float *velocity = td_row(&w->velocity, s->body->awake);
@@ -241,7 +241,7 @@ static void write_back(const thud_world *w, const side *s) {
 /* Whether the body's motion follows its velocity from here on: it is in free flight, or no impulse
  * changes it. */
 static bool moves_by_velocity(const side *s) {
-    return !s->trajectory || s->trajectory->free || s->body->kind != THUD_DYNAMIC;
+    return !s->trajectory || s->trajectory->free || s->body->kind != THUD_BODY_DYNAMIC;
 }
 
 /* Sets the motion to the velocity. */
@@ -299,9 +299,9 @@ static void choose_kept_motion(side *a, side *b, bool pair_touches, const surfac
     bool bounces = u->restitution > 0.0;
     bool touch_a = touches_others(a, pair_touches, bounces);
     bool touch_b = touches_others(b, pair_touches, bounces);
-    bool fixed =
+    bool immovable =
         !is_movable(a, true) || !is_movable(b, true) || a->inv_mass == 0.0 || b->inv_mass == 0.0;
-    if (fixed || (!touch_a && !touch_b)) {
+    if (immovable || (!touch_a && !touch_b)) {
         return;
     }
     bool keep_b = touch_b;
@@ -319,9 +319,9 @@ static void choose_kept_motion(side *a, side *b, bool pair_touches, const surfac
  * forces gave it in the rest of the step, since it stands there against the other. Only once a
  * step: a body that meets eight others would end the step with eight times that speed, upwards. */
 static void remove_remaining_gain(const thud_world *w, side *s, double time) {
-    const float *push = td_row(&w->push, s->body->awake);
+    const float *substep_gain = td_row(&w->substep_gain, s->body->awake);
     for (int k = 0; k < 2 && !s->trajectory->deflected; k++) {
-        double gain = w->substeps * (1.0 - time) * (double)push[k];
+        double gain = w->substeps * (1.0 - time) * (double)substep_gain[k];
         s->velocity[k] -= td_gain_clamped(w, k, gain);
     }
     s->trajectory->deflected = true;
@@ -337,7 +337,7 @@ void td_impact_resolve(thud_world *w, const td_toi_candidate *e, const td_impact
     side a = side_of(w, e->body[0], at, time), b = side_of(w, e->body[1], at, time);
     bool free = moves_by_velocity(&a) && moves_by_velocity(&b);
     u.bounce_speed = bounce_speed(w, &a, &b, &u);
-    impact->approach = (float)-speed_along(&a, &b, false, u.nx, u.ny);
+    impact->closing_speed = (float)-speed_along(&a, &b, false, u.nx, u.ny);
     if (u.restitution < 1.0) {
         choose_kept_motion(&a, &b, impact->touching, &u);
         impact->kept_motion[0] = a.keeps_motion;

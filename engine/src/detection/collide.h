@@ -8,7 +8,7 @@
 /* The impact of a pair within the step. scratch.impacts lists them. */
 typedef struct td_impact {
     thud_contact seen;   /* as callbacks see it */
-    float approach;      /* normal speed at which the pair met, length/s; > 0: closing */
+    float closing_speed; /* normal speed at which the pair met, length/s; > 0: closing */
     bool touching;       /* the pair has a touching contact, which the solver works on */
     bool kept_motion[2]; /* the body keeps its motion of this step; only its velocity changed */
     bool

@@ -50,7 +50,7 @@ static thud_contact contact_view(const sweep *s, int other, double time) {
     const thud_world *w = s->w;
     bool ground = td_kind_is_line(td_shape_at(w, other)->kind);
     td_position origin = ground ? td_shape_proxy_at(w, other)->center : s->swept.start;
-    thud_shape_instance shape = td_placed_at(&s->swept.placed, &s->swept.motion, time);
+    thud_geometry shape = td_placed_at(&s->swept.placed, &s->swept.motion, time);
     shape.x += (double)(s->swept.start.x - origin.x) / w->to_fixed;
     shape.y += (double)(s->swept.start.y - origin.y) / w->to_fixed;
     shape.hx += s->shrink;
@@ -59,7 +59,7 @@ static thud_contact contact_view(const sweep *s, int other, double time) {
     if (ground) {
         c = w->ground->below(w, other, &shape);
     } else {
-        thud_shape_instance b = td_shape_instance(w, other, origin);
+        thud_geometry b = td_shape_instance(w, other, origin);
         td_closest(&b, &shape, &c);
     }
     td_position at = {origin.x + td_round64(0.5 * (c.ax + c.bx) * w->to_fixed),
@@ -77,7 +77,7 @@ static bool is_vetoed(const sweep *s, int other, double time) {
     bool asked = false, vetoed = true;
     int e = td_surface_asks(w) ? td_body_at(w, s->body)->first_constraint : TD_NONE;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *contact = td_constraint_at(w, e / 2);
+        const td_constraint *contact = td_constraint_at(w, td_edge_constraint(e));
         if (contact->state == TD_TOUCHING && contact->shape_a == other &&
             contact->shape_b == s->shape) {
             asked = true;
@@ -119,7 +119,7 @@ static void record_hit(sweep *s, int other, const td_swept_hit *hit) {
  * with. */
 static bool stops_at(const sweep *s, int other) {
     const td_shape *shape = td_shape_at(s->w, other);
-    return td_body_at(s->w, shape->body)->kind == THUD_STATIC &&
+    return td_body_at(s->w, shape->body)->kind == THUD_BODY_STATIC &&
            !(shape->flags & TD_SHAPE_HOLLOW) && td_pair_allowed(s->w, s->shape, other);
 }
 
@@ -130,11 +130,11 @@ static void sweep_against_shape(sweep *s, int other) {
     }
     const td_swept *swept = &s->swept;
     thud_motion motion = swept->motion, still = {0.0, 0.0, 0.0};
-    thud_shape_instance b = td_shape_instance(s->w, other, swept->start);
-    td_swept_hit hit = {thud_shapes_overlap(&swept->placed, &b), false, 1.0};
+    thud_geometry b = td_shape_instance(s->w, other, swept->start);
+    td_swept_hit hit = {thud_geometry_overlap(&swept->placed, &b), false, 1.0};
     motion.turn = hit.inside ? 0.0 : motion.turn;
-    thud_shapes_time_of_impact(hit.inside ? &swept->core : &swept->placed, motion, &b, still, 0.0,
-                               &hit.hit, &hit.time);
+    thud_geometry_time_of_impact(hit.inside ? &swept->core : &swept->placed, motion, &b, still, 0.0,
+                                 &hit.hit, &hit.time);
     record_hit(s, other, &hit);
 }
 
@@ -172,20 +172,18 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
     s->shape = index;
     s->shrink = (double)shrink;
     s->swept.placed =
-        (thud_shape_instance){.kind = (thud_shape_kind)shape->kind,
-                              .x = (double)(c * arm_x - sine * arm_y),
-                              .y = (double)(sine * arm_x + c * arm_y),
-                              .c = turns ? (double)(c * shape->angle_c - sine * shape->angle_s)
-                                         : 1.0,
-                              .s = turns ? (double)(sine * shape->angle_c + c * shape->angle_s)
-                                         : 0.0,
-                              .hx = (double)(hx - shrink),
-                              .hy = td_kind_is_round(shape->kind) ? 0.0 : (double)(hy - shrink)};
-    s->swept.core = (thud_shape_instance){.kind = THUD_CIRCLE,
-                                          .x = s->swept.placed.x,
-                                          .y = s->swept.placed.y,
-                                          .c = 1.0,
-                                          .hx = (double)(0.25f * half_thickness)};
+        (thud_geometry){.kind = (thud_shape_kind)shape->kind,
+                        .x = (double)(c * arm_x - sine * arm_y),
+                        .y = (double)(sine * arm_x + c * arm_y),
+                        .c = turns ? (double)(c * shape->angle_c - sine * shape->angle_s) : 1.0,
+                        .s = turns ? (double)(sine * shape->angle_c + c * shape->angle_s) : 0.0,
+                        .hx = (double)(hx - shrink),
+                        .hy = td_kind_is_round(shape->kind) ? 0.0 : (double)(hy - shrink)};
+    s->swept.core = (thud_geometry){.kind = THUD_SHAPE_CIRCLE,
+                                    .x = s->swept.placed.x,
+                                    .y = s->swept.placed.y,
+                                    .c = 1.0,
+                                    .hx = (double)(0.25f * half_thickness)};
     /* The centre of a shape off the centre of mass also moves as the body turns. */
     float end_c, end_s;
     td_angle_turn(td_pose_at(w, s->body)->angle, &end_c, &end_s);
@@ -263,14 +261,14 @@ void td_hold_at(thud_world *w, td_awake_slot slot, double time) {
     td_body_index body = td_body_of(w, slot);
     td_pose pose = start_pose(w, slot);
     float *delta = td_row(&w->delta, slot), *velocity = td_row(&w->velocity, slot);
-    const float *push = td_row(&w->push, slot);
+    const float *substep_gain = td_row(&w->substep_gain, slot);
     float x = (float)remaining * delta[0], y = (float)remaining * delta[1];
-    td_error_fall_short(w, x, y);
-    td_error_follow(w, slot, x, y);
+    td_errors_note_shortfall(w, x, y);
+    td_errors_undo_gravity_work(w, slot, x, y);
     for (int k = 0; k < 3; k++) {
         delta[k] = (float)((double)delta[k] * time);
-        velocity[k] -=
-            (float)td_gain_clamped(w, k, (double)((float)(w->substeps * remaining) * push[k]));
+        double gain = (double)((float)(w->substeps * remaining) * substep_gain[k]);
+        velocity[k] = td_velocity_without_gain(w, k, velocity[k], gain);
     }
     pose.center.x += td_length_from(w, delta[0]);
     pose.center.y += td_length_from(w, delta[1]);
@@ -349,7 +347,7 @@ static void run(thud_world *w) {
         }
     }
     if (w->stats.held_bodies) {
-        td_error_settle(w);
+        td_errors_resum_kinetic(w);
         if (w->scratch.sensed_room > 0) {
             append_held_legs(w);
         }

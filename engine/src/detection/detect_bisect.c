@@ -6,20 +6,20 @@
 
 /* Bisection ends when the interval is this share of the rest of the step: 20 distance tests a
  * pair. Chosen: at a speed of 100 length scales/s and 60 steps/s it is 1.6e-6 length scales of
- * motion, far below TD_MEET (1e-3). */
+ * motion, far below TD_IMPACT_DISTANCE (1e-3). */
 #define TIME_TOLERANCE 0x1p-20
 
 /* Whether the pair is within its target distance at a time in [0, 1]. */
 static bool is_within_target(const td_approach *p, double time) {
-    thud_shape_instance a = td_placed_at(&p->a, &p->motion_a, time);
-    thud_shape_instance b = td_placed_at(&p->b, &p->motion_b, time);
+    thud_geometry a = td_placed_at(&p->a, &p->motion_a, time);
+    thud_geometry b = td_placed_at(&p->b, &p->motion_b, time);
     thud_closest closest;
     td_closest(&a, &b, &closest);
     return closest.distance <= p->target;
 }
 
-/* The last tested time, in [0, 1), at which the pair is still apart; see td_meet_fn. */
-static bool meet(const td_approach *p, double *time) {
+/* The last tested time, in [0, 1), at which the pair is still apart; see td_time_of_impact_fn. */
+static bool time_of_impact(const td_approach *p, double *time) {
     if (p->on_ground) {
         bool collided = false;
         thud_terrain_time_of_collision(&p->ground, &p->a, p->motion_a, TIME_TOLERANCE, &collided,
@@ -27,8 +27,8 @@ static bool meet(const td_approach *p, double *time) {
         return collided;
     }
     double before = 0.0, after = 1.0;
-    bool met = is_within_target(p, 1.0);
-    while (met && after - before > TIME_TOLERANCE) {
+    bool hits = is_within_target(p, 1.0);
+    while (hits && after - before > TIME_TOLERANCE) {
         double middle = 0.5 * (before + after);
         if (is_within_target(p, middle)) {
             after = middle;
@@ -37,11 +37,11 @@ static bool meet(const td_approach *p, double *time) {
         }
     }
     *time = before;
-    return met;
+    return hits;
 }
 
 const thud_detection thud_detection_bisect = {.name = "bisect",
                                               .rank = TD_RANK_BISECT,
                                               .stage = &td_stage_impacts,
-                                              .meet = meet,
+                                              .time_of_impact = time_of_impact,
                                               .sensing = &td_sensing_on_ways};

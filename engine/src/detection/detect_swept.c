@@ -3,8 +3,8 @@
 #include "detection/detection.h"
 #include "detection/sensing.h"
 
-/* See td_meet_fn. */
-static bool meet(const td_approach *p, double *time) {
+/* See td_time_of_impact_fn. */
+static bool time_of_impact(const td_approach *p, double *time) {
     bool hit = false;
     if (p->on_ground) {
         thud_terrain_time_of_impact(&p->ground, &p->a, p->motion_a, p->target, &hit, time);
@@ -18,5 +18,5 @@ static bool meet(const td_approach *p, double *time) {
 const thud_detection thud_detection_swept = {.name = "swept",
                                              .rank = TD_RANK_SWEPT,
                                              .stage = &td_stage_impacts,
-                                             .meet = meet,
+                                             .time_of_impact = time_of_impact,
                                              .sensing = &td_sensing_on_ways};

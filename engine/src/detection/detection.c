@@ -9,7 +9,7 @@ const char *thud_detection_name(const thud_detection *detection) {
 }
 
 /* The speed at which a body moves by the thickness of the thinnest shape in one step. */
-thud_result thud_world_bisection_limit(thud_world *w, double *speed) {
+thud_result thud_world_get_bisection_limit(thud_world *w, double *speed) {
     if (!w || !speed) {
         return td_refuse(w, THUD_ERROR_NULL, "bisection limit: world or speed is null");
     }

@@ -14,7 +14,7 @@
 typedef struct td_approach {
     bool on_ground;      /* shape a against `ground`, in the frame of the ground; b is not set */
     thud_terrain ground; /* a view; the world owns its points */
-    thud_shape_instance a, b;       /* at the start of the interval */
+    thud_geometry a, b;  /* at the start of the interval */
     thud_motion motion_a, motion_b; /* over the whole interval */
     double distance;                /* at the start; negative: overlap */
     double target;     /* the distance at which the pair counts as meeting; < distance */
@@ -25,7 +25,7 @@ typedef struct td_approach {
 
 /* Finds when an approach first comes within its target. False where it does not. *time is a share,
  * in [0, 1], of the interval; shapes that are apart at its start do not overlap at *time. */
-typedef bool td_meet_fn(const td_approach *approach, double *time);
+typedef bool td_time_of_impact_fn(const td_approach *approach, double *time);
 
 /* Order of the kinds, from coarse to fine. */
 enum { TD_RANK_OVERLAP, TD_RANK_CONTINUOUS, TD_RANK_BISECT, TD_RANK_SWEPT, TD_RANK_COUNT };
@@ -64,8 +64,8 @@ struct td_sensing;
 struct thud_detection {
     const char *name;
     int rank; /* TD_RANK_...; in a pair of moving bodies the higher rank decides */
-    const td_detection_stage *stage; /* null: it has the contacts of the narrowphase only */
-    td_meet_fn *meet; /* time of impact, for td_stage_impacts; null in other stages */
+    const td_detection_stage *stage;      /* null: it has the contacts of the narrowphase only */
+    td_time_of_impact_fn *time_of_impact; /* for td_stage_impacts; null in other stages */
     const struct td_sensing *sensing; /* null: sensors go by poses at the end of the step only */
 };
 

@@ -2,8 +2,8 @@
  *
  * With n the normal, d the displacements of the centres, phi the turns and c = r x n the crosses
  * of a point, its gap at the end of a motion is
- *   gap = base + skin + n . (d_b - d_a) + c_b phi_b - c_a phi_a
- * where `base` is the separation at the start of the step, measured from the skin at which
+ *   gap = start_separation + skin + n . (d_b - d_a) + c_b phi_b - c_a phi_a
+ * where start_separation is that at the start of the step, measured from the skin at which
  * contacts rest. The rows neglect that normal and arms turn with the bodies; `row_error` bounds
  * what that may make of the gap. */
 #include "detection/gaps.h"
@@ -31,29 +31,29 @@ TD_DECLARE_WIDE(td_find_open_fn, td_find_open_points);
 enum { PLAIN_PASSES = 2, PASSES_MAX = 40, FINAL_PASSES = 2 };
 #define OVER_RELAXATION 1.8f
 
-/* In multiples of TD_MEET. td_gaps_project leaves no gap below TARGET_DISTANCE, or below that of
- * the start if that is smaller; it stops where no gap falls short of this by more than
+/* In multiples of TD_IMPACT_DISTANCE. td_gaps_project leaves no gap below TARGET_DISTANCE, or below
+ * that of the start if that is smaller; it stops where no gap falls short of this by more than
  * SHORTFALL_TOLERANCE. A gap that is left below COLLISION_DISTANCE and is smaller than that of the
  * start by more than TD_LOAD_CLOSING_MAX is a collision, for time of impact tests. All chosen.
- * TARGET_DISTANCE is below 1, so that gaps that come from times of impact (1 TD_MEET) are not
- * changed. At half of it, and at half and twice the other two, the times of impact in smash, as
- * above, change by less than 7 %. */
+ * TARGET_DISTANCE is below 1, so that gaps that come from times of impact (1 TD_IMPACT_DISTANCE)
+ * are not changed. At half of it, and at half and twice the other two, the times of impact in
+ * smash, as above, change by less than 7 %. */
 #define TARGET_DISTANCE 0.8f
 #define SHORTFALL_TOLERANCE 0.05f
 #define COLLISION_DISTANCE 0.05f
 
 /* The inputs of the wide kernels, with lengths in the caller's unit. */
 static td_project_context context_of(const thud_world *w) {
-    float meet = TD_MEET * w->unit;
+    float impact_distance = TD_IMPACT_DISTANCE * w->unit;
     return (td_project_context){.delta = w->delta.data,
                                 .velocity = w->velocity.data,
                                 .reach = w->reach.data,
                                 .over_relaxation = 1.0f,
                                 .skin = w->skin,
-                                .target_distance = TARGET_DISTANCE * meet,
-                                .tolerance = SHORTFALL_TOLERANCE * meet,
-                                .collision_distance = COLLISION_DISTANCE * meet,
-                                .closing_max = (float)TD_LOAD_CLOSING_MAX * meet,
+                                .target_distance = TARGET_DISTANCE * impact_distance,
+                                .tolerance = SHORTFALL_TOLERANCE * impact_distance,
+                                .collision_distance = COLLISION_DISTANCE * impact_distance,
+                                .closing_max = (float)TD_LOAD_CLOSING_MAX * impact_distance,
                                 .margin = TD_SPECULATIVE * w->unit,
                                 .next_tied = w->scratch.next_tied.count > 0
                                                  ? w->scratch.next_tied.data
@@ -79,7 +79,7 @@ static bool project_once(thud_world *w, const td_project_context *context) {
         if (run) {
             unfinished |= TD_PICK_WIDE(w, td_project_points)(
                 blocks_of(w, run), (td_pushes *)w->scratch.impacts.data + run->first, run->count,
-                td_form_points(w->kinds[run->kind]->form), run->fixed, context);
+                td_form_points(w->kinds[run->kind]->form), run->a_static, context);
         }
     }
     return unfinished;
@@ -117,7 +117,7 @@ void td_gaps_project(thud_world *w) {
     if (passes > 0) {
         clamp_motions(w);
     }
-    w->errors.moved = passes > 0;
+    w->errors.projected = passes > 0;
 }
 
 void td_gaps_find_open(thud_world *w) {
@@ -128,7 +128,7 @@ void td_gaps_find_open(thud_world *w) {
             bool round = run->kind == TD_PAIR_CIRCLE_CIRCLE || run->kind == TD_PAIR_AABB_AABB;
             TD_PICK_WIDE(w, td_find_open_points)
             (blocks_of(w, run), run->count, td_form_points(w->kinds[run->kind]->form),
-             !round || run->armed, &context);
+             !round || run->has_offsets, &context);
         }
     }
 }
@@ -193,7 +193,7 @@ static relative_motion relative_motion_at(const thud_world *w, const td_contact 
 static double edge_slope(const td_block *block, int lane) {
     const td_point *p = block->point;
     double width = td_abs((double)p[0].cross_b[lane] - (double)p[1].cross_b[lane]);
-    double rise = td_abs((double)p[0].base[lane] - (double)p[1].base[lane]);
+    double rise = td_abs((double)p[0].start_separation[lane] - (double)p[1].start_separation[lane]);
     return width > 0.0 ? rise / width : 0.0;
 }
 
@@ -208,7 +208,7 @@ static bool are_centred_circles(const thud_world *w, const td_contact *contact) 
 bool td_gap_stays_open(const thud_world *w, const td_contact *contact, double now) {
     td_lane at = td_lane_of(w, (const td_constraint *)contact);
     const td_block *block = at.block;
-    double unit = (double)(TD_MEET * w->unit), skin = (double)w->skin;
+    double unit = (double)(TD_IMPACT_DISTANCE * w->unit), skin = (double)w->skin;
     relative_motion start = relative_motion_at(w, contact, block, at.lane, now);
     relative_motion end = relative_motion_at(w, contact, block, at.lane, 1.0);
     int points = td_form_points(w->kinds[contact->kind]->form), present = 0;
@@ -222,13 +222,13 @@ bool td_gap_stays_open(const thud_world *w, const td_contact *contact, double no
             continue;
         }
         double cross_a = (double)p->cross_a[at.lane], cross_b = (double)p->cross_b[at.lane];
-        double base = (double)p->base[at.lane] + skin;
-        double from = base + start.along + start.turn_b * cross_b - start.turn_a * cross_a;
-        double to = base + end.along + end.turn_b * cross_b - end.turn_a * cross_a;
+        double at_start = (double)p->start_separation[at.lane] + skin;
+        double from = at_start + start.along + start.turn_b * cross_b - start.turn_a * cross_a;
+        double to = at_start + end.along + end.turn_b * cross_b - end.turn_a * cross_a;
         present++;
         /* A gap that seems to have shrunk by more than load allows: the shapes have moved past
          * each other, and the row means nothing. */
-        stays_open &= from >= base - TD_LOAD_CLOSING_MAX * unit;
+        stays_open &= from >= at_start - TD_LOAD_CLOSING_MAX * unit;
         stays_open &= to - slack >= td_min_double((double)COLLISION_DISTANCE * unit,
                                                   from - TD_LOAD_CLOSING_MAX * unit);
     }

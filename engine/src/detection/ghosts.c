@@ -12,8 +12,8 @@
 
 /* The part of a shape that has to come past a face: the centre of a circle, the whole of any other
  * shape. */
-static thud_shape_instance face_probe(const thud_shape_instance *shape) {
-    thud_shape_instance probe = *shape;
+static thud_geometry face_probe(const thud_geometry *shape) {
+    thud_geometry probe = *shape;
     if (td_kind_is_round(shape->kind)) {
         probe.hx = probe.hy = 0.0;
     }
@@ -23,10 +23,10 @@ static thud_shape_instance face_probe(const thud_shape_instance *shape) {
 /* The earliest time, share of the approach, at which the pair may come past a face of a box that
  * now separates the two; 2 where no face does. */
 static double time_past_face(const td_approach *p) {
-    thud_shape_instance a = face_probe(&p->a), b = face_probe(&p->b);
+    thud_geometry a = face_probe(&p->a), b = face_probe(&p->b);
     double first = 2.0;
     for (int i = 0; i < 4; i++) {
-        const thud_shape_instance *box = i < 2 ? &a : &b;
+        const thud_geometry *box = i < 2 ? &a : &b;
         double x = i % 2 ? -box->s : box->c, y = i % 2 ? box->c : box->s;
         double along = (b.x - a.x) * x + (b.y - a.y) * y, sign = along < 0.0 ? -1.0 : 1.0;
         if (td_kind_is_box(box->kind) &&
@@ -49,8 +49,8 @@ static bool is_end_ghost(const thud_world *w, const td_toi_candidate *e, const t
     if (!td_is_at_sealed_end(w, e->shape[0], &p->ground, &p->a, &c, &x, &out)) {
         return false;
     }
-    thud_shape_instance end = {.kind = THUD_CIRCLE, .x = x, .y = p->a.y, .c = 1.0};
-    thud_shape_instance probe = face_probe(&p->a);
+    thud_geometry end = {.kind = THUD_SHAPE_CIRCLE, .x = x, .y = p->a.y, .c = 1.0};
+    thud_geometry probe = face_probe(&p->a);
     double beyond = (probe.x - x) * out - td_projected_extent(&probe, 1.0, 0.0);
     *part = beyond > 0.0
                 ? td_time_across(&end, &(thud_motion){0}, &probe, &p->motion_a, out, 0.0, 0.0)

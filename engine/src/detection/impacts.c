@@ -4,9 +4,9 @@
  *
  * It runs after the solver. Each awake body has a trajectory, at first the motion that the solver
  * gave it. Pairs that may meet are candidates: contacts, whose fat bounds reach as far as the
- * bodies were expected to move; each body and the ground; and pairs with strays, shapes that leave
- * those bounds. A queue has the time of impact of each candidate. The earliest is taken out, both
- * bodies are moved to that time, they get new velocities and trajectories (collide.c), and the
+ * bodies were expected to move; each body and the ground; and pairs with escaped shapes, which
+ * leave those bounds. A queue has the time of impact of each candidate. The earliest is taken out,
+ * both bodies are moved to that time, they get new velocities and trajectories (collide.c), and the
  * times of all their candidates are computed anew. At the end poses, motions and bounds of changed
  * bodies follow, and hit events are made.
  *
@@ -60,8 +60,8 @@ static void hold_body(thud_world *w, td_trajectory *f) {
     if (!f->held) {
         double remaining = 1.0 - f->since, fall = 0.5 * remaining;
         f->held = true;
-        td_error_fall_short(w, (float)((f->motion[0] + fall * f->fall[0]) * remaining),
-                            (float)((f->motion[1] + fall * f->fall[1]) * remaining));
+        td_errors_note_shortfall(w, (float)((f->motion[0] + fall * f->fall[0]) * remaining),
+                                 (float)((f->motion[1] + fall * f->fall[1]) * remaining));
         td_held_count(w, td_body_at(w, f->body)->awake, f->since);
     }
     td_trajectory_reduce_fall(w, f, f->fall[0], f->fall[1]);
@@ -70,15 +70,15 @@ static void hold_body(thud_world *w, td_trajectory *f) {
     f->changed = true;
 }
 
-/* Removes from the velocity of a body in a ring (constraint/tied_bodies.h) what gravity and forces
+/* Removes from the velocity of a tied body (constraint/tied_bodies.h) what gravity and forces
  * gave it in the rest of the step, since it does not move there; as td_hold_at does. The
  * trajectory of a body in free flight has that part in its `fall`, which hold_body cancels. */
 static void remove_remaining_gain(thud_world *w, td_awake_slot slot, const td_trajectory *f) {
     float *velocity = td_row(&w->velocity, slot);
-    const float *push = td_row(&w->push, slot);
+    const float *substep_gain = td_row(&w->substep_gain, slot);
     for (int k = 0; k < 3 && !f->free; k++) {
-        double gain = w->substeps * (1.0 - f->since) * (double)push[k];
-        velocity[k] -= (float)td_gain_clamped(w, k, gain);
+        double gain = w->substeps * (1.0 - f->since) * (double)substep_gain[k];
+        velocity[k] = td_velocity_without_gain(w, k, velocity[k], gain);
     }
 }
 
@@ -147,7 +147,7 @@ static bool is_over_budget(const thud_world *w) {
 static void requeue_early_stop(thud_world *w, int number, td_trajectory *const trajectories[2]) {
     for (int side = 0; side < 2; side++) {
         td_trajectory *f = trajectories[side];
-        if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC &&
+        if (f && td_body_at(w, f->body)->kind == THUD_BODY_DYNAMIC &&
             (++f->impacts > IMPACTS_MAX || is_over_budget(w))) {
             hold_body_and_ring(w, f);
             td_toi_queue_update_body(w, f);
@@ -190,7 +190,7 @@ static void resolve_candidate(thud_world *w, int number, double time) {
     int impacts_max = settings.restitution < 1.0f ? IMPACTS_MAX : ELASTIC_IMPACTS_MAX;
     for (int side = 0; side < 2; side++) {
         td_trajectory *f = trajectories[side];
-        if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC && !impact.kept_motion[side] &&
+        if (f && td_body_at(w, f->body)->kind == THUD_BODY_DYNAMIC && !impact.kept_motion[side] &&
             (next_step || f->impacts > impacts_max || is_over_budget(w) ||
              !td_toi_candidates_find(w, f))) {
             hold_body_and_ring(w, f);
@@ -209,7 +209,7 @@ static void resolve_candidate(thud_world *w, int number, double time) {
 /* Whether the body is dynamic and its detection finds times of impact. */
 static bool is_bisected_or_swept(const thud_world *w, td_awake_slot slot) {
     const td_body *body = td_body_at(w, td_body_of(w, slot));
-    return body->kind == THUD_DYNAMIC && body->detection->meet;
+    return body->kind == THUD_BODY_DYNAMIC && body->detection->time_of_impact;
 }
 
 /* Sets a trajectory to the motion that the solver gave the body, from the start of the step. Of
@@ -229,7 +229,7 @@ static void begin_trajectory(thud_world *w, td_awake_slot slot) {
                         .angle = pose->angle - td_angle_between(delta[2]),
                         .body = index,
                         .extras = TD_NONE,
-                        .strays = TD_NONE,
+                        .escaped = TD_NONE,
                         .motion = {(double)delta[0] - 0.5 * f.fall[0],
                                    (double)delta[1] - 0.5 * f.fall[1], (double)delta[2]},
                         .fall = {f.fall[0], f.fall[1]},
@@ -256,7 +256,7 @@ static bool end_trajectory(thud_world *w, td_awake_slot slot) {
     delta[0] = (float)((double)(f->place.x - start.x) / w->to_fixed);
     delta[1] = (float)((double)(f->place.y - start.y) / w->to_fixed);
     delta[2] = (float)(int32_t)(f->angle - angle) * (float)TD_RADIANS_A_QUANTUM;
-    td_error_follow(w, slot, x - delta[0], y - delta[1]);
+    td_errors_undo_gravity_work(w, slot, x - delta[0], y - delta[1]);
     td_body_place_shapes(w, f->body);
     return true;
 }
@@ -285,7 +285,7 @@ static void count_contacts(thud_world *w, const td_constraint *contact) {
 /* Sets all trajectories to the start of the step, and queues all candidates by their times of
  * impact. */
 static void schedule_candidates(thud_world *w) {
-    w->scratch.candidates.count = w->scratch.strays.count = w->scratch.impacts.count = 0;
+    w->scratch.extra_candidates.count = w->scratch.escaped.count = w->scratch.impacts.count = 0;
     td_event_queue_clear(&w->scratch.queue, w->constraints.count);
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         begin_trajectory(w, slot);
@@ -314,7 +314,7 @@ static void schedule_candidates(thud_world *w) {
             td_toi_queue_set_first(w, i);
         }
     }
-    for (int i = 0; i < w->scratch.candidates.count; i++) {
+    for (int i = 0; i < w->scratch.extra_candidates.count; i++) {
         td_toi_queue_set(w, w->constraints.count + i);
     }
 }
@@ -325,10 +325,10 @@ static void hit_events(thud_world *w) {
         const td_impact *impact = TD_AT(td_impact, &w->scratch.impacts, i);
         const thud_contact *seen = &impact->seen;
         int a = (int)seen->shape_a.index1 - 1, b = (int)seen->shape_b.index1 - 1;
-        if (impact->approach > w->def.hit_speed * w->unit && !td_pair_is_silent(w, a, b)) {
+        if (impact->closing_speed > w->def.hit_speed * w->unit && !td_pair_is_silent(w, a, b)) {
             TD_PUSH(thud_hit_event, &w->events.hit) =
                 (thud_hit_event){seen->shape_a, seen->shape_b, seen->point, seen->normal,
-                                 td_hit_speed(impact->approach)};
+                                 td_hit_speed(impact->closing_speed)};
         }
     }
 }
@@ -346,17 +346,17 @@ static bool reserve(thud_world *w) {
      * body. */
     int legs = w->sensors > 0 ? 2 * impacts_max + 2 * awake : 0;
     return td_held_reserve(w) && td_array_reserve(&w->memory, &w->scratch.legs, legs) &&
-           td_array_reserve(&w->memory, &w->scratch.hits, 2 * shapes + 4 * TD_LANES) &&
+           td_array_reserve(&w->memory, &w->scratch.found_shapes, 2 * shapes + 4 * TD_LANES) &&
            td_array_reserve(&w->memory, &w->scratch.trajectories, awake) &&
-           td_array_reserve(&w->memory, &w->scratch.strays, awake) &&
+           td_array_reserve(&w->memory, &w->scratch.escaped, awake) &&
            td_array_reserve(&w->memory, &w->scratch.impacts,
                             td_max_int(impacts_max, td_gaps_room(w))) &&
-           td_array_reserve(&w->memory, &w->scratch.candidates, extras) &&
+           td_array_reserve(&w->memory, &w->scratch.extra_candidates, extras) &&
            td_array_reserve(&w->memory, &w->events.hit, w->events.hit.count + hits + impacts_max) &&
            td_event_queue_reserve(&w->memory, &w->scratch.queue, w->constraints.count + extras);
 }
 
-/* Before the solver: ties bodies of joints into rings, saves velocities, and mutes the contacts
+/* Before the solver: ties bodies of joints into groups, saves velocities, and mutes the contacts
  * that bounce on the way (solver/bounces.h). */
 static void run_before_solving(thud_world *w) {
     if (w->joint_hooks) {
@@ -390,7 +390,7 @@ static void run_after_moving(thud_world *w) {
         }
     }
     if (changed) {
-        td_error_settle(w);
+        td_errors_resum_kinetic(w);
     }
     hit_events(w);
 }

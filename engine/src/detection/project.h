@@ -37,11 +37,11 @@ typedef struct td_project_context {
     float margin;             /* TD_SPECULATIVE: a point that is not there has a greater gap */
 } td_project_context;
 
-/* One pass over blocks with so many `points`; `fixed`: side a is static. Leaves in
+/* One pass over blocks with so many `points`; `a_static`: side a is static. Leaves in
  * td_point.separation the separation that it found before its correction. True: a point fell short
  * of its target by more than `tolerance`. */
 typedef bool td_project_fn(td_block *const *blocks, td_pushes *pushes, int count, int points,
-                           bool fixed, const td_project_context *context);
+                           bool a_static, const td_project_context *context);
 
 /* Sets td_block.apart to the lanes that end without a collision. `turns`: bodies may turn while
  * the shapes are not centred circles or AABBs, so that the rows are not exact; see row_error in

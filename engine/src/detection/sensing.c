@@ -61,8 +61,8 @@ static double leg_end_at(const thud_world *w, td_body_index body, double time) {
 
 /* A shape and its motion on a part of a leg; backward in time where that ends before it begins. */
 typedef struct moving_shape {
-    thud_shape_instance at; /* at the first time */
-    thud_motion motion;     /* to the second time */
+    thud_geometry at;   /* at the first time */
+    thud_motion motion; /* to the second time */
 } moving_shape;
 
 /* A shape from time `from` to time `to`, relative to `origin`. */
@@ -70,8 +70,8 @@ static moving_shape moving_shape_of(const thud_world *w, int shape, double from,
                                     td_position origin) {
     td_trajectory trajectory =
         trajectory_at(w, td_shape_at(w, shape)->body, td_min_double(from, to));
-    thud_shape_instance at = td_trajectory_shape(w, &trajectory, shape, from, origin);
-    thud_shape_instance end = td_trajectory_shape(w, &trajectory, shape, to, origin);
+    thud_geometry at = td_trajectory_shape(w, &trajectory, shape, from, origin);
+    thud_geometry end = td_trajectory_shape(w, &trajectory, shape, to, origin);
     bool turns = td_kind_turns(at.kind);
     return (moving_shape){at,
                           {end.x - at.x, end.y - at.y,
@@ -105,7 +105,7 @@ static bool first_overlap(const thud_world *w, const shape_pair *c, double from,
         w->ground->time_of_impact(w, c->a, &b.at, b.motion, &hit, time);
     } else {
         moving_shape a = moving_shape_of(w, c->a, from, to, c->origin);
-        thud_shapes_time_of_impact(&a.at, a.motion, &b.at, b.motion, 0.0, &hit, time);
+        thud_geometry_time_of_impact(&a.at, a.motion, &b.at, b.motion, 0.0, &hit, time);
     }
     return hit;
 }
@@ -135,12 +135,12 @@ static bool overlap_on_path(const thud_world *w, int shape_a, int shape_b, doubl
 static bool is_detected(const thud_world *w, int a, int b) {
     const td_shape *shapes[2] = {td_shape_at(w, a), td_shape_at(w, b)};
     const thud_detection *detection = td_detection_of(w, shapes[0]->body, shapes[1]->body);
-    bool fixed = false;
+    bool static_sensor = false;
     for (int i = 0; i < 2; i++) {
-        fixed |= (shapes[i]->flags & TD_SHAPE_SENSOR) &&
-                 td_body_at(w, shapes[i]->body)->kind == THUD_STATIC;
+        static_sensor |= (shapes[i]->flags & TD_SHAPE_SENSOR) &&
+                         td_body_at(w, shapes[i]->body)->kind == THUD_BODY_STATIC;
     }
-    return detection->meet || (detection->rank == TD_RANK_CONTINUOUS && fixed);
+    return detection->time_of_impact || (detection->rank == TD_RANK_CONTINUOUS && static_sensor);
 }
 
 float td_sensing_time(const thud_world *w, int a, int b, bool begins) {
@@ -159,7 +159,7 @@ static bool was_open(const thud_world *w, int a, int b) {
     int e = td_body_at(w, td_shape_at(w, b)->body)->first_constraint;
     bool open = false;
     for (; e != TD_NONE && !open; e = td_next_edge(w, e)) {
-        const td_constraint *c = td_constraint_at(w, e / 2);
+        const td_constraint *c = td_constraint_at(w, td_edge_constraint(e));
         open = c->kind == TD_PAIR_SENSOR && c->open &&
                ((c->shape_a == a && c->shape_b == b) || (c->shape_a == b && c->shape_b == a));
     }

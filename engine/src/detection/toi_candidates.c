@@ -7,17 +7,18 @@
 #include "state/body.h"
 #include "state/shape.h"
 
-/* Whether the pair is an extra candidate already: of two strays each may find the other. */
+/* Whether the pair is an extra candidate already: of two escaped shapes each may find the other. */
 static bool is_listed(const thud_world *w, int shape_a, int shape_b) {
     td_awake_slot slot = td_body_at(w, td_shape_at(w, shape_b)->body)->awake;
     int e = slot.at > 0 ? td_trajectory_at(w, slot)->extras : TD_NONE;
     while (e != TD_NONE) {
-        const td_toi_candidate *extra = TD_AT(td_toi_candidate, &w->scratch.candidates, e / 2);
+        const td_toi_candidate *extra =
+            TD_AT(td_toi_candidate, &w->scratch.extra_candidates, td_edge_candidate(e));
         if ((extra->shape[0] == shape_a && extra->shape[1] == shape_b) ||
             (extra->shape[0] == shape_b && extra->shape[1] == shape_a)) {
             break;
         }
-        e = extra->next[e & 1];
+        e = extra->next[td_edge_side(e)];
     }
     return e != TD_NONE;
 }
@@ -25,7 +26,7 @@ static bool is_listed(const thud_world *w, int shape_a, int shape_b) {
 /* Adds an extra candidate, if it is not there yet, to the lists of both bodies. It is not queued.
  * False when memory is short. */
 static bool add_extra(thud_world *w, int shape_a, int shape_b) {
-    td_array *extras = &w->scratch.candidates;
+    td_array *extras = &w->scratch.extra_candidates;
     int number = w->constraints.count + extras->count, index = extras->count;
     if (is_listed(w, shape_a, shape_b)) {
         return true;
@@ -43,7 +44,7 @@ static bool add_extra(thud_world *w, int shape_a, int shape_b) {
         if (slot.at > 0) {
             td_trajectory *f = td_trajectory_at(w, slot);
             e->next[side] = f->extras;
-            f->extras = index * 2 + side;
+            f->extras = td_edge_of(index, side);
         }
     }
     return true;
@@ -54,7 +55,7 @@ static bool add_extra(thud_world *w, int shape_a, int shape_b) {
 /* A shape's fat bounds at the start of the step, unwrapped about the place of its body there. */
 static td_far_bounds bounds_at_start(const thud_world *w, int shape) {
     const td_bounds *b =
-        *td_marks_at(w, shape) & TD_MARK_MOVED ? td_was_at(w, shape) : td_fat_at(w, shape);
+        *td_marks_at(w, shape) & TD_MARK_MOVED ? td_previous_fat_at(w, shape) : td_fat_at(w, shape);
     td_body_index body = td_shape_at(w, shape)->body;
     td_awake_slot slot = td_body_at(w, body)->awake;
     td_position p = td_pose_at(w, body)->center;
@@ -103,8 +104,8 @@ static double half_extent_quanta(const thud_world *w, double length) {
 
 /* Extends bounds to contain a placed shape with `slack` (a length) on each side, like
  * td_placed_bounds. */
-static void widen(const thud_world *w, const thud_shape_instance *p, td_position origin,
-                  double slack, td_far_bounds *b) {
+static void widen(const thud_world *w, const thud_geometry *p, td_position origin, double slack,
+                  td_far_bounds *b) {
     double x = (double)((origin.x + td_round64(p->x * w->to_fixed)) >> TD_COARSE_SHIFT);
     double y = (double)((origin.y + td_round64(p->y * w->to_fixed)) >> TD_COARSE_SHIFT);
     double half_x = half_extent_quanta(w, td_half_along(p, 1.0, 0.0) + slack);
@@ -119,11 +120,12 @@ static void widen(const thud_world *w, const thud_shape_instance *p, td_position
  * both ends by more than r |phi| / 2, where r bounds its distance from the body's centre; a
  * parabola leaves them by its sagitta at most. */
 static td_far_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, int index) {
-    thud_shape_instance now = td_trajectory_shape(w, f, index, f->since, f->place);
-    thud_shape_instance end = td_trajectory_shape(w, f, index, 1.0, f->place);
+    thud_geometry now = td_trajectory_shape(w, f, index, f->since, f->place);
+    thud_geometry end = td_trajectory_shape(w, f, index, 1.0, f->place);
     double turn = 0.5 * td_abs(f->motion[2]) * (1.0 - f->since);
     double slack =
-        (td_reach(&now) + td_abs(now.x) + td_abs(now.y)) * turn + (double)(TD_MEET * w->unit) +
+        (td_reach(&now) + td_abs(now.x) + td_abs(now.y)) * turn +
+        (double)(TD_IMPACT_DISTANCE * w->unit) +
         td_trajectories_chord_error(&(td_trajectory){.body = {TD_NONE}}, f, 1.0 - f->since);
     double huge = (double)__builtin_inf();
     td_far_bounds b = {huge, huge, -huge, -huge};
@@ -132,17 +134,17 @@ static td_far_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, i
     return b;
 }
 
-/* Appends to scratch.hits the shapes of a proxy set whose fat bounds overlap those of the path;
- * all of the set where the path is too long for a query. False when memory is short. */
+/* Appends to scratch.found_shapes the shapes of a proxy set whose fat bounds overlap those of the
+ * path; all of the set where the path is too long for a query. False when memory is short. */
 static bool append_overlapping(thud_world *w, const td_proxy_set *set, const td_far_bounds *ahead,
                                td_position near_place) {
-    td_array *hits = &w->scratch.hits;
+    td_array *found = &w->scratch.found_shapes;
     if (fits(ahead)) {
         td_bounds bounds = wrap(ahead);
-        return w->def.broadphase->find[w->wide](set, &w->memory, &bounds, near_place, hits);
+        return w->def.broadphase->find[w->wide](set, &w->memory, &bounds, near_place, found);
     }
     for (int i = 0; i < set->ids.count; i++) {
-        td_push_int(hits, td_int_at(&set->ids, i));
+        td_push_int(found, td_int_at(&set->ids, i));
     }
     return true;
 }
@@ -154,17 +156,17 @@ static bool append_overlapping(thud_world *w, const td_proxy_set *set, const td_
 static bool is_detected(const thud_world *w, int shape, int other) {
     const td_shape *a = td_shape_at(w, shape), *b = td_shape_at(w, other);
     return !((a->flags | b->flags) & TD_SHAPE_HOLLOW) && td_pair_allowed(w, shape, other) &&
-           td_detection_of(w, a->body, b->body)->meet;
+           td_detection_of(w, a->body, b->body)->time_of_impact;
 }
 
 /* Adds candidates for the shapes that a query found, in the order of their numbers, which does not
  * depend on the broadphase. The exact bounds are compared again, since those of the broadphase
  * wrap around. */
-static bool add_found(thud_world *w, const td_stray *s) {
-    const td_array *hits = &w->scratch.hits;
-    td_sort_ints(&w->scratch.hits);
-    for (int i = 0; i < hits->count; i++) {
-        int other = td_int_at(hits, i);
+static bool add_found(thud_world *w, const td_escaped_shape *s) {
+    const td_array *found = &w->scratch.found_shapes;
+    td_sort_ints(&w->scratch.found_shapes);
+    for (int i = 0; i < found->count; i++) {
+        int other = td_int_at(found, i);
         td_far_bounds there = bounds_at_start(w, other);
         if (!overlap(&s->start, &there) && overlap(&s->ahead, &there) &&
             is_detected(w, s->shape, other) && !add_extra(w, s->shape, other)) {
@@ -174,12 +176,12 @@ static bool add_found(thud_world *w, const td_stray *s) {
     return true;
 }
 
-/* Adds candidates for the strays of other bodies, which the broadphase has at their old places.
- * One body of the pair at least finds times of impact by its own detection. */
-static bool add_strays(thud_world *w, const td_stray *s) {
-    const td_array *strays = &w->scratch.strays;
-    for (int i = 0; i < strays->count; i++) {
-        const td_stray *other = TD_AT(td_stray, strays, i);
+/* Adds candidates for the escaped shapes of other bodies, which the broadphase has at their old
+ * places. One body of the pair at least finds times of impact by its own detection. */
+static bool add_strays(thud_world *w, const td_escaped_shape *s) {
+    const td_array *escaped = &w->scratch.escaped;
+    for (int i = 0; i < escaped->count; i++) {
+        const td_escaped_shape *other = TD_AT(td_escaped_shape, escaped, i);
         if ((s->detects || other->detects) && overlap(&s->ahead, &other->ahead) &&
             !overlap(&s->start, &other->start) && is_detected(w, s->shape, other->shape) &&
             !add_extra(w, s->shape, other->shape)) {
@@ -189,35 +191,35 @@ static bool add_strays(thud_world *w, const td_stray *s) {
     return true;
 }
 
-/* Adds a stray to scratch.strays and to its body, or updates the path of one that is there. False
- * when memory is short. */
-static bool add_stray_record(thud_world *w, td_trajectory *f, const td_stray *s) {
-    td_array *strays = &w->scratch.strays;
-    int i = f->strays;
-    while (i != TD_NONE && TD_AT(td_stray, strays, i)->shape != s->shape) {
-        i = TD_AT(td_stray, strays, i)->next;
+/* Adds an escaped shape to scratch.escaped and to its body, or updates the path of one that is
+ * there. False when memory is short. */
+static bool add_stray_record(thud_world *w, td_trajectory *f, const td_escaped_shape *s) {
+    td_array *escaped = &w->scratch.escaped;
+    int i = f->escaped;
+    while (i != TD_NONE && TD_AT(td_escaped_shape, escaped, i)->shape != s->shape) {
+        i = TD_AT(td_escaped_shape, escaped, i)->next;
     }
     if (i != TD_NONE) {
-        TD_AT(td_stray, strays, i)->ahead = s->ahead;
+        TD_AT(td_escaped_shape, escaped, i)->ahead = s->ahead;
         return true;
     }
-    if (!td_array_reserve(&w->memory, strays, strays->count + 1)) {
+    if (!td_array_reserve(&w->memory, escaped, escaped->count + 1)) {
         return false;
     }
-    f->strays = strays->count;
-    TD_PUSH(td_stray, strays) = *s;
+    f->escaped = escaped->count;
+    TD_PUSH(td_escaped_shape, escaped) = *s;
     return true;
 }
 
 bool td_toi_candidates_find(thud_world *w, td_trajectory *f) {
     const td_body *body = td_body_at(w, f->body);
-    bool detects = body->kind == THUD_DYNAMIC && body->detection->meet;
+    bool detects = body->kind == THUD_BODY_DYNAMIC && body->detection->time_of_impact;
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
-        td_stray s = {bounds_at_start(w, i), bounds_ahead(w, f, i), i, f->strays, detects};
+        td_escaped_shape s = {bounds_at_start(w, i), bounds_ahead(w, f, i), i, f->escaped, detects};
         if (contains(&s.start, &s.ahead) || (td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW)) {
             continue;
         }
-        w->scratch.hits.count = 0;
+        w->scratch.found_shapes.count = 0;
         if (!append_overlapping(w, &w->awake_shapes, &s.ahead, f->place) ||
             !append_overlapping(w, &w->rest_shapes, &s.ahead, f->place) || !add_found(w, &s) ||
             !add_strays(w, &s) || !add_stray_record(w, f, &s)) {

@@ -1,5 +1,5 @@
 /* toi_candidates.h: finds the extra time-of-impact candidates of a body, which have no contact:
- * terrains, and shapes that its strays may meet. A stray is a shape that leaves the fat bounds by
+ * terrains, and shapes that its escaped shapes may meet. An escaped shape leaves the fat bounds by
  * which the broadphase paired it. Both functions return false when memory is short; the caller
  * then holds the body where it is. */
 #ifndef TD_TOI_CANDIDATES_H
@@ -10,7 +10,8 @@
 /* Adds a candidate for each terrain that the whole path of the body may come down to. */
 bool td_toi_candidates_find_terrain(thud_world *w, const td_trajectory *trajectory);
 /* Queries the broadphase for each shape of the body that leaves its bounds on the rest of its
- * path, and adds candidates with what it may meet there, strays of other bodies among them. */
+ * path, and adds candidates with what it may meet there, escaped shapes of other bodies among them.
+ */
 bool td_toi_candidates_find(thud_world *w, td_trajectory *trajectory);
 /* Whether the solver's motion may have taken one of the body's shapes out of its fat bounds. */
 bool td_trajectory_leaves_bounds(const thud_world *w, const td_trajectory *trajectory);

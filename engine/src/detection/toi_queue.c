@@ -8,11 +8,11 @@
 #include "detection/ghosts.h"
 #include "state/body.h"
 
-/* In multiples of TD_MEET. Shapes nearer than TOUCHING_DISTANCE touch: they meet when they close
- * further, not at a distance. Motion that closes by less than CLOSING_MIN in the step does not
- * count. Both chosen, far above the rounding of places (2^-32 length scales; this is 1e-5) and far
- * below what is seen. At half and twice of both the times of impact in the scene smash change by
- * less than 5 %. */
+/* In multiples of TD_IMPACT_DISTANCE. Shapes nearer than TOUCHING_DISTANCE touch: they meet when
+ * they close further, not at a distance. Motion that closes by less than CLOSING_MIN in the step
+ * does not count. Both chosen, far above the rounding of places (2^-32 length scales; this is 1e-5)
+ * and far below what is seen. At half and twice of both the times of impact in the scene smash
+ * change by less than 5 %. */
 #define TOUCHING_DISTANCE 0.01
 #define CLOSING_MIN 0.01
 
@@ -39,13 +39,13 @@ static bool is_tied(const thud_world *w, const td_toi_candidate *e) {
 static bool closes(thud_world *w, const td_toi_candidate *e, double now) {
     td_impact_point at;
     return td_impact_point_of(w, e, now, &at) &&
-           at.closing_distance > CLOSING_MIN * (double)(TD_MEET * w->unit);
+           at.closing_distance > CLOSING_MIN * (double)(TD_IMPACT_DISTANCE * w->unit);
 }
 
 /* Whether an impact can stop the body: it is dynamic, awake and not held. */
 static bool can_stop(const thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
-    return b->kind == THUD_DYNAMIC && b->awake.at > 0 && !td_trajectory_at(w, b->awake)->held;
+    return b->kind == THUD_BODY_DYNAMIC && b->awake.at > 0 && !td_trajectory_at(w, b->awake)->held;
 }
 
 /* Whether the body had an impact in this step. */
@@ -60,7 +60,7 @@ static bool had_impact(const thud_world *w, td_body_index body) {
 static bool next_check(thud_world *w, const td_toi_candidate *e, const thud_detection *detection,
                        double now, bool *hit, double *time) {
     td_approach approach;
-    double unit = (double)(TD_MEET * w->unit);
+    double unit = (double)(TD_IMPACT_DISTANCE * w->unit);
     *hit = false;
     if (now >= 1.0 || !td_toi_candidate_approach(w, e, now, 1.0, &approach)) {
         return false;
@@ -94,7 +94,7 @@ static bool next_check(thud_world *w, const td_toi_candidate *e, const thud_dete
     }
     double part;
     w->stats.motion_exact++;
-    *hit = detection->meet(&approach, &part);
+    *hit = detection->time_of_impact(&approach, &part);
     *time = *hit ? now + (until - now) * part : until;
     return *hit || until < 1.0;
 }
@@ -106,8 +106,8 @@ static bool meeting_time(thud_world *w, const td_toi_candidate *e, double *time)
     const thud_detection *detection = td_detection_of(w, e->body[0], e->body[1]);
     double now =
         max_time(td_trajectory_of(w, e->body[0]).since, td_trajectory_of(w, e->body[1]).since);
-    bool fixed = !can_stop(w, e->body[0]) && !can_stop(w, e->body[1]), hit = true;
-    if (e->vetoed || !detection->meet || fixed) {
+    bool neither_stops = !can_stop(w, e->body[0]) && !can_stop(w, e->body[1]), hit = true;
+    if (e->vetoed || !detection->time_of_impact || neither_stops) {
         return false;
     }
     for (int i = 0; i < GHOSTS_MAX && next_check(w, e, detection, now, &hit, time); i++) {
@@ -158,14 +158,15 @@ bool td_toi_queue_accepts(const thud_world *w, int contact) {
 
 void td_toi_queue_update_body(thud_world *w, const td_trajectory *f) {
     for (int e = td_body_at(w, f->body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        if (td_toi_queue_accepts(w, e / 2)) {
-            td_toi_queue_set(w, e / 2);
+        if (td_toi_queue_accepts(w, td_edge_constraint(e))) {
+            td_toi_queue_set(w, td_edge_constraint(e));
         }
     }
     for (int e = f->extras; e != TD_NONE;) {
-        const td_toi_candidate *extra = TD_AT(td_toi_candidate, &w->scratch.candidates, e / 2);
-        int next = extra->next[e & 1];
-        td_toi_queue_set(w, w->constraints.count + e / 2);
+        const td_toi_candidate *extra =
+            TD_AT(td_toi_candidate, &w->scratch.extra_candidates, td_edge_candidate(e));
+        int next = extra->next[td_edge_side(e)];
+        td_toi_queue_set(w, w->constraints.count + td_edge_candidate(e));
         e = next;
     }
 }

@@ -12,7 +12,7 @@
 const thud_detection *td_detection_of(const thud_world *w, td_body_index body_a,
                                       td_body_index body_b) {
     const td_body *a = td_body_at(w, body_a), *b = td_body_at(w, body_b);
-    bool moves_a = a->kind == THUD_DYNAMIC, moves_b = b->kind == THUD_DYNAMIC;
+    bool moves_a = a->kind == THUD_BODY_DYNAMIC, moves_b = b->kind == THUD_BODY_DYNAMIC;
     return !moves_b || (moves_a && a->detection->rank > b->detection->rank) ? a->detection
                                                                             : b->detection;
 }
@@ -101,21 +101,19 @@ void td_trajectory_reduce_fall(const thud_world *w, td_trajectory *f, double x, 
     f->fall[1] -= y;
 }
 
-thud_shape_instance td_trajectory_shape(const thud_world *w, const td_trajectory *f, int index,
-                                        double time, td_position origin) {
+thud_geometry td_trajectory_shape(const thud_world *w, const td_trajectory *f, int index,
+                                  double time, td_position origin) {
     const td_shape *shape = td_shape_at(w, index);
     float c, s;
     td_angle_turn(angle_at(f, time), &c, &s);
-    thud_shape_instance p = {.kind = (thud_shape_kind)shape->kind,
-                             .x = (double)(f->place.x - origin.x) / w->to_fixed +
-                                  path_along(f, 0, time) +
-                                  (double)(c * shape->arm_x - s * shape->arm_y),
-                             .y = (double)(f->place.y - origin.y) / w->to_fixed +
-                                  path_along(f, 1, time) +
-                                  (double)(s * shape->arm_x + c * shape->arm_y),
-                             .c = 1.0,
-                             .hx = (double)shape->half_x,
-                             .hy = (double)shape->half_y};
+    thud_geometry p = {.kind = (thud_shape_kind)shape->kind,
+                       .x = (double)(f->place.x - origin.x) / w->to_fixed + path_along(f, 0, time) +
+                            (double)(c * shape->arm_x - s * shape->arm_y),
+                       .y = (double)(f->place.y - origin.y) / w->to_fixed + path_along(f, 1, time) +
+                            (double)(s * shape->arm_x + c * shape->arm_y),
+                       .c = 1.0,
+                       .hx = (double)shape->half_x,
+                       .hy = (double)shape->half_y};
     if (td_kind_turns(shape->kind)) {
         p.c = (double)(c * shape->angle_c - s * shape->angle_s);
         p.s = (double)(s * shape->angle_c + c * shape->angle_s);
@@ -124,7 +122,7 @@ thud_shape_instance td_trajectory_shape(const thud_world *w, const td_trajectory
 }
 
 td_toi_candidate *td_extra_candidate_at(const thud_world *w, int number) {
-    return TD_AT(td_toi_candidate, &w->scratch.candidates, number - w->constraints.count);
+    return TD_AT(td_toi_candidate, &w->scratch.extra_candidates, number - w->constraints.count);
 }
 
 td_toi_candidate td_toi_candidate_at(const thud_world *w, int number) {
@@ -155,7 +153,7 @@ static bool intervals_miss(double x, double motion, double reach) {
 }
 
 /* Half the width and height of a box that contains the shape, at any angle if it `turns`. */
-static void half_extents(const thud_shape_instance *p, bool turns, double *x, double *y) {
+static void half_extents(const thud_geometry *p, bool turns, double *x, double *y) {
     if (td_kind_is_round(p->kind)) {
         *x = *y = p->hx;
     } else if (turns) {
@@ -197,8 +195,8 @@ static bool stays_above_line(const thud_world *w, int terrain_shape, const td_ap
 
 /* The motion of a shape of the body between two placements, `duration` (share of the step) apart.
  */
-static thud_motion motion_between(const td_trajectory *f, const thud_shape_instance *from,
-                                  const thud_shape_instance *to, double duration) {
+static thud_motion motion_between(const td_trajectory *f, const thud_geometry *from,
+                                  const thud_geometry *to, double duration) {
     return (thud_motion){to->x - from->x, to->y - from->y,
                          td_kind_turns(from->kind) ? f->motion[2] * duration : 0.0};
 }
@@ -227,14 +225,14 @@ void td_toi_candidate_motions(const thud_world *w, const td_toi_candidate *e, do
         origin = td_shape_proxy_at(w, e->shape[0])->center;
         p->ground = td_terrain_view(w, e->shape[0]);
         p->a = td_trajectory_shape(w, &b, e->shape[1], now, origin);
-        thud_shape_instance end = td_trajectory_shape(w, &b, e->shape[1], until, origin);
+        thud_geometry end = td_trajectory_shape(w, &b, e->shape[1], until, origin);
         p->motion_a = motion_between(&b, &p->a, &end, until - now);
         return;
     }
     p->a = td_trajectory_shape(w, &a, e->shape[0], now, origin);
     p->b = td_trajectory_shape(w, &b, e->shape[1], now, origin);
-    thud_shape_instance end_a = td_trajectory_shape(w, &a, e->shape[0], until, origin);
-    thud_shape_instance end_b = td_trajectory_shape(w, &b, e->shape[1], until, origin);
+    thud_geometry end_a = td_trajectory_shape(w, &a, e->shape[0], until, origin);
+    thud_geometry end_b = td_trajectory_shape(w, &b, e->shape[1], until, origin);
     p->motion_a = motion_between(&a, &p->a, &end_a, until - now);
     p->motion_b = motion_between(&b, &p->b, &end_b, until - now);
 }
@@ -273,7 +271,7 @@ static double allowed_distance(thud_world *w, const td_toi_candidate *e, const t
 }
 
 bool td_toi_candidate_is_far(thud_world *w, const td_toi_candidate *e) {
-    if (td_body_at(w, e->body[0])->kind == THUD_STATIC) { /* its max_extent is not set */
+    if (td_body_at(w, e->body[0])->kind == THUD_BODY_STATIC) { /* its max_extent is not set */
         return false;
     }
     td_trajectory a = td_trajectory_of(w, e->body[0]), b = td_trajectory_of(w, e->body[1]);
@@ -283,7 +281,7 @@ bool td_toi_candidate_is_far(thud_world *w, const td_toi_candidate *e) {
     double my = path_along(&b, 1, 1.0) - path_along(&a, 1, 1.0);
     double reach =
         (double)(td_body_at(w, e->body[0])->max_extent + td_body_at(w, e->body[1])->max_extent) +
-        2.0 * (double)(TD_MEET * w->unit) + td_trajectories_chord_error(&a, &b, 1.0);
+        2.0 * (double)(TD_IMPACT_DISTANCE * w->unit) + td_trajectories_chord_error(&a, &b, 1.0);
     double gap = __builtin_sqrt(x * x + y * y) - reach;
     bool far = gap > 0.0 && gap * gap > mx * mx + my * my;
     w->stats.motion_pairs += far;
@@ -293,7 +291,8 @@ bool td_toi_candidate_is_far(thud_world *w, const td_toi_candidate *e) {
 bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double now, double until,
                                td_approach *p) {
     td_trajectory a = td_trajectory_of(w, e->body[0]), b = td_trajectory_of(w, e->body[1]);
-    double target = (double)(TD_MEET * w->unit) + arc_error(w, &b, e->shape[1], until - now) +
+    double target = (double)(TD_IMPACT_DISTANCE * w->unit) +
+                    arc_error(w, &b, e->shape[1], until - now) +
                     td_trajectories_chord_error(&a, &b, until - now);
     td_toi_candidate_motions(w, e, now, until, p);
     p->target = target;
@@ -307,13 +306,13 @@ bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double 
         /* Beyond twice the target the exact distance does not matter: any greater one will do. */
         thud_contacts near;
         thud_terrain_contacts(&p->ground, &p->a, 2.0 * target, &near);
-        p->path_error = target - (double)(TD_MEET * w->unit);
+        p->path_error = target - (double)(TD_IMPACT_DISTANCE * w->unit);
         p->distance = near.count ? near.point[0].distance : 4.0 * target;
         p->target = 0.5 * p->distance < target ? 0.5 * p->distance : target;
         return true;
     }
     p->target += arc_error(w, &a, e->shape[0], until - now);
-    p->path_error = p->target - (double)(TD_MEET * w->unit);
+    p->path_error = p->target - (double)(TD_IMPACT_DISTANCE * w->unit);
     if (motions_miss(w, p)) {
         return false;
     }
@@ -328,9 +327,8 @@ bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double 
 }
 
 /* Replaces the contact points of a ghost by those along an allowed normal, or by none. */
-static void move_ghost_contacts(thud_world *w, const td_toi_candidate *e,
-                                const thud_shape_instance *a, const thud_shape_instance *b,
-                                thud_contacts *contacts) {
+static void move_ghost_contacts(thud_world *w, const td_toi_candidate *e, const thud_geometry *a,
+                                const thud_geometry *b, thud_contacts *contacts) {
     td_internal_edge_pair pair = {w, {e->shape[0], e->shape[1]}, {*a, *b}};
     td_internal_edge_contact open = {.count = 0};
     if (!w->internal_edges->is_ghost(&pair, contacts->point[0].nx, contacts->point[0].ny)) {
@@ -351,7 +349,7 @@ static void move_ghost_contacts(thud_world *w, const td_toi_candidate *e,
 #define NORMAL_TOLERANCE 1e-5
 
 bool td_is_at_sealed_end(const thud_world *w, int line, const thud_terrain *ground,
-                         const thud_shape_instance *shape, const thud_closest *met, double *x,
+                         const thud_geometry *shape, const thud_closest *met, double *x,
                          double *out) {
     unsigned sealed = td_shape_at(w, line)->internal_edges;
     for (int side = 0; side < 2; side++) {
@@ -369,15 +367,15 @@ bool td_is_at_sealed_end(const thud_world *w, int line, const thud_terrain *grou
 
 /* Removes the contact points of a shape at sealed ends of a line, which are ghosts. */
 static void drop_sealed_ends(const thud_world *w, int line, const thud_terrain *ground,
-                             const thud_shape_instance *shape, thud_contacts *contacts) {
-    int kept = 0;
+                             const thud_geometry *shape, thud_contacts *contacts) {
+    int kept_count = 0;
     double x, out;
     for (int k = 0; k < contacts->count; k++) {
         if (!td_is_at_sealed_end(w, line, ground, shape, &contacts->point[k], &x, &out)) {
-            contacts->point[kept++] = contacts->point[k];
+            contacts->point[kept_count++] = contacts->point[k];
         }
     }
-    contacts->count = kept;
+    contacts->count = kept_count;
 }
 
 void td_toi_candidate_features(thud_world *w, const td_toi_candidate *e, double time,
@@ -387,7 +385,7 @@ void td_toi_candidate_features(thud_world *w, const td_toi_candidate *e, double 
     if (td_kind_is_line(td_shape_at(w, e->shape[0])->kind)) {
         out->origin = td_shape_proxy_at(w, e->shape[0])->center;
         thud_terrain ground = td_terrain_view(w, e->shape[0]);
-        thud_shape_instance shape = td_trajectory_shape(w, &b, e->shape[1], time, out->origin);
+        thud_geometry shape = td_trajectory_shape(w, &b, e->shape[1], time, out->origin);
         thud_terrain_contacts(&ground, &shape, margin, &out->contacts);
         if (td_toi_candidate_has_internal_edges(w, e)) {
             drop_sealed_ends(w, e->shape[0], &ground, &shape, &out->contacts);
@@ -395,9 +393,9 @@ void td_toi_candidate_features(thud_world *w, const td_toi_candidate *e, double 
         return;
     }
     out->origin = a.place;
-    thud_shape_instance at_a = td_trajectory_shape(w, &a, e->shape[0], time, a.place);
-    thud_shape_instance at_b = td_trajectory_shape(w, &b, e->shape[1], time, a.place);
-    thud_shapes_contacts(&at_a, &at_b, margin, &out->contacts);
+    thud_geometry at_a = td_trajectory_shape(w, &a, e->shape[0], time, a.place);
+    thud_geometry at_b = td_trajectory_shape(w, &b, e->shape[1], time, a.place);
+    thud_geometry_contacts(&at_a, &at_b, margin, &out->contacts);
     if (out->contacts.count && td_toi_candidate_has_internal_edges(w, e)) {
         move_ghost_contacts(w, e, &at_a, &at_b, &out->contacts);
     }

@@ -14,11 +14,11 @@
 #include "solver/motion.h"
 #include "state/world.h"
 
-/* In multiples of TD_MEET: how much nearer to each other touching shapes may come in a step before
- * it is a collision. The contact solver is soft, so that a load presses shapes together; up to
- * this much it is left to that solver. Chosen: at half and twice of it the times of impact in the
- * scene smash change by 3 %. thud_detection.h promises at most 0.00035 length scales a step from
- * all causes (tests/guarantees/passing.c). */
+/* In multiples of TD_IMPACT_DISTANCE: how much nearer to each other touching shapes may come in a
+ * step before it is a collision. The contact solver is soft, so that a load presses shapes
+ * together; up to this much it is left to that solver. Chosen: at half and twice of it the times of
+ * impact in the scene smash change by 3 %. thud_detection.h promises at most 0.00035 length scales
+ * a step from all causes (tests/guarantees/passing.c). */
 #define TD_LOAD_CLOSING_MAX 0.15
 
 /* The path of an awake body from `since` to the end of the step. */
@@ -26,7 +26,7 @@ typedef struct td_trajectory {
     td_position place; /* of the centre of mass, at `since` */
     uint32_t angle;    /* at `since`; 2^32 is a full turn */
     td_body_index body;
-    int32_t extras;   /* first of the body's extra candidates, as an edge: candidate * 2 + side, or
+    int32_t extras;   /* first of the body's extra candidates, as an edge: td_edge_of, or
                          TD_NONE */
     int32_t impacts;  /* of the body in this step so far */
     double since;     /* in [0, 1] of the step */
@@ -40,7 +40,7 @@ typedef struct td_trajectory {
     bool changed;          /* its path differs from the one that td_finalize took */
     bool held;             /* it stays at its place until the end of the step */
     bool ring_held;        /* so do all bodies that joints tie to it: constraint/tied_bodies.h */
-    int32_t strays;        /* first of its shapes in scratch.strays, or TD_NONE */
+    int32_t escaped;       /* first of its shapes in scratch.escaped, or TD_NONE */
 } td_trajectory;
 
 /* Bounds of paths that may be too long for td_bounds, whose 32-bit numbers wrap around. In bounds
@@ -57,19 +57,19 @@ typedef struct td_leg {
     int32_t next; /* next leg of the same body in scratch.legs, or TD_NONE */
 } td_leg;
 
-/* A stray: a shape that may leave the fat bounds by which the broadphase paired it at the start of
+/* An escaped shape: it may leave the fat bounds by which the broadphase paired it at the start of
  * the step. */
-typedef struct td_stray {
+typedef struct td_escaped_shape {
     td_far_bounds start; /* those fat bounds */
     td_far_bounds ahead; /* of the rest of its path */
-    int32_t shape, next; /* `next`: the next stray of the same body, or TD_NONE */
+    int32_t shape, next; /* `next`: the next one of the same body, or TD_NONE */
     bool detects;        /* its body's own detection finds times of impact */
-} td_stray;
+} td_escaped_shape;
 
 /* A time-of-impact candidate: two shapes that may meet in the step; a terrain is shape[0].
  * Candidates have numbers. One below w->constraints.count is that of a contact. From there on they
- * are extra candidates, in scratch.candidates: a shape and a terrain, or a pair with a stray,
- * which has no contact. */
+ * are extra candidates, in scratch.extra_candidates: a shape and a terrain, or a pair with an
+ * escaped shape, which has no contact. */
 typedef struct td_toi_candidate {
     int32_t shape[2];
     td_body_index body[2];
@@ -77,6 +77,11 @@ typedef struct td_toi_candidate {
                         TD_NONE */
     bool vetoed;     /* the prologue refused the pair in this step */
 } td_toi_candidate;
+
+/* The extra candidate of an edge. */
+static inline int td_edge_candidate(int edge) {
+    return edge / 2;
+}
 
 /* Upper bound of the turn of a body in a step, radians. With the bound of its motion,
  * THUD_PLACE_MAX length scales, it keeps places in the range of 64 bits and angles in that of
@@ -90,12 +95,27 @@ static inline double td_motion_held(const thud_world *w, int axis, double motion
     return td_clamp(motion, -max, max);
 }
 
+/* The bound to which a step clamps the velocity along an axis: length/s, of the spin (axis 2)
+ * rad/s. */
+static inline double td_speed_max(const thud_world *w, int axis) {
+    return axis < 2 ? (double)(w->def.maximum_speed * w->unit) : (double)THUD_ANGULAR_SPEED_MAX;
+}
+
 /* Clamps a velocity that gravity and forces gave within a step and that is removed again. Substeps
- * clamp velocities to the maximum speed (length/s; spin in rad/s), so that a gain is at most twice
- * that: from the one bound to the other. */
+ * clamp velocities to the maximum speed, so that a gain is at most twice that: from the one bound
+ * to the other. */
 static inline double td_gain_clamped(const thud_world *w, int axis, double gain) {
-    double max = axis < 2 ? (double)(w->def.maximum_speed * w->unit) : (double)THUD_SPIN_MAX;
+    double max = td_speed_max(w, axis);
     return td_clamp(gain, -2.0 * max, 2.0 * max);
+}
+
+/* The velocity of a body that is held at its place without what gravity and forces gave it in the
+ * rest of the step. It may be at the bound already, where an impulse acted against that gain, and
+ * is clamped again. */
+static inline float td_velocity_without_gain(const thud_world *w, int axis, float velocity,
+                                             double gain) {
+    double max = td_speed_max(w, axis);
+    return (float)td_clamp((double)(velocity - (float)td_gain_clamped(w, axis, gain)), -max, max);
 }
 
 /* The trajectory of an awake body, by its slot, for changes. */
@@ -132,8 +152,8 @@ void td_trajectory_displacement(const thud_world *w, const td_trajectory *trajec
  * body's velocity at the end of the step is reduced by as much. */
 void td_trajectory_reduce_fall(const thud_world *w, td_trajectory *trajectory, double x, double y);
 /* One of the body's shapes at `time`, relative to `origin`. */
-thud_shape_instance td_trajectory_shape(const thud_world *w, const td_trajectory *trajectory,
-                                        int shape, double time, td_position origin);
+thud_geometry td_trajectory_shape(const thud_world *w, const td_trajectory *trajectory, int shape,
+                                  double time, td_position origin);
 
 /* The largest distance of the relative path of two bodies from its chord in a `duration` (share of
  * the step): |fall_b - fall_a| duration^2 / 8, the sagitta of a parabola. */
@@ -166,7 +186,7 @@ bool td_toi_candidate_has_internal_edges(const thud_world *w, const td_toi_candi
  * coordinate of the end, and *out the direction out of the line, 1 or -1. `met` is the closest
  * point of both. */
 bool td_is_at_sealed_end(const thud_world *w, int line, const thud_terrain *ground,
-                         const thud_shape_instance *shape, const thud_closest *met, double *x,
+                         const thud_geometry *shape, const thud_closest *met, double *x,
                          double *out);
 
 /* The contact points of two shapes at one time, relative to `origin`. */

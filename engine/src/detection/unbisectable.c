@@ -1,4 +1,4 @@
-/* unbisectable.c: see unbisectable.h. The test is that of thud_motion_is_bisectable
+/* unbisectable.c: see unbisectable.h. The test is that of thud_geometry_is_bisectable
  * (geometry/bisect.c), for a body against the thinnest shape of the world. */
 #include "detection/unbisectable.h"
 
@@ -8,7 +8,7 @@
 
 /* The greatest distance from the centre of mass of a point that moves as the body turns; a circle
  * about it does not move. 0 if that is at most min_extent plus half of `thickness`, that of the
- * thinnest shape: as in thud_motion_is_bisectable, such a turn takes no corner through the middle
+ * thinnest shape: as in thud_geometry_is_bisectable, such a turn takes no corner through the middle
  * of another shape. */
 static double turning_reach(const thud_world *w, const td_body *body, double thickness) {
     double reach = 0.0;
@@ -25,7 +25,7 @@ static double turning_reach(const thud_world *w, const td_body *body, double thi
 bool td_is_unbisectable(thud_world *w, td_awake_slot slot) {
     const td_body *body = td_body_at(w, td_body_of(w, slot));
     if (!w->detections[TD_RANK_BISECT] ||
-        (body->kind == THUD_DYNAMIC && body->detection->rank > TD_RANK_BISECT)) {
+        (body->kind == THUD_BODY_DYNAMIC && body->detection->rank > TD_RANK_BISECT)) {
         return false;
     }
     const float *delta = td_row(&w->delta, slot);

@@ -5,7 +5,7 @@
 
 /* Adds the impulses `normal` of the points, times the inverse masses, to the motions or velocities
  * v, and writes them to `records`. */
-TD_INLINE void apply_sums(float (*records)[4], const td_block *block, int points, bool fixed,
+TD_INLINE void apply_sums(float (*records)[4], const td_block *block, int points, bool a_static,
                           sides v, const sides *mass, const f8 *normal) {
     const td_point *p = block->point;
     f8 sum = normal[0], turn_a = p[0].cross_a * normal[0], turn_b = p[0].cross_b * normal[0];
@@ -14,7 +14,7 @@ TD_INLINE void apply_sums(float (*records)[4], const td_block *block, int points
         turn_a += p[1].cross_a * normal[1];
         turn_b += p[1].cross_b * normal[1];
     }
-    if (!fixed) {
+    if (!a_static) {
         v.a.x -= mass->a.w * (block->nx * sum);
         v.a.y -= mass->a.w * (block->ny * sum);
         v.a.z -= block->inv_inertia_a * turn_a;
@@ -52,22 +52,23 @@ TD_INLINE i8 untied_lanes(const td_block *block, const int32_t *next_tied) {
 
 /* td_project_fn for a number of points and a kind of side a that are known when compiling. */
 TD_INLINE bool project(td_block *const *blocks, td_pushes *pushes, int count, int points,
-                       bool fixed, const td_project_context *c) {
+                       bool a_static, const td_project_context *c) {
     f8 zero = f8_all(0.0f), skin = f8_all(c->skin), target_distance = f8_all(c->target_distance);
     i8 unfinished = i8_all(0);
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         td_fetch_early(blocks, i, count, points);
-        sides d = read_sides((const float(*)[4])c->delta, block, fixed);
-        f8 opened = centres_along(&d, fixed, block->nx, block->ny);
+        sides d = read_sides((const float(*)[4])c->delta, block, a_static);
+        f8 opened = centres_along(&d, a_static, block->nx, block->ny);
         f8 shortfall[2], closing[2], change[2];
         /* Elastic pairs and those of tied bodies are left out. */
         i8 projected = (block->restitution < f8_all(1.0f)) & untied_lanes(block, c->next_tied);
         i8 active[2], any = i8_all(0);
         for (int k = 0; k < points; k++) {
             td_point *p = &block->point[k];
-            p->separation = p->base + at_point(opened, &d, fixed, ARMS_ALL, p);
-            shortfall[k] = f8_min(target_distance, p->base + skin) - (p->separation + skin);
+            p->separation = p->start_separation + at_point(opened, &d, a_static, ARMS_ALL, p);
+            shortfall[k] =
+                f8_min(target_distance, p->start_separation + skin) - (p->separation + skin);
             active[k] = projected & (p->normal_mass > zero) &
                         ((shortfall[k] > zero) | (pushes[i].motion[k] > zero));
             unfinished |= active[k] & (shortfall[k] > f8_all(c->tolerance));
@@ -76,31 +77,31 @@ TD_INLINE bool project(td_block *const *blocks, td_pushes *pushes, int count, in
         if (!i8_bits(any)) {
             continue;
         }
-        sides v = read_sides((const float(*)[4])c->velocity, block, fixed);
-        f8 coupled = points == 2 ? by_first(block, &v, fixed) : zero;
-        f8 speed = centres_along(&v, fixed, block->nx, block->ny);
+        sides v = read_sides((const float(*)[4])c->velocity, block, a_static);
+        f8 coupled = points == 2 ? by_first(block, &v, a_static) : zero;
+        f8 speed = centres_along(&v, a_static, block->nx, block->ny);
         for (int k = 0; k < points; k++) {
-            closing[k] = -at_point(speed, &v, fixed, ARMS_ALL, &block->point[k]);
+            closing[k] = -at_point(speed, &v, a_static, ARMS_ALL, &block->point[k]);
         }
         point_changes(block, points, c->over_relaxation, coupled, shortfall, active,
                       pushes[i].motion, change);
-        apply_sums(c->delta, block, points, fixed, d, &v, change);
+        apply_sums(c->delta, block, points, a_static, d, &v, change);
         point_changes(block, points, c->over_relaxation, coupled, closing, active,
                       pushes[i].velocity, change);
-        apply_sums(c->velocity, block, points, fixed, v, &v, change);
+        apply_sums(c->velocity, block, points, a_static, v, &v, change);
     }
     return i8_bits(unfinished);
 }
 
 td_project_fn TD_WIDE(td_project_points);
 bool TD_WIDE(td_project_points)(td_block *const *blocks, td_pushes *pushes, int count, int points,
-                                bool fixed, const td_project_context *c) {
+                                bool a_static, const td_project_context *c) {
     if (points == 2) {
-        return fixed ? project(blocks, pushes, count, 2, true, c)
-                     : project(blocks, pushes, count, 2, false, c);
+        return a_static ? project(blocks, pushes, count, 2, true, c)
+                        : project(blocks, pushes, count, 2, false, c);
     }
-    return fixed ? project(blocks, pushes, count, 1, true, c)
-                 : project(blocks, pushes, count, 1, false, c);
+    return a_static ? project(blocks, pushes, count, 1, true, c)
+                    : project(blocks, pushes, count, 1, false, c);
 }
 
 /* The max_extent of the bodies on one side of a block. */
@@ -115,7 +116,8 @@ TD_INLINE f8 reach_of(const float (*reach)[2], const uint32_t *side) {
 /* As edge_slope of gaps.c: by how much the gap may shrink per length of sliding. */
 TD_INLINE f8 edge_slope(const td_block *block) {
     const td_point *p = block->point;
-    f8 width = f8_abs(p[0].cross_b - p[1].cross_b), rise = f8_abs(p[0].base - p[1].base);
+    f8 width = f8_abs(p[0].cross_b - p[1].cross_b),
+       rise = f8_abs(p[0].start_separation - p[1].start_separation);
     return f8_keep(width > f8_all(0.0f), rise / width);
 }
 
@@ -144,7 +146,8 @@ void TD_WIDE(td_find_open_points)(td_block *const *blocks, int count, int points
         i8 clear = f8_all(c->margin) + along - turn_reach - slack >= collision_distance;
         for (int k = 0; k < points; k++) {
             const td_point *p = &block->point[k];
-            f8 from = p->base + skin, to = from + at_point(along, &d, false, ARMS_ALL, p) - slack;
+            f8 from = p->start_separation + skin,
+               to = from + at_point(along, &d, false, ARMS_ALL, p) - slack;
             i8 present = p->normal_mass > zero;
             apart &= (present & (to >= f8_min(collision_distance, from - f8_all(c->closing_max)))) |
                      (~present & clear);

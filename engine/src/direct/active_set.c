@@ -44,7 +44,7 @@
 enum {
     FACTORINGS_MAX = 6,    /* factorisations before the method gives up; at rest it takes one */
     UPDATES_MAX = 12,      /* updates of multipliers and friction bounds */
-    UPDATES_AGAIN = 4,     /* the same in td_direct_again, which has no new factorisation */
+    UPDATES_AGAIN = 4,     /* the same with the active set of before, without a factorisation */
     CHANGED_PART = 6,      /* with more than one in so many rows changing in a Newton step, ... */
     CHANGED_ROWS_MIN = 100 /* ... of at least so many rows, the warm start is given up as useless */
 };
@@ -122,7 +122,7 @@ static bool has_no_impulses(const td_direct *d) {
  * number of rows. */
 static int warm_start(td_direct *d, double hysteresis) {
     int rows = 0;
-    double margin = d->fresh || has_no_impulses(d) ? hysteresis : -hysteresis;
+    double margin = d->soft_warm_start || has_no_impulses(d) ? hysteresis : -hysteresis;
     td_direct_update_speeds(d);
     for (int i = 0; i < d->constraint_count; i++) {
         td_direct_constraint *c = &d->constraints[i];
@@ -134,7 +134,7 @@ static int warm_start(td_direct *d, double hysteresis) {
                 r->active = r->impulse > 0.0 || r->speed < r->target_speed + margin;
             } else if (r->kind % 2) { /* equality and soft rows */
                 r->active = true;
-            } else if (d->fresh && c->friction > 0.0 &&
+            } else if (d->soft_warm_start && c->friction > 0.0 &&
                        magnitude(r->speed - r->target_speed) <= d->unit_speed) {
                 r->max_impulse = __builtin_inf();
             }
@@ -176,8 +176,8 @@ static bool update_multipliers(td_direct *d, double hysteresis, multiplier_updat
                 r->active = magnitude(r->impulse) < sliding;
                 r->impulse = clamp(r->impulse, r->max_impulse);
             }
-            r->base = r->kind == TD_ROW_SOFT ? 0.0 : r->impulse;
-            r->force = r->active ? penalty_impulse(r, r->base) : r->impulse;
+            r->multiplier = r->kind == TD_ROW_SOFT ? 0.0 : r->impulse;
+            r->force = r->active ? penalty_impulse(r, r->multiplier) : r->impulse;
             same &= !r->used || r->active == before;
         }
     }
@@ -192,7 +192,7 @@ static int update_active_set(td_direct *d, double hysteresis, bool keeps) {
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->constraints[i].row[k];
-            double impulse = penalty_impulse(r, r->base);
+            double impulse = penalty_impulse(r, r->multiplier);
             if (!r->used || !update_row(r, impulse, hysteresis)) {
                 continue;
             }
@@ -201,7 +201,7 @@ static int update_active_set(td_direct *d, double hysteresis, bool keeps) {
                 r->active = !r->active;
                 r->force = impulse;
                 if (!r->active) {
-                    r->force = r->impulse = r->base;
+                    r->force = r->impulse = r->multiplier;
                 }
             }
         }
@@ -296,10 +296,10 @@ static bool reduce_residual(td_direct *d, double tolerance, int *changed, double
     return done;
 }
 
-bool td_direct_active(td_direct *d, double tolerance) {
+bool td_direct_solve_active_set(td_direct *d, double tolerance) {
     int factorings_max = td_min_int(d->factorings + FACTORINGS_MAX, d->factoring_budget);
     double hysteresis = HYSTERESIS * tolerance;
-    bool factored = false, unbounded_friction = d->fresh;
+    bool factored = false, unbounded_friction = d->soft_warm_start;
     int rows = warm_start(d, hysteresis);
     int changes_max = rows < CHANGED_ROWS_MIN ? rows : rows / CHANGED_PART;
     update_multipliers(d, hysteresis, FROM_LAST_STEP);
@@ -323,7 +323,7 @@ bool td_direct_active(td_direct *d, double tolerance) {
     return false;
 }
 
-bool td_direct_again(td_direct *d, double tolerance) {
+bool td_direct_solve_same_active_set(td_direct *d, double tolerance) {
     double hysteresis = HYSTERESIS * tolerance, error;
     bool same_set = d->factored && update_multipliers(d, hysteresis, KEEP_ACTIVE_SET);
     for (int n = 0; n < UPDATES_AGAIN && same_set; n++) {

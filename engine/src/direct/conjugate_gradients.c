@@ -57,7 +57,7 @@ static double curvature(td_direct_row *r, double unused) {
  * velocities, and the multiplier that gives this force by the penalty. */
 static double balance(td_direct_row *r, double part) {
     r->force += part * (r->direction[0] - r->weight * r->change) - r->direction[0];
-    r->base = r->kind == TD_ROW_SOFT ? 0.0 : r->force - r->weight * residual_of(r);
+    r->multiplier = r->kind == TD_ROW_SOFT ? 0.0 : r->force - r->weight * residual_of(r);
     return 0.0;
 }
 

@@ -27,13 +27,13 @@ static bool sinks_in(const td_island_work *work, td_lane at, int points, double 
     }
     for (int k = 0; k < points; k++) {
         const td_point *p = &block->point[k];
-        double gap[2], base = (double)p->base[at.lane];
+        double gap[2], start = (double)p->start_separation[at.lane];
         for (int soft = 0; soft < 2; soft++) {
-            gap[soft] = base + x * (b[soft][0] - a[soft][0]) + y * (b[soft][1] - a[soft][1]) +
+            gap[soft] = start + x * (b[soft][0] - a[soft][0]) + y * (b[soft][1] - a[soft][1]) +
                         (double)p->cross_b[at.lane] * b[soft][2] -
                         (double)p->cross_a[at.lane] * a[soft][2];
         }
-        double min = td_min_double(0.0, td_min_double(base, gap[1]));
+        double min = td_min_double(0.0, td_min_double(start, gap[1]));
         if (p->normal_mass[at.lane] > 0.0f && !(gap[0] >= min - slack)) {
             return true;
         }
@@ -46,7 +46,7 @@ bool td_island_sinks(const td_island_work *work, double slack) {
     for (int i = 0; i < work->island->bodies; i++) {
         int e = td_body_at(w, td_body_of(w, work->slots[i]))->first_constraint;
         for (; e != TD_NONE; e = td_next_edge(w, e)) {
-            const td_constraint *constraint = td_constraint_at(w, e / 2);
+            const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
             if (constraint->state == TD_TOUCHING && td_is_contact(constraint) &&
                 sinks_in(work, td_lane_of(w, constraint), td_island_points(w, constraint), slack)) {
                 return true;

@@ -58,7 +58,8 @@ bool td_contact_take_rows(const thud_world *w, td_block *block, int lane, const 
         td_row_set(&c->row[k], TD_ROW_UNILATERAL, x, y, turns_a * (double)p->cross_a[lane],
                    turns_b * (double)p->cross_b[lane]);
         c->row[k].impulse = 0.5 * (double)impulses[k];
-        c->row[k].target_speed = target_speed_of(w, (double)p->base[lane], blur_of(w, &c->row[k]));
+        c->row[k].target_speed =
+            target_speed_of(w, (double)p->start_separation[lane], blur_of(w, &c->row[k]));
         bounces |=
             block->restitution[lane] > 0.0f && td_surface_at(block, points)->energy[lane] >= 0.0f;
     }
@@ -66,7 +67,7 @@ bool td_contact_take_rows(const thud_world *w, td_block *block, int lane, const 
      * would roll as if its radius were larger by half of that; against a body that does not move,
      * friction acts at the disc's own surface. */
     bool second = points > 1 && block->point[0].normal_mass[lane] == 0.0f;
-    double gap = (double)(block->point[second].base[lane] + w->skin);
+    double gap = (double)(block->point[second].start_separation[lane] + w->skin);
     double outside = c->a == TD_NONE && gap > 0.0 ? 0.5 * gap : 0.0;
     td_direct_row *tangent = &c->row[TANGENT];
     td_row_set(tangent, TD_ROW_FRICTION, y, -x, turns_a * (double)block->tangent_cross_a[lane],

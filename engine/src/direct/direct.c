@@ -31,14 +31,14 @@ double td_direct_solve(td_direct *d, double tolerance) {
     set_effective_masses(d);
     td_direct_update_friction(d);
     d->factored = false;
-    if (!td_direct_active(d, tolerance)) {
+    if (!td_direct_solve_active_set(d, tolerance)) {
         td_direct_restore(d);
         /* The first pass has the friction bounds of the warm start; the second has those of the
          * first pass's normal impulses. One pass alone lets a slide at 20 degrees run 8 % too
          * long. */
         for (int pass = 0; pass < 2; pass++) {
             if (d->factoring_budget - d->factorings < INTERIOR_FACTORINGS_MIN ||
-                !td_direct_interior(d, tolerance)) {
+                !td_direct_solve_interior_point(d, tolerance)) {
                 return __builtin_inf();
             }
             td_direct_update_friction(d);

@@ -61,7 +61,7 @@ typedef struct td_direct_body {
     double gain[3];             /* velocity that gravity, forces and damping add in one part */
     bool sweeps;                /* the body's rotation moves an anchor or the axis of a joint */
     bool turn_limited; /* the body has a contact, and is no disc about its centre of mass (a wheel):
-                  its rotation changes the manifold */
+                          its rotation changes the manifold */
 } td_direct_body;
 
 typedef struct td_direct_row {
@@ -75,19 +75,22 @@ typedef struct td_direct_row {
                        part of the step, or pushes apart a contact that overlaps as the step
                        begins */
     double mean_impulse; /* islands with joints: impulse of the mean-velocity problem, while the
-                     velocity at the end of a part is solved for; island_step_joints.c */
+                            velocity at the end of a part is solved for; island_step_joints.c */
     bool used;           /* the constraint has this row */
     bool active;         /* the row is in the matrix, with `weight` */
     double mass;         /* effective mass, 1 / (J M^-1 J') */
     double weight; /* factor of J' J in the matrix: a penalty, or the stiffness of a soft row */
-    double base;   /* active set: the multiplier; interior point: the weight of a soft row */
+    union {
+        double multiplier;  /* active set: Lagrange multiplier of the augmented Lagrangian */
+        double soft_weight; /* interior point: `weight` of a soft row */
+    };
     double max_impulse; /* bound of |impulse| of a friction or soft row */
     double speed;       /* J v + known */
     double force;       /* impulse on the right side of the Newton step's equations */
     double change;      /* J dv: change of the speed by the whole Newton step */
     double slack[2]; /* interior point: slack of the speed (unilateral), of both bounds (others) */
     double direction[3]; /* interior point: Newton step of the impulse and of the slacks;
-                       conjugate_gradients.c: [0] is the search direction */
+                            conjugate_gradients.c: [0] is the search direction */
 } td_direct_row;
 
 typedef struct td_direct_constraint {
@@ -97,7 +100,7 @@ typedef struct td_direct_constraint {
     double friction; /* friction coefficient of the friction row, times the normal impulses */
     double bound;    /* constant bound of the friction row, added to that: a motor's */
     bool from_soft;  /* a contact whose impulses are those of the soft solver, and whose rows only
-                    keep it from closing further: joint_subsystems.c */
+                        keep it from closing further: joint_subsystems.c */
     double stiff[2]; /* of a joint: geometric stiffness against the rotation of a and b */
     td_direct_row row[TD_DIRECT_ROWS];
 } td_direct_constraint;
@@ -114,7 +117,7 @@ typedef struct td_direct {
     int factoring_budget; /* budget of factorisations */
     int64_t effort;       /* budget of work that is left, in operations on 3 x 3 blocks */
     bool spent;           /* the budget of work was too small, so that the solve failed */
-    bool fresh;           /* the warm start comes from the soft solver, or there is none */
+    bool soft_warm_start; /* the warm start comes from the soft solver, or there is none */
     bool factored;        /* the matrix holds the factor of the active rows */
 } td_direct;
 
@@ -127,13 +130,13 @@ double td_direct_solve(td_direct *d, double tolerance);
 /* ---- the two methods ---- */
 
 /* Active set. False where it did not converge within its budget of factorisations. */
-bool td_direct_active(td_direct *d, double tolerance);
+bool td_direct_solve_active_set(td_direct *d, double tolerance);
 /* Solves once more after free velocities and target speeds have changed, with the active set and
- * the factor of the last td_direct_active. False, with the impulses as they were, where the active
- * set does not stay the same. */
-bool td_direct_again(td_direct *d, double tolerance);
+ * the factor of the last td_direct_solve_active_set. False, with the impulses as they were, where
+ * the active set does not stay the same. */
+bool td_direct_solve_same_active_set(td_direct *d, double tolerance);
 /* Interior point. False where a factorisation failed or iterations ran out. */
-bool td_direct_interior(td_direct *d, double tolerance);
+bool td_direct_solve_interior_point(td_direct *d, double tolerance);
 
 /* ---- what they share ---- */
 

@@ -1,13 +1,13 @@
 /* direct_islands.c: finds the islands that are solved directly in this step.
  *
  * An island is a connected component of dynamic bodies and the constraints that act between them.
- * It is direct if one of its bodies is marked (direct_steps). td_islands_watch marks the bodies of
- * a contact whose load is above the threshold of td_islands_load_max twice in succession, while
- * both bodies are nearly at rest: an impact is as heavy, but passes, and a heap in motion is solved
- * as well by the soft solver for less. It looks at an eighth of the blocks in each step. Where a
- * heavy body lies on a light one, which sinks in at once, half the load found once is enough. A
- * joint is marked when its load is found once, and its island is solved directly in the same step
- * (direct/yielding_joints.c). With sag_limit 0 every island is direct. */
+ * It is direct if one of its bodies is marked (direct_steps). td_islands_mark_loaded marks the
+ * bodies of a contact whose load is above the threshold of td_islands_load_max twice in succession,
+ * while both bodies are nearly at rest: an impact is as heavy, but passes, and a heap in motion is
+ * solved as well by the soft solver for less. It looks at an eighth of the blocks in each step.
+ * Where a heavy body lies on a light one, which sinks in at once, half the load found once is
+ * enough. A joint is marked when its load is found once, and its island is solved directly in the
+ * same step (direct/overloaded_joints.c). With overlap_limit 0 every island is direct. */
 #include "direct/direct_islands.h"
 
 #include "constraint/constraint.h"
@@ -23,7 +23,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(slots, td_awake_slot),
     ARRAY(constraints, int),
     ARRAY(local, int),
-    ARRAY(before, float[4]),
+    ARRAY(island_start_velocity, float[4]),
     ARRAY(impulses, float[TD_DIRECT_ROWS + 1]),
     ARRAY(rows, td_direct_constraint),
     ARRAY(bodies, td_direct_body),
@@ -32,7 +32,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(topology, int),
     ARRAY(topology_before, int),
     ARRAY(systems, td_system),
-    ARRAY(start, float[4]),
+    ARRAY(start_velocity, float[4]),
 };
 enum { ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
 
@@ -50,10 +50,11 @@ void td_islands_free(td_memory *memory, td_islands *s) {
 static bool reserve_lists(thud_world *w) {
     td_islands *s = &w->islands;
     int bodies = w->body_of.count, constraints = w->touching + TD_JOINT_PARTS * w->joints.live;
-    return td_islands_room(w, &s->local, bodies) && td_islands_room(w, &s->island, bodies) &&
-           td_islands_room(w, &s->slots, bodies) && td_islands_room(w, &s->before, bodies) &&
-           td_islands_room(w, &s->constraints, constraints) &&
-           td_islands_room(w, &s->impulses, constraints) &&
+    return td_islands_reserve(w, &s->local, bodies) && td_islands_reserve(w, &s->island, bodies) &&
+           td_islands_reserve(w, &s->slots, bodies) &&
+           td_islands_reserve(w, &s->island_start_velocity, bodies) &&
+           td_islands_reserve(w, &s->constraints, constraints) &&
+           td_islands_reserve(w, &s->impulses, constraints) &&
            td_sparse_reserve(&w->memory, &s->matrix, bodies);
 }
 
@@ -71,8 +72,8 @@ enum {
 static bool is_seed(const thud_world *w, td_awake_slot slot) {
     int direct_steps = *td_direct_steps_at(w, slot);
     return direct_steps <= TD_DIRECT_COOLDOWN &&
-           (direct_steps > 0 || w->quality.sag_limit == 0.0f) &&
-           *td_island_local_at(w, slot) == 0 && td_row(&w->velocity, slot)[3] > 0.0f;
+           (direct_steps > 0 || w->quality.overlap_limit == 0.0f) &&
+           *td_island_local_at(w, slot) == 0 && td_inv_mass_of(w, slot) > 0.0f;
 }
 
 static bool any_direct(const thud_world *w) {
@@ -104,7 +105,7 @@ static int direct_after_step(const thud_world *w, td_awake_slot slot) {
     return left == TD_DIRECT_COOLDOWN ? 0 : left;
 }
 
-void td_islands_leave(thud_world *w, const td_island *island, int steps, bool for_long) {
+void td_islands_begin_cooldown(thud_world *w, const td_island *island, int steps, bool for_long) {
     for (int i = 0; i < island->bodies; i++) {
         td_awake_slot slot = td_slot_in(&w->islands.slots, island->first_body + i);
         int times = TD_SLOW_LEFT(*td_slow_steps_at(w, slot)) + 1;
@@ -112,7 +113,7 @@ void td_islands_leave(thud_world *w, const td_island *island, int steps, bool fo
     }
 }
 
-void td_islands_settle(thud_world *w) {
+void td_islands_count_down(thud_world *w) {
     uint8_t *direct_steps = w->direct_steps.data;
     for (td_awake_slot slot = {1}; slot.at < w->islands.local.count; slot.at++) {
         int after = direct_after_step(w, slot);
@@ -134,18 +135,18 @@ void td_islands_settle(thud_world *w) {
 static bool add_constraints_of(thud_world *w, td_island *island, td_awake_slot slot) {
     td_body_index body = td_body_of(w, slot);
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
         if (constraint->state != TD_TOUCHING) {
             continue;
         }
-        td_awake_slot other = td_island_neighbour(w, constraint, e & 1);
+        td_awake_slot other = td_island_neighbour(w, constraint, td_edge_side(e));
         bool is_new = other.at && *td_island_local_at(w, other) == 0;
         if (other.at && (*td_island_local_at(w, other) == TOO_MANY ||
                          (is_new && island->bodies == w->quality.island_limit))) {
             return false;
         }
-        if (!other.at || !(e & 1)) {
-            td_push_int(&w->islands.constraints, e / 2);
+        if (!other.at || !td_edge_side(e)) {
+            td_push_int(&w->islands.constraints, td_edge_constraint(e));
         }
         if (is_new) {
             td_island_add(w, island, other);
@@ -175,7 +176,7 @@ static bool cools_down(const thud_world *w, const td_island *island) {
     return 2 * cooling > island->bodies;
 }
 
-void td_islands_follow(thud_world *w, td_awake_slot seed) {
+void td_islands_list_from(thud_world *w, td_awake_slot seed) {
     td_islands *s = &w->islands;
     td_island island = {.first_body = s->slots.count, .first_constraint = s->constraints.count};
     bool whole = true;
@@ -203,7 +204,7 @@ bool td_islands_find(thud_world *w) {
     int slots = w->body_of.count;
     s->island.count = s->slots.count = s->constraints.count = 0;
     s->local.count = 0;
-    if (w->quality.sag_limit > 0.0f && !any_direct(w) && !w->joints.live) {
+    if (w->quality.overlap_limit > 0.0f && !any_direct(w) && !w->joints.live) {
         return true;
     }
     if (!reserve_lists(w)) {
@@ -213,7 +214,7 @@ bool td_islands_find(thud_world *w) {
     memset(s->local.data, 0, (size_t)slots * sizeof(int));
     for (td_awake_slot slot = {1}; slot.at < slots; slot.at++) {
         if (is_seed(w, slot)) {
-            td_islands_follow(w, slot);
+            td_islands_list_from(w, slot);
         }
     }
     return td_islands_order(w);
@@ -234,7 +235,7 @@ enum {
 static void mark_direct(thud_world *w, uint32_t record) {
     td_awake_slot slot = td_slot_of_side(record);
     uint8_t *direct_steps = td_direct_steps_at(w, slot);
-    if (td_row(&w->velocity, slot)[3] > 0.0f && *direct_steps <= TD_DIRECT_COOLDOWN) {
+    if (td_inv_mass_of(w, slot) > 0.0f && *direct_steps <= TD_DIRECT_COOLDOWN) {
         *direct_steps = TD_DIRECT_STEPS;
     }
 }
@@ -246,12 +247,12 @@ static void mark_direct(thud_world *w, uint32_t record) {
  * for the present one: sinking is proportional to h^2. */
 float td_islands_load_max(const thud_world *w, float size) {
     float steps = (float)w->substeps, own = td_max_float(steps, (float)w->quality.substeps);
-    float sag = w->quality.sag_limit * size * (own * own);
+    float depth = w->quality.overlap_limit * size * (own * own);
     float omega = 2.0f * (float)TD_PI * w->quality.contact_stiffness; /* rad a substep */
     if (w->def.max_error > 0.0) {
-        sag = td_min_float(sag, (float)w->def.max_error * (steps * steps));
+        depth = td_min_float(depth, (float)w->def.max_error * (steps * steps));
     }
-    return sag * omega * omega / (steps * (float)w->def.time_step);
+    return depth * omega * omega / (steps * (float)w->def.time_step);
 }
 
 /* Thickness of a body's thinnest shape; static bodies have none. */
@@ -279,7 +280,7 @@ static bool watch_block(thud_world *w, td_block *block, int kind) {
     bool contact = kind < TD_PAIR_COUNT, joint_marked = false;
     for (int lane = 0; lane < block->used; lane++) {
         td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
-        float inverse_a = td_row(&w->velocity, a)[3], inverse_b = td_row(&w->velocity, b)[3];
+        float inverse_a = td_inv_mass_of(w, a), inverse_b = td_inv_mass_of(w, b);
         float light = td_max_float(inverse_a, inverse_b),
               other = td_min_float(inverse_a, inverse_b);
         float size = td_islands_size(w, a, b), threshold = td_islands_load_max(w, size);
@@ -294,8 +295,8 @@ static bool watch_block(thud_world *w, td_block *block, int kind) {
             before = block->mark[lane].loaded - direct;
         /* A contact between moving bodies may be an impact, which passes; a joint's load stays. */
         bool impact = contact && !is_nearly_at_rest(w, a, b);
-        bool yields = (load > threshold && !impact) || off > deep;
-        int seen = yields ? td_min_int(before + 1, TIMES_SEEN) : 0;
+        bool overloaded = (load > threshold && !impact) || off > deep;
+        int seen = overloaded ? td_min_int(before + 1, TIMES_SEEN) : 0;
         if (sinks || seen >= (contact ? TIMES_SEEN : 1)) {
             mark_direct(w, block->a[lane]);
             mark_direct(w, block->b[lane]);
@@ -306,9 +307,9 @@ static bool watch_block(thud_world *w, td_block *block, int kind) {
     return joint_marked;
 }
 
-bool td_islands_watch(thud_world *w) {
+bool td_islands_mark_loaded(thud_world *w) {
     bool joint_marked = false;
-    if (w->quality.sag_limit == 0.0f) {
+    if (w->quality.overlap_limit == 0.0f) {
         return joint_marked;
     }
     int stride = w->scratch.blocks.count < ALL_BLOCKS ? 1 : 8;

@@ -2,8 +2,8 @@
  * data.
  *
  * An island is solved directly where the soft solver's contacts would sink in under their load by
- * more than the quality's sag_limit (a contact is a spring, so that it sinks in by force /
- * stiffness), or by more than the world's max_error. With sag_limit 0 every island is. */
+ * more than the quality's overlap_limit (a contact is a spring, so that it sinks in by force /
+ * stiffness), or by more than the world's max_error. With overlap_limit 0 every island is. */
 #ifndef TD_ISLANDS_H
 #define TD_ISLANDS_H
 
@@ -25,20 +25,21 @@ typedef struct td_islands {
     td_array constraints; /* int: constraints, island by island */
     td_array local;       /* int, by awake slot: 1 + the body's number in its island; 0: in none;
                              negative: direct_islands.c says why it is in none */
-    td_array before;      /* float[4], parallel to `slots`: velocity before the soft solver */
-    td_array impulses;    /* float[4], parallel to `constraints`: warm-start impulses of points and
-                             tangent; 1 where they are the soft solver's, else 0 */
+    td_array island_start_velocity; /* float[4], parallel to `slots`: rows of thud_world.velocity
+                                       as they were before the soft solver */
+    td_array impulses; /* float[4], parallel to `constraints`: warm-start impulses of points and
+                          tangent; 1 where they are the soft solver's, else 0 */
     td_array rows; /* td_direct_constraint: of the island that is being solved, as the next three */
     td_array bodies;     /* td_direct_body */
     td_array step, work; /* double[4] */
     td_array topology,
-        topology_before; /* int: the graph of all islands, on which their orders depend,
-                      and the graph for which the present orders were found */
-    td_array systems;    /* td_system, parallel to `island`: the present orders */
-    td_array
-        start; /* float[4], by awake slot, in worlds with joints: velocity before the soft solver */
-    bool adds_up; /* the soft solver sums up the contacts' impulses of the step, for
-                     joint_subsystems.c */
+        topology_before;     /* int: the graph of all islands, on which their orders depend,
+                                and the graph for which the present orders were found */
+    td_array systems;        /* td_system, parallel to `island`: the present orders */
+    td_array start_velocity; /* float[4], by awake slot, in worlds with joints: thud_world.velocity
+                                as it was before the soft solver */
+    bool adds_up;            /* the soft solver sums up the contacts' impulses of the step, for
+                                joint_subsystems.c */
     int64_t
         effort; /* budget of work (td_direct.effort) left for islands with joints in this step */
     td_sparse matrix;
@@ -62,27 +63,28 @@ void td_islands_free(td_memory *memory, td_islands *islands);
 bool td_islands_find(struct thud_world *w);
 /* Counts thud_world.direct_steps down, and begins the cooldown of islands with too many bodies. It
  * is called when the step can no longer fail, so that a step that is made again counts once. */
-void td_islands_settle(struct thud_world *w);
+void td_islands_count_down(struct thud_world *w);
 /* The threshold of a contact's load: the impulse of a substep over the lighter body's mass,
- * length/s, under which the contact sinks in by max_error, or by sag_limit times `size`, the size
- * of the smaller body. With fewer substeps than the quality's, the quality's number counts: fewer
- * substeps must not send more islands to the direct solver. */
+ * length/s, under which the contact sinks in by max_error, or by overlap_limit times `size`, the
+ * size of the smaller body. With fewer substeps than the quality's, the quality's number counts:
+ * fewer substeps must not send more islands to the direct solver. */
 float td_islands_load_max(const struct thud_world *w, float size);
 /* The size of the smaller of two bodies; slot 0 (static) has none. */
 float td_islands_size(const struct thud_world *w, td_awake_slot a, td_awake_slot b);
 /* Looks for constraints whose load is above the threshold, in a part of them each step, and marks
  * their islands as direct. True where a joint is among them. */
-bool td_islands_watch(struct thud_world *w);
+bool td_islands_mark_loaded(struct thud_world *w);
 /* Lists the island of a body, unless it has no constraints, too many bodies, or is in its cooldown.
  */
-void td_islands_follow(struct thud_world *w, td_awake_slot seed);
+void td_islands_list_from(struct thud_world *w, td_awake_slot seed);
 
 /* The speed below which bodies count as nearly at rest, length/s: 4 g h, or four times the sleep
  * speed. */
 float td_calm_speed(const struct thud_world *w);
 /* Begins the cooldown of an island for which the direct solver was of no use: it is not tried for
  * so many steps. The time doubles each time; with `for_long` it has its maximum at once. */
-void td_islands_leave(struct thud_world *w, const td_island *island, int steps, bool for_long);
+void td_islands_begin_cooldown(struct thud_world *w, const td_island *island, int steps,
+                               bool for_long);
 /* The cost of a factorisation of the island, with what comes before and after it, in operations on
  * 3 x 3 blocks: the unit of thud_quality.island_work. */
 int64_t td_island_cost(const td_island *island);

@@ -8,13 +8,13 @@
 #include <limits.h>
 #include <string.h>
 
-bool td_islands_room(thud_world *w, td_array *array, int count) {
+bool td_islands_reserve(thud_world *w, td_array *array, int count) {
     return td_array_reserve(&w->memory, array, td_max_int(count, 64));
 }
 
 td_awake_slot td_island_neighbour(const thud_world *w, const td_constraint *constraint, int side) {
     const td_body *other = td_body_at(w, constraint->body[1 - side]);
-    bool moves = other->kind == THUD_DYNAMIC && other->awake.at > 0;
+    bool moves = other->kind == THUD_BODY_DYNAMIC && other->awake.at > 0;
     return moves ? other->awake : (td_awake_slot){0};
 }
 
@@ -37,7 +37,7 @@ void td_island_list_ties(thud_world *w, const td_island *island) {
  * when memory is short. */
 static bool list_topology(thud_world *w) {
     td_islands *s = &w->islands;
-    if (!td_islands_room(w, &s->topology, 2 * (s->island.count + s->constraints.count))) {
+    if (!td_islands_reserve(w, &s->topology, 2 * (s->island.count + s->constraints.count))) {
         return false;
     }
     s->topology.count = 0;
@@ -74,7 +74,7 @@ bool td_island_order(thud_world *w, const td_island *island, const int *ties, in
  * False when memory is short. */
 static bool order_all(thud_world *w) {
     td_islands *s = &w->islands;
-    if (!list_topology(w) || !td_islands_room(w, &s->systems, s->island.count)) {
+    if (!list_topology(w) || !td_islands_reserve(w, &s->systems, s->island.count)) {
         return false;
     }
     if (is_same_topology(s)) {
@@ -88,10 +88,10 @@ static bool order_all(thud_world *w) {
         if (!td_island_order(w, island, topology + 2, INT_MAX)) {
             return false;
         }
-        *TD_AT(td_system, &s->systems, i) = s->matrix.now;
+        *TD_AT(td_system, &s->systems, i) = s->matrix.current;
         topology += 2 + 2 * island->constraints;
     }
-    if (!td_islands_room(w, &s->topology_before, s->topology.count)) {
+    if (!td_islands_reserve(w, &s->topology_before, s->topology.count)) {
         return false;
     }
     memcpy(s->topology_before.data, s->topology.data, (size_t)s->topology.count * sizeof(int));
@@ -107,10 +107,10 @@ bool td_islands_order(thud_world *w) {
     for (int i = 0; i < s->island.count; i++) {
         td_island *island = TD_AT(td_island, &s->island, i);
         island->system = *TD_AT(td_system, &s->systems, i);
-        if (!td_islands_room(w, &s->rows, island->constraints) ||
-            !td_islands_room(w, &s->bodies, island->bodies) ||
-            !td_islands_room(w, &s->step, island->bodies) ||
-            !td_islands_room(w, &s->work, island->bodies)) {
+        if (!td_islands_reserve(w, &s->rows, island->constraints) ||
+            !td_islands_reserve(w, &s->bodies, island->bodies) ||
+            !td_islands_reserve(w, &s->step, island->bodies) ||
+            !td_islands_reserve(w, &s->work, island->bodies)) {
             return false;
         }
     }

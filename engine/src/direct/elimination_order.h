@@ -7,7 +7,7 @@
 
 /* Reserves at least 64 elements, so that arrays of small islands do not grow step by step. False
  * when memory is short. */
-bool td_islands_room(thud_world *w, td_array *array, int count);
+bool td_islands_reserve(thud_world *w, td_array *array, int count);
 
 /* A body's number in its island, from 1. Zero and negative values say why it has none:
  * direct_islands.h. */

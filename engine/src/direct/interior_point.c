@@ -26,7 +26,7 @@
 #define BOUNDARY_SHARE 0.98
 /* The iteration ends where the square root of the mean product per mass, a speed, is below this
  * share of the tolerance. Chosen. */
-#define GAP_SHARE 0.1
+#define DUALITY_GAP_SHARE 0.1
 
 /* The penalty weight of an equality, in effective masses. It bounds what the row misses per
  * iteration by 1e-9 of what it would without; rounding (2^-53) leaves seven digits of the masses.
@@ -46,9 +46,9 @@ static bool is_unbound(const td_direct_row *r) {
            (r->kind == TD_ROW_SOFT && !(r->max_impulse < __builtin_inf()));
 }
 
-/* 1 / weight of a soft row, whose weight is in `base` while the interior point runs. */
+/* 1 / weight of a soft row, whose weight is in `soft_weight` while the interior point runs. */
 static double compliance(const td_direct_row *r) {
-    return r->kind == TD_ROW_SOFT ? 1.0 / r->base : 0.0;
+    return r->kind == TD_ROW_SOFT ? 1.0 / r->soft_weight : 0.0;
 }
 
 /* J v - target of a friction row, and J v - target + y / weight of a spring: the difference of
@@ -98,7 +98,7 @@ static void start(td_direct *d) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &c->row[k];
             double over = r->speed - r->target_speed;
-            r->base = r->weight;
+            r->soft_weight = r->weight;
             if (is_unbound(r)) {
                 r->slack[0] = r->slack[1] = r->direction[1] = r->direction[2] = r->impulse = 0.0;
             } else if (r->kind == TD_ROW_UNILATERAL) {
@@ -149,7 +149,7 @@ static void linearise_row(td_direct_row *r, double aim, double second_order) {
     double over = r->speed - r->target_speed;
     if (is_unbound(r)) {
         bool soft = r->kind == TD_ROW_SOFT;
-        r->weight = soft ? r->base : STIFFNESS * r->mass;
+        r->weight = soft ? r->soft_weight : STIFFNESS * r->mass;
         r->force = (soft ? 0.0 : r->impulse) - r->weight * over;
         return;
     }
@@ -274,7 +274,7 @@ static void round_to_active_set(td_direct_row *r, double unused, double also_unu
 
 /* The iteration. False where a factorisation fails, or budgets run out. */
 static bool iterate(td_direct *d, double tolerance) {
-    double gap_enough = GAP_SHARE * tolerance * GAP_SHARE * tolerance;
+    double gap_enough = DUALITY_GAP_SHARE * tolerance * DUALITY_GAP_SHARE * tolerance;
     start(d);
     for (int n = 0; n < ITERATIONS_MAX && d->factorings < d->factoring_budget; n++) {
         for_rows(d, linearise_row, 0.0, 0.0);
@@ -302,12 +302,12 @@ static bool iterate(td_direct *d, double tolerance) {
     return false;
 }
 
-bool td_direct_interior(td_direct *d, double tolerance) {
+bool td_direct_solve_interior_point(td_direct *d, double tolerance) {
     bool done = iterate(d, tolerance);
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->constraints[i].row[k];
-            r->weight = r->kind == TD_ROW_SOFT ? r->base : r->weight;
+            r->weight = r->kind == TD_ROW_SOFT ? r->soft_weight : r->weight;
         }
     }
     return done;

@@ -9,25 +9,27 @@
 
 #include <string.h>
 
-enum { FACTORINGS_MAX = 200 }; /* of an island in a step, whatever the quality allows. Chosen. */
+/* Factorisations of an island in a step, whatever the quality allows. Chosen. */
+enum { ISLAND_FACTORINGS_MAX = 200 };
 
 /* Greatest rotation, rad, for which lever arms of the start of the step are good enough. Chosen;
  * their error is 1 - cos 0.4, 8 %. */
-#define TURN_MAX 0.4
+#define PART_TURN_MAX 0.4
 
 /* Lanes whose impulses are the direct solver's begin without a warm start in the soft solver: it
  * cannot take back such an impulse within a step where a light body is between heavy ones. */
 void td_island_store_start(thud_world *w) {
     td_islands *s = &w->islands;
     for (int i = 0; i < s->slots.count; i++) {
-        memcpy(td_at(&s->before, i), td_row(&w->velocity, td_slot_in(&s->slots, i)),
+        memcpy(td_at(&s->island_start_velocity, i), td_row(&w->velocity, td_slot_in(&s->slots, i)),
                sizeof(float[4]));
     }
     for (int i = 0; i < s->constraints.count; i++) {
         const td_constraint *constraint = td_constraint_at(w, td_int_at(&s->constraints, i));
         td_lane at = td_lane_of(w, constraint);
-        float kept = at.block->mark[at.lane].loaded & TD_DIRECT ? 0.0f : 1.0f;
-        td_island_store_impulses(w, i, kept);
+        bool from_soft = !(at.block->mark[at.lane].loaded & TD_DIRECT);
+        float kept = from_soft ? 1.0f : 0.0f;
+        td_island_store_impulses(w, i, from_soft);
         for (int k = 0; k < td_island_points(w, constraint); k++) {
             at.block->point[k].normal_impulse[at.lane] *= kept;
         }
@@ -36,7 +38,7 @@ void td_island_store_start(thud_world *w) {
     }
 }
 
-void td_island_store_impulses(thud_world *w, int i, float soft) {
+void td_island_store_impulses(thud_world *w, int i, bool from_soft) {
     const td_constraint *constraint = td_constraint_at(w, td_int_at(&w->islands.constraints, i));
     td_lane at = td_lane_of(w, constraint);
     float *impulses = td_at(&w->islands.impulses, i), steps = (float)w->substeps;
@@ -44,7 +46,7 @@ void td_island_store_impulses(thud_world *w, int i, float soft) {
         impulses[k] = steps * at.block->point[k].normal_impulse[at.lane];
     }
     impulses[TD_DIRECT_TANGENT] = steps * at.block->tangent_impulse[at.lane];
-    impulses[TD_DIRECT_ROWS] = soft;
+    impulses[TD_DIRECT_ROWS] = from_soft ? 1.0f : 0.0f;
 }
 
 /* ---- the problem ---- */
@@ -54,8 +56,8 @@ static void take_body(td_island_work *work, int i) {
     thud_world *w = work->w;
     td_awake_slot slot = work->slots[i];
     const td_body *body = td_body_at(w, td_body_of(w, slot));
-    const float *before = td_at(&w->islands.before, work->island->first_body + i);
-    const float *push = td_row(&w->push, slot);
+    const float *before = td_at(&w->islands.island_start_velocity, work->island->first_body + i);
+    const float *substep_gain = td_row(&w->substep_gain, slot);
     double h = work->time / w->substeps;
     double linear = 1.0 / (1.0 + h * (double)body->linear_damping);
     double angular = 1.0 / (1.0 + h * (double)body->angular_damping);
@@ -65,7 +67,7 @@ static void take_body(td_island_work *work, int i) {
     for (int k = 0; k < 3; k++) {
         double after = b->velocity[k] = b->before[k] = (double)before[k];
         for (int n = 0; n < w->substeps; n++) {
-            after = after * (k < 2 ? linear : angular) + (double)push[k];
+            after = after * (k < 2 ? linear : angular) + (double)substep_gain[k];
         }
         b->free[k] = 0.5 * (b->before[k] + after);
     }
@@ -78,7 +80,7 @@ static int side_of(const td_island_work *work, uint32_t record, double known[3])
     const thud_world *w = work->w;
     td_awake_slot slot = td_slot_of_side(record);
     const float *v = td_row(&w->velocity, slot), *delta = td_row(&w->delta, slot);
-    bool moves = v[3] > 0.0f;
+    bool moves = td_inv_mass_of(w, slot) > 0.0f;
     for (int k = 0; k < 3; k++) {
         known[k] = moves ? (double)delta[k] / work->time : (double)v[k];
     }
@@ -129,12 +131,12 @@ static void take_constraint(td_island_work *work, int i) {
 int td_island_factoring_budget(const thud_world *w, const td_island *island) {
     int64_t work = w->quality.island_work / w->quality.substeps * w->substeps;
     int64_t left = (work - w->stats.island_work) / td_island_cost(island);
-    return left < 0 ? 0 : left < FACTORINGS_MAX ? (int)left : FACTORINGS_MAX;
+    return left < 0 ? 0 : left < ISLAND_FACTORINGS_MAX ? (int)left : ISLAND_FACTORINGS_MAX;
 }
 
 static td_direct problem_of(thud_world *w, const td_island *island) {
     td_islands *s = &w->islands;
-    s->matrix.now = island->system;
+    s->matrix.current = island->system;
     double x = (double)w->def.gravity.x, y = (double)w->def.gravity.y;
     return (td_direct){.bodies = s->bodies.data,
                        .constraints = s->rows.data,
@@ -159,7 +161,7 @@ td_island_work td_island_set_up(thud_world *w, const td_island *island) {
                            .time = w->def.time_step,
                            .elapsed = w->def.time_step,
                            .next = w->def.time_step,
-                           .turn_max = TURN_MAX};
+                           .turn_max = PART_TURN_MAX};
     for (int i = 0; i < island->bodies; i++) {
         take_body(&work, i);
     }
@@ -171,6 +173,7 @@ td_island_work td_island_set_up(thud_world *w, const td_island *island) {
     }
     /* At qualities that solve every island directly, impulses are the direct solver's from the
      * first contact on. */
-    work.problem.fresh = w->quality.sag_limit > 0.0f && 2 * soft > island->constraints;
+    work.problem.soft_warm_start =
+        w->quality.overlap_limit > 0.0f && 2 * soft > island->constraints;
     return work;
 }

@@ -7,7 +7,7 @@
  * 2. The velocity at the end of the step, which starts from 2 v - v_before. Its target speeds leave
  *    out the correction of overlaps, so that correction adds no velocity. Where no contact corrects
  *    an overlap or closes a gap, the extrapolated velocity solves it already, and no further
- *    factorisation is needed (td_direct_again).
+ *    factorisation is needed (td_direct_solve_same_active_set).
  * Islands with joints take island_step_joints.c in place of the two.
  *
  * The result is checked. It is refused, so that the soft solver's result stands, where it moves or
@@ -27,9 +27,9 @@
  * warm takes one or two, an interior point ten to twenty. Chosen. */
 #define EASY_FACTORINGS_MAX 8
 /* An island that is nearly at rest may be slow for so many times as many steps in succession as
- * thud_quality.island_patience allows: bodies that are still being pushed apart need the time, and
- * then rest. Chosen. */
-#define CALM_PATIENCE_FACTOR 20
+ * thud_quality.island_slow_steps allows: bodies that are still being pushed apart need the time,
+ * and then rest. Chosen. */
+#define CALM_SLOW_STEPS_FACTOR 20
 /* A result is refused where a body's motion is longer than SPEED_RATIO_MAX times the greatest speed
  * without constraints times h, corrections of overlaps included (moves_too_far). Chosen; not tuned.
  * Levers may multiply a speed; a body that escapes from a wedge exceeds any factor. */
@@ -45,11 +45,12 @@
 
 /* ---- the result ---- */
 
-/* Clamps each number of a velocity to the world's maximum speed, and its turn to THUD_SPIN_MAX. */
+/* Clamps each number of a velocity to the world's maximum speed, and its turn to
+ * THUD_ANGULAR_SPEED_MAX. */
 static void clamp_velocity(const thud_world *w, double velocity[3]) {
     double speed_max = (double)(w->def.maximum_speed * w->unit);
     for (int k = 0; k < 3; k++) {
-        double max = k < 2 ? speed_max : (double)THUD_SPIN_MAX;
+        double max = k < 2 ? speed_max : (double)THUD_ANGULAR_SPEED_MAX;
         velocity[k] = velocity[k] > max ? max : velocity[k] < -max ? -max : velocity[k];
     }
 }
@@ -90,7 +91,7 @@ static double soft_speed(const td_island_work *work, const td_direct_constraint 
 static double approach_max(const td_island_work *work, td_lane at, int k) {
     int points =
         td_island_points(work->w, td_constraint_at(work->w, at.block->constraint[at.lane]));
-    double closing = -(double)td_history_of(at.block, points)[k].approach[at.lane];
+    double closing = -(double)td_history_of(at.block, points)[k].normal_velocity[at.lane];
     return td_max_double(closing, 0.0) + work->problem.unit_speed;
 }
 
@@ -103,7 +104,8 @@ static void set_end_targets(td_island_work *work, int i) {
     for (int k = 0; k < TD_DIRECT_ROWS; k++) {
         td_direct_row *r = &c->row[k];
         if (r->used && r->kind == TD_ROW_UNILATERAL) {
-            double gap = td_island_gap(work, c, k, (double)at.block->point[k].base[at.lane]);
+            double gap =
+                td_island_gap(work, c, k, (double)at.block->point[k].start_separation[at.lane]);
             r->target_speed = gap > 0.0 ? -gap / work->next : 0.0;
             if (gap > 0.0 && at.block->restitution[at.lane] > 0.0f) {
                 r->target_speed -= approach_max(work, at, k);
@@ -233,8 +235,9 @@ static double solve_contacts(td_island_work *work, double tolerance) {
     td_island_add_motion(work);
     if (td_finite(residual)) {
         td_island_extrapolate(work);
-        double end_residual =
-            td_direct_again(d, tolerance) ? td_direct_residual(d) : td_direct_solve(d, tolerance);
+        double end_residual = td_direct_solve_same_active_set(d, tolerance)
+                                  ? td_direct_residual(d)
+                                  : td_direct_solve(d, tolerance);
         residual = td_max_double(residual, end_residual);
     }
     return residual;
@@ -277,7 +280,8 @@ static void write_constraint(const td_island_work *work, int i) {
             td_point *p = &at.block->point[k];
             float impulse = (float)c->row[k].impulse;
             p->normal_impulse[at.lane] = per_substep * impulse;
-            p->separation[at.lane] = (float)td_island_gap(work, c, k, (double)p->base[at.lane]);
+            p->separation[at.lane] =
+                (float)td_island_gap(work, c, k, (double)p->start_separation[at.lane]);
             td_history_of(at.block, points)[k].total[at.lane] = impulse;
         }
     }
@@ -317,12 +321,12 @@ static bool is_calm(const td_island_work *work) {
 }
 
 /* Counts the slow steps of the island in succession, at its bodies (slow_steps), and returns
- * whether there were more than the quality's patience allows, which is CALM_PATIENCE_FACTOR times
+ * whether there were more than the quality allows, which is CALM_SLOW_STEPS_FACTOR times
  * as many for an island nearly at rest. An island that needs many factorisations in each step is in
- * motion, and would need them for long. Quality.island_patience 0: any number is allowed. */
+ * motion, and would need them for long. Quality.island_slow_steps 0: any number is allowed. */
 static bool is_slow(const td_island_work *work) {
-    int patience = work->w->quality.island_patience * (is_calm(work) ? CALM_PATIENCE_FACTOR : 1);
-    bool easy = work->problem.factorings <= EASY_FACTORINGS_MAX || patience == 0;
+    int allowed = work->w->quality.island_slow_steps * (is_calm(work) ? CALM_SLOW_STEPS_FACTOR : 1);
+    bool easy = work->problem.factorings <= EASY_FACTORINGS_MAX || allowed == 0;
     int steps_max = 0;
     for (int i = 0; i < work->island->bodies; i++) {
         uint16_t *slow_steps = td_slow_steps_at(work->w, work->slots[i]);
@@ -330,7 +334,7 @@ static bool is_slow(const td_island_work *work) {
         *slow_steps = easy ? 0 : steps < TD_SLOW_STEPS ? *slow_steps + 1 : *slow_steps;
         steps_max = easy ? 0 : td_max_int(steps_max, steps + 1);
     }
-    return patience > 0 && steps_max > td_min_int(patience, TD_SLOW_STEPS);
+    return allowed > 0 && steps_max > td_min_int(allowed, TD_SLOW_STEPS);
 }
 
 /* An island with joints is jammed when its result was refused in so many steps in succession:
@@ -338,9 +342,9 @@ static bool is_slow(const td_island_work *work) {
  * ragdolls in a pit took 2983 ms in 300 steps instead of 1164, at exact. */
 enum { JAMMED_STEPS = 8 };
 
-/* Counts a step without a usable result, at qualities whose patience is 0, so that is_slow counts
- * none. Returns whether the island is jammed: after JAMMED_STEPS of them in succession, and after
- * one where the island has had a cooldown and was not solved since. */
+/* Counts a step without a usable result, at qualities whose island_slow_steps is 0, so that is_slow
+ * counts none. Returns whether the island is jammed: after JAMMED_STEPS of them in succession, and
+ * after one where the island has had a cooldown and was not solved since. */
 static bool is_jammed(const td_island_work *work) {
     bool jammed = false;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -380,17 +384,18 @@ static void write_result(const td_island_work *work) {
 
 /* Islands with joints of up to so many bodies have the short cooldown TD_PAUSE_STEPS, and are
  * solved directly in each step even if they are slow: under the soft solver their joints would
- * open. Chosen; the same as TD_LATE_BODIES_MAX. */
+ * open. Chosen; the same as TD_RESOLVE_BODIES_MAX. */
 enum { SMALL_ISLAND_BODIES_MAX = 128 };
 
-/* Begins the cooldown of an island whose result was refused, at qualities that have a patience;
+/* Begins the cooldown of an island whose result was refused, at qualities with island_slow_steps;
  * with `always`, at any quality. An island for which EASY_FACTORINGS_MAX factorisations cost more
  * than the quality's island_work has the longest cooldown at once. `joints`: the cooldown is short.
  */
 static void begin_cooldown(thud_world *w, const td_island *island, bool joints, bool always) {
-    if (w->quality.island_patience > 0 || always) {
+    if (w->quality.island_slow_steps > 0 || always) {
         bool dear = EASY_FACTORINGS_MAX * td_island_cost(island) > w->quality.island_work;
-        td_islands_leave(w, island, joints ? TD_PAUSE_STEPS : TD_COOLDOWN_STEPS, !joints && dear);
+        td_islands_begin_cooldown(w, island, joints ? TD_PAUSE_STEPS : TD_COOLDOWN_STEPS,
+                                  !joints && dear);
     }
 }
 
@@ -407,7 +412,7 @@ bool td_island_solve(thud_world *w, const td_island *island) {
             return true;
         }
         bool jammed =
-            w->quality.island_patience == 0 && work.joints > 0 && !bounces && is_jammed(&work);
+            w->quality.island_slow_steps == 0 && work.joints > 0 && !bounces && is_jammed(&work);
         joints |= jammed;
         always = work.problem.spent || jammed;
     }
@@ -419,7 +424,7 @@ bool td_island_solve(thud_world *w, const td_island *island) {
 }
 
 void td_islands_begin(thud_world *w) {
-    td_islands_settle(w);
+    td_islands_count_down(w);
     td_island_store_start(w);
 }
 
@@ -429,9 +434,9 @@ static void end(thud_world *w) {
     for (int i = 0; i < w->islands.island.count; i++) {
         td_island_solve(w, TD_AT(td_island, &w->islands.island, i));
     }
-    td_islands_watch(w);
+    td_islands_mark_loaded(w);
     if (w->stats.direct_islands > w->stats.soft_islands) {
-        td_error_recount(w);
+        td_errors_recount(w);
     }
 }
 

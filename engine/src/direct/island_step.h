@@ -27,8 +27,8 @@ typedef struct td_island_work {
  * changes them. */
 void td_island_store_start(thud_world *w);
 /* Stores the warm-start impulses of constraint i in td_islands.impulses, summed over a whole step;
- * `soft`: 1 where they are the soft solver's, 0 where they are the direct solver's. */
-void td_island_store_impulses(thud_world *w, int i, float soft);
+ * `from_soft`: they are the soft solver's, not the direct solver's. */
+void td_island_store_impulses(thud_world *w, int i, bool from_soft);
 /* The number of factorisations that are left for the island in this step. */
 int td_island_factoring_budget(const thud_world *w, const td_island *island);
 /* The problem of direct.h for the island, from the stored velocities and impulses. */

@@ -5,7 +5,7 @@
  * velocity v of each body, so that its motion is h v and its velocity at the end 2 v - v_before, as
  * in the implicit midpoint rule. Joint rows change as bodies turn. Their Jacobian is a discrete
  * gradient: J(h v) (h v) = q(after) - q(before) exactly, for the joint's coordinate q (Gonzalez,
- * "Time integration and discrete Hamiltonian systems", 1996; td_turn_rows_fn computes it). Then
+ * "Time integration and discrete Hamiltonian systems", 1996; td_update_rows_fn computes it). Then
  * impulses J' l of locked rows do no work, and gaps are closed at the end of the part instead of in
  * its tangent direction.
  *
@@ -84,7 +84,7 @@ static void update_joint_rows(td_island_work *work, double start, bool ended) {
             span.a[1][k] = span.a[0][k];
             span.b[1][k] = span.b[0][k];
         }
-        work->w->kinds[kind]->lanes->turn_rows(work->w, at.block, at.lane, &span, c);
+        work->w->kinds[kind]->lanes->update_rows(work->w, at.block, at.lane, &span, c);
         clear_arms(&work->problem, c);
     }
     td_direct_update_speeds(&work->problem);
@@ -130,7 +130,7 @@ static void remove_geometric_stiffness(td_island_work *work) {
 
 /* Newton's residual, in tolerances. */
 static double newton_residual(const td_island_work *work) {
-    bool everywhere = work->w->quality.sag_limit == 0.0f;
+    bool everywhere = work->w->quality.overlap_limit == 0.0f;
     return !td_island_is_joints(work) ? 1.0 : everywhere ? RESIDUAL_EXACT : RESIDUAL_OTHER;
 }
 
@@ -139,7 +139,7 @@ static bool velocities_are_valid(const td_island_work *work) {
     bool all = true;
     for (int i = 0; i < work->island->bodies; i++) {
         const double *v = work->problem.bodies[i].velocity;
-        all &= td_finite(v[0]) && td_finite(v[1]) && td_abs(v[2]) <= (double)THUD_SPIN_MAX;
+        all &= td_finite(v[0]) && td_finite(v[1]) && td_abs(v[2]) <= (double)THUD_ANGULAR_SPEED_MAX;
     }
     return all;
 }
@@ -160,7 +160,7 @@ static double solve_mean_velocity(td_island_work *work, double start, double tol
         if (!td_finite(missing)) {
             return missing;
         }
-        d->fresh = false; /* the next iteration starts from this one's active set */
+        d->soft_warm_start = false; /* the next iteration starts from this one's active set */
     }
     if (!velocities_are_valid(work)) {
         return __builtin_inf();
@@ -315,7 +315,8 @@ static void set_contact_speeds(td_island_work *work) {
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
             td_direct_row *r = &c->row[k];
             if (r->used && td_is_contact(td_constraint_at(work->w, work->constraints[i]))) {
-                double gap = td_island_gap(work, c, k, (double)at.block->point[k].base[at.lane]);
+                double gap =
+                    td_island_gap(work, c, k, (double)at.block->point[k].start_separation[at.lane]);
                 r->target_speed = gap > 0.0 ? -gap / work->time : r->closing;
             }
         }

@@ -14,24 +14,26 @@
 static bool reserve_system(thud_world *w) {
     td_sparse *s = &w->islands.matrix;
     td_memory *memory = &w->memory;
-    td_system now = s->now;
-    bool room = td_sparse_reserve(memory, s, w->body_of.count + TD_LATE_BODIES_MAX) &&
-                td_sparse_begin(memory, s, TD_LATE_BODIES_MAX);
-    s->now = now;
-    return room && td_array_reserve(memory, &s->row, s->row.count + TD_LATE_ENTRIES_MAX) &&
-           td_array_reserve(memory, &s->entry, TD_LATE_ENTRIES_MAX);
+    td_system saved = s->current;
+    bool room = td_sparse_reserve(memory, s, w->body_of.count + TD_RESOLVE_BODIES_MAX) &&
+                td_sparse_begin(memory, s, TD_RESOLVE_BODIES_MAX);
+    s->current = saved;
+    return room && td_array_reserve(memory, &s->row, s->row.count + TD_RESOLVE_ENTRIES_MAX) &&
+           td_array_reserve(memory, &s->entry, TD_RESOLVE_ENTRIES_MAX);
 }
 
 /* thud_island_solver.find: lists the islands of 1., and reserves memory for one island of 2. and 3.
  * False when memory is short. */
 static bool find(thud_world *w) {
     td_islands *s = &w->islands;
-    return td_islands_find(w) && td_array_reserve(&w->memory, &s->start, w->body_of.count) &&
-           td_islands_room(w, &s->topology, s->topology.count + 2 * TD_LATE_CONSTRAINTS_MAX) &&
-           td_islands_room(w, &s->rows, TD_LATE_CONSTRAINTS_MAX) &&
-           td_islands_room(w, &s->bodies, TD_LATE_BODIES_MAX) &&
-           td_islands_room(w, &s->step, TD_LATE_BODIES_MAX) &&
-           td_islands_room(w, &s->work, TD_LATE_BODIES_MAX) && reserve_system(w);
+    return td_islands_find(w) &&
+           td_array_reserve(&w->memory, &s->start_velocity, w->body_of.count) &&
+           td_islands_reserve(w, &s->topology,
+                              s->topology.count + 2 * TD_RESOLVE_CONSTRAINTS_MAX) &&
+           td_islands_reserve(w, &s->rows, TD_RESOLVE_CONSTRAINTS_MAX) &&
+           td_islands_reserve(w, &s->bodies, TD_RESOLVE_BODIES_MAX) &&
+           td_islands_reserve(w, &s->step, TD_RESOLVE_BODIES_MAX) &&
+           td_islands_reserve(w, &s->work, TD_RESOLVE_BODIES_MAX) && reserve_system(w);
 }
 
 /* Budget of work (td_direct.effort) of islands with joints in a step, whatever the quality allows,
@@ -48,29 +50,30 @@ enum { EFFORT_OF_BODY = 4000, EFFORT_BODIES_MIN = 1000 };
 static void begin(thud_world *w) {
     td_islands_begin(w);
     w->islands.effort = (int64_t)EFFORT_OF_BODY * td_max_int(w->body_of.count, EFFORT_BODIES_MIN);
-    memcpy(w->islands.start.data, w->velocity.data, (size_t)w->body_of.count * sizeof(float[4]));
-    w->islands.adds_up = w->islands.island.count || td_joint_subsystems_possible(w);
+    memcpy(w->islands.start_velocity.data, w->velocity.data,
+           (size_t)w->body_of.count * sizeof(float[4]));
+    w->islands.adds_up = w->islands.island.count || td_joint_subsystems_expected(w);
 }
 
 /* ---- after it ---- */
 
 /* Solves the islands of 1. An island may spend EFFORT_OF_BODY for each body of its own, and what
- * the islands before it have not spent: `kept` is the share of the islands after it. Without it, a
- * heap that spent the whole budget sent all islands after it to the soft solver. Returns the last
- * system, behind which further ones are put. */
+ * the islands before it have not spent: `reserved` is the share of the islands after it. Without
+ * it, a heap that spent the whole budget sent all islands after it to the soft solver. Returns the
+ * last system, behind which further ones are put. */
 static td_system solve_found(thud_world *w) {
     td_islands *s = &w->islands;
     td_system last = {0};
-    int64_t kept = 0;
+    int64_t reserved = 0;
     for (int i = 0; i < s->island.count; i++) {
-        kept += (int64_t)EFFORT_OF_BODY * TD_AT(td_island, &s->island, i)->bodies;
+        reserved += (int64_t)EFFORT_OF_BODY * TD_AT(td_island, &s->island, i)->bodies;
     }
     for (int i = 0; i < s->island.count; i++) {
         const td_island *island = TD_AT(td_island, &s->island, i);
-        kept -= (int64_t)EFFORT_OF_BODY * island->bodies;
-        s->effort -= kept;
+        reserved -= (int64_t)EFFORT_OF_BODY * island->bodies;
+        s->effort -= reserved;
         td_joint_island_solve(w, island);
-        s->effort += kept;
+        s->effort += reserved;
         last = island->system;
     }
     return last;
@@ -80,15 +83,15 @@ static td_system solve_found(thud_world *w) {
 static void end(thud_world *w) {
     td_islands *s = &w->islands;
     td_system last = solve_found(w);
-    if (td_islands_watch(w)) {
-        td_yielding_islands_solve(w, last);
+    if (td_islands_mark_loaded(w)) {
+        td_overloaded_islands_solve(w, last);
     }
     if (s->adds_up) {
         td_joint_subsystems_solve(w, last);
         s->adds_up = false;
     }
     if (w->stats.direct_islands > w->stats.soft_islands) {
-        td_error_recount(w);
+        td_errors_recount(w);
     }
 }
 

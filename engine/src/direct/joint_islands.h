@@ -1,45 +1,58 @@
 /* joint_islands.h: the island solver of a world with joints.
  *
- * After the soft solver it solves, in this order,
- *   1. the islands that were found before the step (direct/direct_islands.c),
- *   2. islands in which a joint has yielded under the soft solver in this step (yielding_joints.c),
- *   3. the joints of islands that are left to the soft solver, without their contacts
- * (joint_subsystems.c).
- */
+ * After the soft solver it solves directly (sparse.h), in this order,
+ *   1. the islands that td_islands_find listed before it (direct_islands.c);
+ *   2. islands with a joint whose load in this step exceeded the threshold of td_islands_load_max,
+ *      or whose gap exceeded max_error: it is overloaded (overloaded_joints.c);
+ *   3. of islands that are left to the soft solver, the linkages (bodies that joints connect) whose
+ *      joints are overloaded; their contacts act by the impulses that the soft solver found
+ *      (joint_subsystems.c).
+ * The soft solver's result stays in the world until a direct result is accepted, so that nothing
+ * has to be put back where one is refused. */
 #ifndef TD_JOINT_ISLANDS_H
 #define TD_JOINT_ISLANDS_H
 
 #include "direct/island_step.h"
 
-/* Replaces thud_islands_direct from the first joint of a world on. */
+/* The island solver of a world from its first joint on, in place of thud_islands_direct. */
 extern const thud_island_solver td_islands_of_joints;
 
-/* Sizes up to which islands of 2. and 3. are solved. Memory for one of this size is reserved before
- * the step moves any body, since a step cannot fail later. Larger ones are found before the next
- * step, or stay soft. Chosen. */
+/* Sizes up to which an island of 2. or a linkage of 3. is solved in the same step. Memory for one
+ * of this size is reserved before the soft solver, since the step must not fail after it; 100 KB of
+ * it are for the factor. A larger island of 2. is solved in the next step, as one of 1.; a larger
+ * linkage of 3. stays soft. Chosen; not tuned. */
 enum {
-    TD_LATE_BODIES_MAX = 128,
-    TD_LATE_CONSTRAINTS_MAX = 512,
-    TD_LATE_ENTRIES_MAX = 8 * TD_LATE_BODIES_MAX /* blocks of the factor below its diagonal */
+    TD_RESOLVE_BODIES_MAX = 128,
+    TD_RESOLVE_CONSTRAINTS_MAX = 512, /* contacts and parts of joints, not rows */
+    /* 3 x 3 blocks of the factor below its diagonal, with fill-in: 8 for each body. */
+    TD_RESOLVE_ENTRIES_MAX = 8 * TD_RESOLVE_BODIES_MAX
 };
 
-/* Takes the island back to the velocities at the start of the step, with the soft solver's impulses
- * as the warm start, and finds its elimination order as a further system. False where it is too
- * large. */
+/* Prepares an island of 2. or 3.: takes the velocities at the start of the step as those before it
+ * (td_islands.island_start_velocity), and the soft solver's impulses as the warm start, and adds a
+ * system with the island's elimination order to td_islands.matrix, behind the present one.
+ * Velocities and impulses of the world do not change. False where a size above is exceeded. */
 bool td_joint_island_begin(thud_world *w, td_island *island);
 
-/* Solves it; where that fails, sets td_islands.local of its bodies to TD_ISLAND_SOFT. */
+/* Solves an island of 1., or one that td_joint_island_begin has prepared (td_island_solve), and
+ * writes the result to the world. Where that is refused, as without convergence, above the budget
+ * or where a contact bounces, the soft solver's result stands, and td_islands.local of the bodies
+ * becomes TD_ISLAND_REFUSED. */
 void td_joint_island_solve(thud_world *w, const td_island *island);
-/* The value of td_islands.local of a body whose island was tried in this step without success, so
- * that the soft solver's result stands. */
-enum { TD_ISLAND_SOFT = -4 };
+/* The value of td_islands.local of a body whose island was tried in this step without success;
+ * direct_islands.c has -1 to -3, joint_subsystems.c -5. */
+enum { TD_ISLAND_REFUSED = -4 };
 
-/* yielding_joints.c: 2. above. `last` is the last system of the islands of 1. */
-void td_yielding_islands_solve(thud_world *w, td_system last);
-/* joint_subsystems.c: 3. above. It uses the lists of td_islands for its own, and leaves them
- * invalid. */
+/* overloaded_joints.c: 2. above. `last` is the last system of the islands of 1.: further ones are
+ * put behind it, and are gone when the function returns. */
+void td_overloaded_islands_solve(thud_world *w, td_system last);
+/* joint_subsystems.c: 3. above. `last` as above. It writes its linkages over the lists of
+ * td_islands (slots, constraints), which are then invalid until the islands of the next step are
+ * found. */
 void td_joint_subsystems_solve(thud_world *w, td_system last);
-/* Whether 3. may be needed: some island has been left to the soft solver in the last steps. */
-bool td_joint_subsystems_possible(const thud_world *w);
+/* Whether 3. may be needed in this step: an awake body is in the cooldown of its island, or its
+ * island had a cooldown and was not solved directly since (direct_steps and slow_steps,
+ * direct_islands.h). */
+bool td_joint_subsystems_expected(const thud_world *w);
 
 #endif

@@ -1,12 +1,12 @@
 /* joint_subsystems.c: joints of islands that are left to the soft solver, because the whole island
  * is too dear for the quality, or because a contact of it bounces.
  *
- * A linkage is a set of bodies that joints connect. Where joints of a linkage yield, its bodies are
- * solved directly by themselves. Contacts act on them by the impulses that the soft solver found,
- * as known forces; and each contact is a unilateral row that keeps it from closing further than the
- * soft solver has it, beside other bodies that move as in the soft solver's result. So what lies on
- * a bridge does not sink through it as the bridge's joints close. Where joints and contacts cannot
- * both be satisfied, the soft solver's result stands.
+ * A linkage is a set of bodies that joints connect. Where joints of a linkage are overloaded, its
+ * bodies are solved directly by themselves. Contacts act on them by the impulses that the soft
+ * solver found, as known forces; and each contact is a unilateral row that keeps it from closing
+ * further than the soft solver has it, beside other bodies that move as in the soft solver's
+ * result. So what lies on a bridge does not sink through it as the bridge's joints close. Where
+ * joints and contacts cannot both be satisfied, the soft solver's result stands.
  *
  * This is for machines beside or on a heap. A linkage with more contacts than bodies is left alone:
  * there the contacts, whose impulses are taken as known, decide the motion. */
@@ -22,16 +22,16 @@ enum { LINKAGE_FACTORINGS = 32 };
 /* A linkage that has failed n times in succession is tried in one of 2^n steps, and in one of
  * 2^BACKOFF_MAX at least (32 steps). Chosen. */
 enum { BACKOFF_MAX = 5 };
-/* With more yielding joints than this in the world, none is solved: in a crowd it would cost much,
- * and improve little. Chosen. */
-enum { YIELDING_MAX = 64 };
-/* A linkage is solved if at least one in so many of its joints yields: the soft solver corrects a
- * few yielding joints by itself. Chosen. */
-enum { YIELDING_PART = 2 };
+/* With more overloaded joints than this in the world, none is solved: in a crowd it would cost
+ * much, and improve little. Chosen. */
+enum { OVERLOADED_MAX = 64 };
+/* A linkage is solved if at least one in so many of its joints is overloaded: the soft solver
+ * corrects a few overloaded joints by itself. Chosen. */
+enum { OVERLOADED_PART = 2 };
 /* The value of td_islands.local of bodies whose linkage is not fit to be solved. */
 enum { UNFIT = -5 };
 
-bool td_joint_subsystems_possible(const thud_world *w) {
+bool td_joint_subsystems_expected(const thud_world *w) {
     const uint8_t *direct_steps = w->direct_steps.data;
     const uint16_t *slow_steps = w->slow_steps.data;
     int any = 0;
@@ -68,11 +68,11 @@ static void note_outcome(thud_world *w, const td_island *linkage, bool solved) {
 static bool is_soft(const thud_world *w, td_awake_slot slot) {
     int local = *td_island_local_at(w, slot);
     bool left = *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN && local != UNFIT;
-    return td_row(&w->velocity, slot)[3] > 0.0f && local <= 0 && (left || local == TD_ISLAND_SOFT);
+    return td_inv_mass_of(w, slot) > 0.0f && local <= 0 && (left || local == TD_ISLAND_REFUSED);
 }
 
-/* Whether a joint yields by more than the quality allows. */
-static bool yields(const thud_world *w, const td_block *block, int lane, int kind) {
+/* Whether a load moves a joint by more than the quality allows. */
+static bool is_overloaded(const thud_world *w, const td_block *block, int lane, int kind) {
     td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
     float size = td_islands_size(w, a, b), off = 0.0f;
     float load = w->kinds[kind]->lanes->load(w, block, lane, size, &off);
@@ -80,16 +80,16 @@ static bool yields(const thud_world *w, const td_block *block, int lane, int kin
 }
 
 /* Adds the joints of a body and the bodies at their other ends. Counts its contacts with moving
- * bodies, and joints that yield. False where the linkage is too large, or reaches an unfit one. */
+ * bodies, and overloaded joints. False where the linkage is too large, or reaches an unfit one. */
 static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot, int *contacts,
-                          int *yielding) {
+                          int *overloaded) {
     td_body_index body = td_body_of(w, slot);
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
         if (constraint->state != TD_TOUCHING) {
             continue;
         }
-        td_awake_slot other = td_island_neighbour(w, constraint, e & 1);
+        td_awake_slot other = td_island_neighbour(w, constraint, td_edge_side(e));
         if (td_is_contact(constraint)) {
             *contacts += other.at > 0;
             continue;
@@ -100,30 +100,31 @@ static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot,
         if (other.at && *td_island_local_at(w, other) <= 0) {
             td_island_add(w, linkage, other);
         }
-        if (!other.at || !(e & 1)) {
+        if (!other.at || !td_edge_side(e)) {
             td_lane at = td_lane_of(w, constraint);
-            td_push_int(&w->islands.constraints, e / 2);
+            td_push_int(&w->islands.constraints, td_edge_constraint(e));
             linkage->constraints++;
-            *yielding += yields(w, at.block, at.lane, constraint->kind);
+            *overloaded += is_overloaded(w, at.block, at.lane, constraint->kind);
         }
     }
-    return linkage->bodies <= TD_LATE_BODIES_MAX && linkage->constraints <= TD_LATE_CONSTRAINTS_MAX;
+    return linkage->bodies <= TD_RESOLVE_BODIES_MAX &&
+           linkage->constraints <= TD_RESOLVE_CONSTRAINTS_MAX;
 }
 
 /* Collects the linkage of a body, breadth first. False, with its bodies marked as unfit, where it
- * is too large, has more contacts than bodies, or few of its joints yield. */
+ * is too large, has more contacts than bodies, or few of its joints are overloaded. */
 static bool collect(thud_world *w, td_awake_slot seed, td_island *linkage) {
     td_islands *s = &w->islands;
     bool whole = true;
-    int contacts = 0, yielding = 0;
+    int contacts = 0, overloaded = 0;
     s->slots.count = s->constraints.count = 0;
     *linkage = (td_island){0};
     td_island_add(w, linkage, seed);
     for (int i = 0; whole && i < s->slots.count; i++) {
-        whole = add_joints_of(w, linkage, td_slot_in(&s->slots, i), &contacts, &yielding);
+        whole = add_joints_of(w, linkage, td_slot_in(&s->slots, i), &contacts, &overloaded);
     }
-    whole =
-        whole && contacts <= linkage->bodies && YIELDING_PART * yielding >= linkage->constraints;
+    whole = whole && contacts <= linkage->bodies &&
+            OVERLOADED_PART * overloaded >= linkage->constraints;
     for (int i = 0; !whole && i < s->slots.count; i++) {
         *td_island_local_at(w, td_slot_in(&s->slots, i)) = UNFIT;
     }
@@ -165,14 +166,15 @@ static bool list_contacts(thud_world *w, td_island *linkage) {
     for (int i = 0; i < linkage->bodies; i++) {
         td_body_index body = td_body_of(w, td_slot_in(&w->islands.slots, i));
         for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-            const td_constraint *constraint = td_constraint_at(w, e / 2);
-            td_awake_slot other = td_island_neighbour(w, constraint, e & 1);
-            bool first = !(e & 1) || !other.at || td_island_number(w, linkage, other) == TD_NONE;
+            const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
+            td_awake_slot other = td_island_neighbour(w, constraint, td_edge_side(e));
+            bool first =
+                !td_edge_side(e) || !other.at || td_island_number(w, linkage, other) == TD_NONE;
             if (constraint->state == TD_TOUCHING && td_is_contact(constraint) && first) {
-                if (linkage->constraints == TD_LATE_CONSTRAINTS_MAX) {
+                if (linkage->constraints == TD_RESOLVE_CONSTRAINTS_MAX) {
                     return false;
                 }
-                td_push_int(&w->islands.constraints, e / 2);
+                td_push_int(&w->islands.constraints, td_edge_constraint(e));
                 linkage->constraints++;
             }
         }
@@ -191,7 +193,7 @@ static void set_contact_rows(td_island_work *work) {
         td_lane at = td_island_lane(work, i);
         c->from_soft = true;
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
-            double gap = (double)at.block->point[k].base[at.lane];
+            double gap = (double)at.block->point[k].start_separation[at.lane];
             c->row[k].impulse = 0.0;
             c->row[k].target_speed = gap > 0.0 ? -gap / work->time : 0.0;
         }
@@ -206,7 +208,7 @@ static void add_contacts(td_island_work *work) {
         td_awake_slot slot = work->slots[i];
         int e = td_body_at(w, td_body_of(w, slot))->first_constraint;
         for (; e != TD_NONE; e = td_next_edge(w, e)) {
-            const td_constraint *constraint = td_constraint_at(w, e / 2);
+            const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
             if (constraint->state == TD_TOUCHING && td_is_contact(constraint)) {
                 add_contact(&work->problem.bodies[i], slot, td_lane_of(w, constraint),
                             td_island_points(w, constraint));
@@ -230,7 +232,7 @@ static bool gains_energy(const td_island_work *work, double pushed) {
     for (int i = 0; i < work->island->bodies; i++) {
         const td_direct_body *b = &work->problem.bodies[i];
         const float *v = td_row(&work->w->velocity, work->slots[i]);
-        const float *start = td_row(&work->w->islands.start, work->slots[i]);
+        const float *start = td_row(&work->w->islands.start_velocity, work->slots[i]);
         before += energy_of(b, (double[]){(double)start[0], (double)start[1], (double)start[2]});
         soft += energy_of(b, (double[]){(double)v[0], (double)v[1], (double)v[2]});
         after += energy_of(b, b->velocity);
@@ -244,7 +246,7 @@ static bool gains_energy(const td_island_work *work, double pushed) {
 static void solve_one(thud_world *w, td_awake_slot seed) {
     td_island linkage;
     bool counted = *td_island_local_at(w, seed) ==
-                   TD_ISLAND_SOFT; /* it is in the statistics of failed islands */
+                   TD_ISLAND_REFUSED; /* it is in the statistics of failed islands */
     if (!collect(w, seed, &linkage) || !list_contacts(w, &linkage) ||
         !td_joint_island_begin(w, &linkage)) {
         return;
@@ -263,7 +265,7 @@ static void solve_one(thud_world *w, td_awake_slot seed) {
     }
 }
 
-/* Lists a body of each joint that yields. False where there are more than YIELDING_MAX. */
+/* Lists a body of each overloaded joint. False where there are more than OVERLOADED_MAX. */
 static bool list_seeds(thud_world *w, td_awake_slot *seeds, int *count) {
     *count = 0;
     for (int i = 0; i < w->scratch.blocks.count; i++) {
@@ -272,8 +274,8 @@ static bool list_seeds(thud_world *w, td_awake_slot *seeds, int *count) {
         for (int lane = 0; kind >= TD_PAIR_COUNT && lane < block->used; lane++) {
             td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
             td_awake_slot seed = is_soft(w, a) ? a : b;
-            if (is_soft(w, seed) && yields(w, block, lane, kind)) {
-                if (*count == YIELDING_MAX) {
+            if (is_soft(w, seed) && is_overloaded(w, block, lane, kind)) {
+                if (*count == OVERLOADED_MAX) {
                     return false;
                 }
                 seeds[(*count)++] = seed;
@@ -286,11 +288,11 @@ static bool list_seeds(thud_world *w, td_awake_slot *seeds, int *count) {
 void td_joint_subsystems_solve(thud_world *w, td_system last) {
     td_islands *s = &w->islands;
     int rows = s->matrix.row.count, count = 0;
-    td_awake_slot seeds[YIELDING_MAX];
+    td_awake_slot seeds[OVERLOADED_MAX];
     bool few = list_seeds(w, seeds, &count);
     for (int i = 0; few && i < count; i++) {
         if (is_soft(w, seeds[i]) && !backs_off(w, seeds[i])) {
-            s->matrix.now = last;
+            s->matrix.current = last;
             solve_one(w, seeds[i]);
             s->matrix.row.count = rows;
         }

@@ -123,7 +123,7 @@ static bool take_effort(td_direct *d, int64_t blocks) {
 }
 
 bool td_direct_factor(td_direct *d) {
-    if (!take_effort(d, d->matrix->now.work)) {
+    if (!take_effort(d, d->matrix->current.work)) {
         return false;
     }
     td_sparse_clear(d->matrix);

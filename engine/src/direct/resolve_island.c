@@ -1,45 +1,52 @@
-/* resolve_island.c: solves an island after the soft solver has already moved it; see
- * joint_islands.h.
- */
+/* resolve_island.c: solves an island directly after the soft solver has already moved it, from the
+ * velocities at the start of the step. These are the islands 2. and the linkages 3. of
+ * joint_islands.h, which were not listed before the soft solver. */
 #include "direct/joint_islands.h"
 
 #include "direct/elimination_order.h"
 
 #include <string.h>
 
-/* Finds the elimination order. False where the factor would be too large. */
-static bool order(thud_world *w, td_island *island) {
+/* Finds the elimination order, as a further system of td_islands.matrix. False where the factor
+ * would be too large. The pairs of bodies that constraints join are listed at the end of
+ * td_islands.topology and taken off again, since room is reserved for those of one island. */
+static bool find_elimination_order(thud_world *w, td_island *island) {
     td_islands *s = &w->islands;
     int first = s->topology.count;
     td_island_list_ties(w, island);
     const int *ties = (const int *)s->topology.data + first;
-    bool ordered = td_island_order(w, island, ties, TD_LATE_ENTRIES_MAX);
+    bool ordered = td_island_order(w, island, ties, TD_RESOLVE_ENTRIES_MAX);
+    island->system = s->matrix.current; /* which td_island_order has added */
     s->topology.count = first;
-    island->system = s->matrix.now;
     return ordered;
 }
 
-/* Of this step only the soft solver's impulses are known, which serve as the warm start. */
+/* The direct solver has no impulses of its own for this island: it was not listed before the soft
+ * solver, when td_island_store_start stores them. */
 bool td_joint_island_begin(thud_world *w, td_island *island) {
     td_islands *s = &w->islands;
-    if (island->bodies > TD_LATE_BODIES_MAX || island->constraints > TD_LATE_CONSTRAINTS_MAX ||
-        !order(w, island)) {
+    if (island->bodies > TD_RESOLVE_BODIES_MAX ||
+        island->constraints > TD_RESOLVE_CONSTRAINTS_MAX || !find_elimination_order(w, island)) {
         return false;
     }
-    for (int i = island->first_body; i < s->slots.count; i++) {
-        memcpy(td_at(&s->before, i), td_row(&s->start, td_slot_in(&s->slots, i)), sizeof(float[4]));
+    for (int i = island->first_body; i < island->first_body + island->bodies; i++) {
+        const float *velocity = td_row(&s->start_velocity, td_slot_in(&s->slots, i));
+        memcpy(td_at(&s->island_start_velocity, i), velocity, sizeof(float[4]));
     }
-    for (int i = island->first_constraint; i < s->constraints.count; i++) {
-        td_island_store_impulses(w, i, 1.0f);
+    int end = island->first_constraint + island->constraints;
+    for (int i = island->first_constraint; i < end; i++) {
+        td_island_store_impulses(w, i, true);
     }
     return true;
 }
 
 void td_joint_island_solve(thud_world *w, const td_island *island) {
     td_islands *s = &w->islands;
-    bool solved = td_island_solve(w, island);
-    for (int i = 0; i < island->bodies && !solved; i++) {
+    if (td_island_solve(w, island)) {
+        return;
+    }
+    for (int i = 0; i < island->bodies; i++) {
         td_awake_slot slot = td_slot_in(&s->slots, island->first_body + i);
-        *td_island_local_at(w, slot) = TD_ISLAND_SOFT;
+        *td_island_local_at(w, slot) = TD_ISLAND_REFUSED; /* in place of the number in the island */
     }
 }

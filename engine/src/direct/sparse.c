@@ -15,19 +15,19 @@ static int *ints(const td_array *array) {
 
 /* The arrays of the present system. */
 static int *places(const td_sparse *s) {
-    return ints(&s->place) + s->now.place;
+    return ints(&s->place) + s->current.place;
 }
 
 static int *nodes(const td_sparse *s) {
-    return ints(&s->node) + s->now.place;
+    return ints(&s->node) + s->current.place;
 }
 
 static int *columns(const td_sparse *s) {
-    return ints(&s->column) + s->now.place;
+    return ints(&s->column) + s->current.place;
 }
 
 static int *rows(const td_sparse *s) {
-    return ints(&s->row) + s->now.row;
+    return ints(&s->row) + s->current.row;
 }
 
 static uint64_t *ties_of(const td_sparse *s, int node) {
@@ -66,21 +66,21 @@ bool td_sparse_reserve(td_memory *memory, td_sparse *s, int nodes) {
 }
 
 void td_sparse_forget(td_sparse *s) {
-    s->now = (td_system){0};
+    s->current = (td_system){0};
     s->row.count = 0;
 }
 
 bool td_sparse_begin(td_memory *memory, td_sparse *s, int size) {
     td_array *const lists[] = {&s->degree, &s->next, &s->prev,  &s->head,
                                &s->map,    &s->walk, &s->chain, &s->diagonal};
-    int place = s->now.size ? s->now.place + s->now.size + 1 : 0;
+    int place = s->current.size ? s->current.place + s->current.size + 1 : 0;
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
         if (!reserve(memory, lists[i], size + 1)) {
             return false;
         }
     }
     assert(place + size < s->column.capacity);
-    s->now = (td_system){.size = size, .place = place, .row = s->row.count};
+    s->current = (td_system){.size = size, .place = place, .row = s->row.count};
     s->words = (size + 63) / 64;
     if (!reserve(memory, &s->ties, size * s->words)) {
         return false;
@@ -170,7 +170,7 @@ static void sort_column(td_sparse *s, int first, int end) {
 }
 
 bool td_sparse_order(td_memory *memory, td_sparse *s, int entries_max) {
-    int size = s->now.size;
+    int size = s->current.size;
     for (int degree = 0; degree <= size; degree++) {
         ints(&s->head)[degree] = TD_NONE;
     }
@@ -185,7 +185,7 @@ bool td_sparse_order(td_memory *memory, td_sparse *s, int entries_max) {
         }
         int node = ints(&s->head)[degree_min];
         unlink_by_degree(s, node);
-        columns(s)[place] = s->row.count - s->now.row;
+        columns(s)[place] = s->row.count - s->current.row;
         nodes(s)[place] = node;
         places(s)[node] = place;
         int entries = columns(s)[place] + ints(&s->degree)[node];
@@ -194,10 +194,10 @@ bool td_sparse_order(td_memory *memory, td_sparse *s, int entries_max) {
         }
         degree_min = td_max_int(degree_min - 1, 0); /* neighbours lose at most one neighbour */
     }
-    columns(s)[size] = s->row.count - s->now.row;
+    columns(s)[size] = s->row.count - s->current.row;
     for (int place = 0; place < size; place++) {
         int64_t entries = columns(s)[place + 1] - columns(s)[place];
-        s->now.work += 1 + entries + entries * (entries + 1) / 2;
+        s->current.work += 1 + entries + entries * (entries + 1) / 2;
         sort_column(s, columns(s)[place], columns(s)[place + 1]);
     }
     return reserve(memory, &s->entry, columns(s)[size]);

@@ -33,9 +33,9 @@ typedef struct td_sparse_view {
 } td_sparse_view;
 
 typedef struct td_sparse {
-    bool wide;     /* AVX2 kernels may run */
-    td_system now; /* the present system, which all calls are about */
-    int words;     /* words of 64 bits in a row of `ties` */
+    bool wide;         /* AVX2 kernels may run */
+    td_system current; /* the present system, on which all functions below work */
+    int words;         /* words of 64 bits in a row of `ties` */
     td_array ties; /* uint64_t: adjacency matrix of the nodes, a bit a pair; ordering destroys it */
     td_array degree, next, prev, head; /* int: doubly linked lists of the nodes of each degree */
     td_array place, node;              /* int: the place of each node, and the node at each place */
@@ -66,7 +66,7 @@ bool td_sparse_order(td_memory *memory, td_sparse *s, int entries_max);
 int td_sparse_find(const td_sparse *s, int a, int b);
 
 static inline int td_sparse_place(const td_sparse *s, int node) {
-    return ((const int *)s->place.data)[s->now.place + node];
+    return ((const int *)s->place.data)[s->current.place + node];
 }
 
 static inline bool td_sparse_is_later(const td_sparse *s, int a, int b) {
@@ -83,7 +83,7 @@ static inline td_block3 *td_sparse_entry(td_sparse *s, int index) {
 
 /* Number of blocks of L below its diagonal. */
 static inline int td_sparse_entries(const td_sparse *s) {
-    return ((const int *)s->column.data)[s->now.place + s->now.size];
+    return ((const int *)s->column.data)[s->current.place + s->current.size];
 }
 
 void td_sparse_clear(td_sparse *s); /* sets all blocks to zero */

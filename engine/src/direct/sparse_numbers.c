@@ -12,9 +12,9 @@ TD_DECLARE_WIDE(factor_fn, td_sparse_factor);
 TD_DECLARE_WIDE(solve_fn, td_sparse_solve);
 
 static td_sparse_view view_of(const td_sparse *s) {
-    return (td_sparse_view){.size = s->now.size,
-                            .column = (const int *)s->column.data + s->now.place,
-                            .row = (const int *)s->row.data + s->now.row,
+    return (td_sparse_view){.size = s->current.size,
+                            .column = (const int *)s->column.data + s->current.place,
+                            .row = (const int *)s->row.data + s->current.row,
                             .diagonal = s->diagonal.data,
                             .entry = s->entry.data,
                             .map = s->map.data,
@@ -38,13 +38,13 @@ bool td_sparse_factor(td_sparse *s) {
 }
 
 void td_sparse_solve(const td_sparse *s, double (*x)[4], double (*work)[4]) {
-    const int *node = (const int *)s->node.data + s->now.place;
+    const int *node = (const int *)s->node.data + s->current.place;
     td_sparse_view v = view_of(s);
-    for (int p = 0; p < s->now.size; p++) {
+    for (int p = 0; p < s->current.size; p++) {
         memcpy(work[p], x[node[p]], sizeof *work);
     }
     TD_PICK_WIDE(s, td_sparse_solve)(&v, work);
-    for (int p = 0; p < s->now.size; p++) {
+    for (int p = 0; p < s->current.size; p++) {
         memcpy(x[node[p]], work[p], sizeof *x);
     }
 }

@@ -15,10 +15,10 @@ enum { PARTS_MAX = 64 };
 /* In islands of joints alone, a part is no longer than SUBSTEPS_OF_PART substeps, and the parts
  * that springs need are multiplied likewise, so that the error falls as the number of substeps
  * rises. Four are the substeps of quality default, whose steps have one part. This holds for
- * islands of up to FEW_BODIES bodies (a pendulum, a vehicle, a ragdoll); finer parts for all made a
- * chain of 100 links 2.2 times as dear at exact, and its phase error is hidden among its many
- * modes. */
-enum { SUBSTEPS_OF_PART = 4, FEW_BODIES = 16 };
+ * islands of up to SMALL_ISLAND_BODIES bodies (a pendulum, a vehicle, a ragdoll); finer parts for
+ * all made a chain of 100 links 2.2 times as dear at exact, and its phase error is hidden among its
+ * many modes. */
+enum { SUBSTEPS_OF_PART = 4, SMALL_ISLAND_BODIES = 16 };
 
 /* Upper bound of the angular speed of the line between a distance's anchors before the step, rad/s;
  * 0 for other kinds of joints. */
@@ -28,9 +28,9 @@ static double line_rate(const td_island_work *work, int i) {
     td_lane at = td_island_lane(work, i);
     double length = 0.0, speed = 0.0;
     if (constraint->kind == TD_CONSTRAINT_ROD) {
-        length = (double)td_lock_rows_at(at.block)->turn_base[at.lane];
+        length = (double)td_lock_rows_at(at.block)->rest_length[at.lane];
     } else if (constraint->kind == TD_CONSTRAINT_DRIVE_LINE) {
-        length = (double)td_drive_rows_at(at.block)->value_base[at.lane];
+        length = (double)td_drive_rows_at(at.block)->start_value[at.lane];
     }
     for (int k = 0; k < 2 && length > 0.0; k++) {
         double a = c->a == TD_NONE ? 0.0 : work->problem.bodies[c->a].before[k];
@@ -74,8 +74,9 @@ static void set_sweeps(td_island_work *work, int i) {
     int kind = td_constraint_at(work->w, work->constraints[i])->kind;
     td_lane at = td_island_lane(work, i);
     const td_point *p = &at.block->point[0], *q = &at.block->point[1];
-    bool turns = kind == TD_CONSTRAINT_DRIVE_AXIS || kind == TD_CONSTRAINT_GEAR ||
-                 (kind == TD_CONSTRAINT_LOCK && td_lock_rows_at(at.block)->frame[at.lane] > 0.0f);
+    bool turns =
+        kind == TD_CONSTRAINT_DRIVE_AXIS || kind == TD_CONSTRAINT_GEAR ||
+        (kind == TD_CONSTRAINT_LOCK && td_lock_rows_at(at.block)->frame_turns[at.lane] > 0.0f);
     if (kind == TD_CONSTRAINT_DRIVE_TURN) {
         return;
     }
@@ -128,8 +129,8 @@ int td_island_parts(td_island_work *work) {
         return 0;
     }
     if (td_island_is_joints(work)) {
-        bool few = work->island->bodies <= FEW_BODIES;
-        double finer = few ? (double)work->w->substeps / SUBSTEPS_OF_PART : 1.0;
+        bool small = work->island->bodies <= SMALL_ISLAND_BODIES;
+        double finer = small ? (double)work->w->substeps / SUBSTEPS_OF_PART : 1.0;
         double phase = td_max_double(spring_phase(work) / PHASE_PART, 1.0);
         parts = td_max_double(parts, finer * phase);
     }

@@ -5,14 +5,14 @@
 
 #include "base/simd.h"
 
-enum { ROWS = 4 }; /* rows of a block in memory, with the padding */
+enum { PADDED_ROWS = 4 }; /* rows of a block in memory, with the padding */
 
 /* c -= a b' */
 TD_INLINE void subtract_product(td_block3 *restrict c, const td_block3 *restrict a,
                                 const td_block3 *b) {
     for (int k = 0; k < 3; k++) {
         double b0 = b->at[0][k], b1 = b->at[1][k], b2 = b->at[2][k];
-        for (int i = 0; i < ROWS; i++) {
+        for (int i = 0; i < PADDED_ROWS; i++) {
             c->at[k][i] -= a->at[0][i] * b0 + a->at[1][i] * b1 + a->at[2][i] * b2;
         }
     }
@@ -45,7 +45,7 @@ static bool factor_block(td_block3 *block) {
 /* a = a (l')^-1, where l is the factor of a diagonal block. */
 TD_INLINE void divide_by_factor(td_block3 *restrict a, const td_block3 *restrict l) {
     double i0 = 1.0 / l->at[0][0], i1 = 1.0 / l->at[1][1], i2 = 1.0 / l->at[2][2];
-    for (int i = 0; i < ROWS; i++) {
+    for (int i = 0; i < PADDED_ROWS; i++) {
         a->at[0][i] *= i0;
         a->at[1][i] = (a->at[1][i] - a->at[0][i] * l->at[0][1]) * i1;
         a->at[2][i] = (a->at[2][i] - a->at[0][i] * l->at[0][2] - a->at[1][i] * l->at[1][2]) * i2;
@@ -108,7 +108,7 @@ static void solve_down(const td_sparse_view *s, double (*y)[4]) {
             const td_block3 *e = &s->entry[i];
             double *z = y[s->row[i]];
             double y0 = y[p][0], y1 = y[p][1], y2 = y[p][2];
-            for (int k = 0; k < ROWS; k++) {
+            for (int k = 0; k < PADDED_ROWS; k++) {
                 z[k] -= e->at[0][k] * y0 + e->at[1][k] * y1 + e->at[2][k] * y2;
             }
         }

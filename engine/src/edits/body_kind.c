@@ -40,18 +40,19 @@ static const char *shape_error(const thud_world *w, const td_body *body, int kin
 static const char *joint_error(const thud_world *w, td_body_index index, int kind) {
     const td_body *body = td_body_at(w, index);
     for (int e = body->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *part = td_constraint_at(w, e / 2);
+        const td_constraint *part = td_constraint_at(w, td_edge_constraint(e));
         if (td_is_contact(part)) {
             continue;
         }
-        if (kind == THUD_STATIC || body->kind == THUD_STATIC) {
+        if (kind == THUD_BODY_STATIC || body->kind == THUD_BODY_STATIC) {
             return "set kind: a body with joints neither becomes static nor ceases to be";
         }
         const td_joint *joint = td_joint_of(w, part);
         bool second = td_same_body(joint->body[!joint->swapped], index);
-        if (kind == THUD_KINEMATIC &&
-            (joint->kind == THUD_GEAR || td_body_at(w, td_other_body(w, e))->kind != THUD_DYNAMIC ||
-             (second && (joint->kind == THUD_WHEEL || joint->kind == THUD_TARGET)))) {
+        if (kind == THUD_BODY_KINEMATIC &&
+            (joint->kind == THUD_JOINT_GEAR ||
+             td_body_at(w, td_other_body(w, e))->kind != THUD_BODY_DYNAMIC ||
+             (second && (joint->kind == THUD_JOINT_WHEEL || joint->kind == THUD_JOINT_TARGET)))) {
             return "set kind: a joint needs the body to be dynamic";
         }
     }
@@ -67,7 +68,7 @@ static const char *error_of(const thud_world *w, td_body_index index, int kind) 
     if (body->flags & TD_BODY_QUARANTINED) {
         return "set kind: the body is quarantined";
     }
-    const char *error = kind == THUD_STATIC ? NULL : shape_error(w, body, kind);
+    const char *error = kind == THUD_BODY_STATIC ? NULL : shape_error(w, body, kind);
     return error ? error : joint_error(w, index, kind);
 }
 
@@ -94,22 +95,22 @@ static int sensors_of(const thud_world *w, const td_body *body) {
 static void set_kind(thud_world *w, td_body_index index, int kind) {
     td_body *body = td_body_at(w, index);
     int sensors = sensors_of(w, body);
-    w->mobile_sensors -= body->kind == THUD_DYNAMIC ? sensors : 0;
-    w->mobile_sensors += kind == THUD_DYNAMIC ? sensors : 0;
+    w->mobile_sensors -= body->kind == THUD_BODY_DYNAMIC ? sensors : 0;
+    w->mobile_sensors += kind == THUD_BODY_DYNAMIC ? sensors : 0;
     body->kind = (uint8_t)kind;
     body->flags &= (uint8_t)~TD_BODY_MASS_GIVEN;
     td_body_weigh(w, index);
     float *velocity = body->velocity;
-    if (kind == THUD_STATIC) {
+    if (kind == THUD_BODY_STATIC) {
         velocity[0] = velocity[1] = velocity[2] = 0.0f;
-    } else if (kind == THUD_DYNAMIC && body->inv_inertia == 0.0f) {
+    } else if (kind == THUD_BODY_DYNAMIC && body->inv_inertia == 0.0f) {
         velocity[2] = 0.0f;
     }
     body->force[0] = body->force[1] = body->force[2] = 0.0f;
 }
 
 thud_result thud_body_set_kind(thud_world *w, thud_body_id id, thud_body_kind kind) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_edit_body(w, id, &index);
     if (result != THUD_OK) {

@@ -9,7 +9,7 @@
 #include "state/handles.h"
 
 thud_result thud_body_set_damping(thud_world *w, thud_body_id id, float linear, float angular) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_edit_body(w, id, &index);
     if (result != THUD_OK) {
@@ -30,7 +30,7 @@ thud_result thud_body_set_damping(thud_world *w, thud_body_id id, float linear, 
 }
 
 thud_result thud_body_set_gravity_scale(thud_world *w, thud_body_id id, float gravity_scale) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_edit_body(w, id, &index);
     if (result != THUD_OK) {
@@ -66,13 +66,13 @@ static void update_mass(thud_world *w, td_body_index index) {
 }
 
 thud_result thud_body_set_fixed_rotation(thud_world *w, thud_body_id id, bool fixed) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_edit_body(w, id, &index);
     if (result == THUD_OK) {
         td_body *body = td_body_at(w, index);
         flag(body, TD_BODY_FIXED, fixed);
-        if (fixed && body->kind == THUD_DYNAMIC) {
+        if (fixed && body->kind == THUD_BODY_DYNAMIC) {
             td_body_velocity(w, body)[2] = 0.0f;
         }
         update_mass(w, index);
@@ -98,7 +98,7 @@ thud_result thud_body_set_detection(thud_world *w, thud_body_id id,
     thud_result result = td_edit_body(w, id, &index);
     if (result == THUD_OK) {
         td_body *body = td_body_at(w, index);
-        flag(body, TD_BODY_CHOSE, detection != NULL);
+        flag(body, TD_BODY_OWN_DETECTION, detection != NULL);
         body->detection = detection ? detection : w->quality.detection;
         w->detections[body->detection->rank] = body->detection;
         td_body_mark(w, index, TD_CHANGE_SHAPES);
@@ -111,7 +111,7 @@ static const char *mass_error(const thud_world *w, const td_body *body, const th
                               td_reason *why) {
     double max_offset = (double)(THUD_SIZE_MAX * w->unit);
     double min = (double)THUD_MASS_MIN, max = (double)THUD_MASS_MAX;
-    if (body->kind != THUD_DYNAMIC) {
+    if (body->kind != THUD_BODY_DYNAMIC) {
         return "set mass: the body is not dynamic";
     }
     if (!m) {
@@ -126,7 +126,7 @@ static const char *mass_error(const thud_world *w, const td_body *body, const th
 }
 
 thud_result thud_body_set_mass(thud_world *w, thud_body_id id, const thud_mass *mass) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_edit_body(w, id, &index);
     td_reason why;

@@ -1,6 +1,6 @@
 /* edit.c: what setters of bodies and shapes share: finding the object, waking its neighbours,
  * ending and updating its contacts, and searching for new pairs; see edit.h. Constraints of a body
- * form a list of edges: edge e is side e % 2 of constraint e / 2. */
+ * form a list of edges: td_edge_of. */
 #include "edits/edit.h"
 
 #include "constraint/lanes.h"
@@ -29,14 +29,15 @@ thud_result td_edit_shape(const thud_world *w, thud_shape_id id, int *index) {
  * sleep, and for the shapes of a static body a wake means that edited terrain is examined. */
 static void wake_other(thud_world *w, int edge) {
     td_body_index other = td_other_body(w, edge);
-    if (td_constraint_at(w, edge / 2)->open && td_body_at(w, other)->kind != THUD_STATIC) {
+    if (td_constraint_at(w, td_edge_constraint(edge))->open &&
+        td_body_at(w, other)->kind != THUD_BODY_STATIC) {
         td_body_mark(w, other, TD_CHANGE_WAKE);
     }
 }
 
 void td_edit_wake(thud_world *w, td_body_index body, int shape) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
         if (td_edit_concerns(constraint, shape) && constraint->kind != TD_PAIR_SENSOR) {
             wake_other(w, e);
         }
@@ -46,7 +47,7 @@ void td_edit_wake(thud_world *w, td_body_index body, int shape) {
 
 /* Whether td_edit_end_contacts ends the contact of this edge. */
 static bool ends(const thud_world *w, int edge, int shape, bool all) {
-    const td_constraint *c = td_constraint_at(w, edge / 2);
+    const td_constraint *c = td_constraint_at(w, td_edge_constraint(edge));
     return td_edit_concerns(c, shape) && (all || !td_pair_allowed(w, c->shape_a, c->shape_b));
 }
 
@@ -63,7 +64,7 @@ void td_edit_end_contacts(thud_world *w, td_body_index body, int shape, bool all
         int next = td_next_edge(w, e);
         if (ends(w, e, shape, all)) {
             wake_other(w, e);
-            td_contact_destroy(w, e / 2);
+            td_contact_destroy(w, td_edge_constraint(e));
         }
         e = next;
     }
@@ -72,15 +73,15 @@ void td_edit_end_contacts(thud_world *w, td_body_index body, int shape, bool all
 void td_edit_settle_contacts(thud_world *w, int shape) {
     td_body_index body = td_shape_at(w, shape)->body;
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        td_constraint *contact = td_constraint_at(w, e / 2);
+        td_constraint *contact = td_constraint_at(w, td_edge_constraint(e));
         if (td_edit_concerns(contact, shape) && contact->state == TD_TOUCHING) {
             td_lane at = td_lane_of(w, contact);
             uint16_t *mark = &at.block->mark[at.lane].rule, before = *mark;
-            td_contact_settle(w, at.block, at.lane, e / 2);
+            td_contact_settle(w, at.block, at.lane, td_edge_constraint(e));
             *mark |=
                 before & (TD_LANE_ALTERED | TD_LANE_REFUSED); /* set by prologues, not by rules */
             contact->vetoed = before == *mark ? contact->vetoed : 0;
-            td_lane_renew(w, e / 2);
+            td_lane_renew(w, td_edge_constraint(e));
         }
     }
 }
@@ -108,7 +109,7 @@ void td_edit_look_around(thud_world *w, int shape) {
 /* Scales the accumulated (warm-start) impulses of all constraints of the body. */
 static void scale_impulses(thud_world *w, td_body_index body, float scale) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
         if (constraint->state != TD_TOUCHING) {
             continue;
         }

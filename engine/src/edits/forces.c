@@ -4,32 +4,31 @@
 #include "state/body.h"
 #include "state/handles.h"
 
-/* Whether x is a number within THUD_PUSH_MAX. */
+/* Whether x is a number within THUD_FORCE_MAX. */
 static bool is_push(double x) {
-    return td_abs(x) <= (double)THUD_PUSH_MAX;
+    return td_abs(x) <= (double)THUD_FORCE_MAX;
 }
 
 /* Finds a dynamic body. */
 static thud_result find(const thud_world *w, thud_body_id id, td_body_index *index) {
     thud_result result = td_find_body(w, id, index);
-    return result == THUD_OK && td_body_at(w, *index)->kind != THUD_DYNAMIC
+    return result == THUD_OK && td_body_at(w, *index)->kind != THUD_BODY_DYNAMIC
                ? td_refuse(w, THUD_ERROR_INVALID, "force or impulse: the body is not dynamic")
                : result;
 }
 
-thud_result thud_body_apply_force_at(thud_world *w, thud_body_id id, thud_vec2 force,
-                                     thud_pos point) {
-    TD_IN_OWN_MODE;
+thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 force, thud_pos point) {
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = find(w, id, &index);
     if (result != THUD_OK) {
         return result;
     }
-    double max = (double)THUD_PUSH_MAX;
+    double max = (double)THUD_FORCE_MAX;
     td_reason why;
-    if (!td_in(&why, "apply force at: x of force", (double)force.x, -max, max) ||
-        !td_in(&why, "apply force at: y of force", (double)force.y, -max, max) ||
-        !td_in_world(w, &why, "apply force at: x or y of point", point.x, point.y)) {
+    if (!td_in(&why, "apply force: x of force", (double)force.x, -max, max) ||
+        !td_in(&why, "apply force: y of force", (double)force.y, -max, max) ||
+        !td_in_world(w, &why, "apply force: x or y of point", point.x, point.y)) {
         return td_refuse(w, THUD_ERROR_INVALID, why.text);
     }
     td_position place = td_place_from(w, point), center = td_pose_at(w, index)->center;
@@ -37,9 +36,9 @@ thud_result thud_body_apply_force_at(thud_world *w, thud_body_id id, thud_vec2 f
     double x = (double)(place.x - center.x) / w->to_fixed * (double)force.y;
     double y = (double)(place.y - center.y) / w->to_fixed * (double)force.x;
     if (!(is_push(x) && is_push(y) && is_push(x - y))) {
-        return td_refuse(w, THUD_ERROR_INVALID, "apply force at: its torque is out of range");
+        return td_refuse(w, THUD_ERROR_INVALID, "apply force: its torque is out of range");
     }
-    return thud_body_apply_force(w, id, force, (float)(x - y));
+    return td_body_apply_force(w, id, force, (float)(x - y));
 }
 
 /* Applies the impulse (x, y) at the centre of mass and the angular impulse `turn`. Inside a
@@ -59,7 +58,7 @@ static thud_result apply_impulse(thud_world *w, thud_body_id id, double x, doubl
     }
     if (w->locked) {
         thud_vec2 force = {(float)(x / time), (float)(y / time)};
-        return thud_body_apply_force(w, id, force, (float)(turn / time));
+        return td_body_apply_force(w, id, force, (float)(turn / time));
     }
     if (!(body->flags & TD_BODY_QUARANTINED)) {
         float *velocity = td_body_velocity(w, body);
@@ -72,11 +71,11 @@ static thud_result apply_impulse(thud_world *w, thud_body_id id, double x, doubl
 }
 
 thud_result thud_body_apply_center_impulse(thud_world *w, thud_body_id id, thud_vec2 impulse) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     return apply_impulse(w, id, (double)impulse.x, (double)impulse.y, 0.0);
 }
 
 thud_result thud_body_apply_angular_impulse(thud_world *w, thud_body_id id, float impulse) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     return apply_impulse(w, id, 0.0, 0.0, (double)impulse);
 }

@@ -18,7 +18,7 @@
 /* The joint that locks a body, or TD_NONE. */
 static int lock_of(const thud_world *w, td_body_index body) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *part = td_constraint_at(w, e / 2);
+        const td_constraint *part = td_constraint_at(w, td_edge_constraint(e));
         if (!td_is_contact(part) && td_joint_is_lock(w, td_joint_of(w, part), body)) {
             return part->joint;
         }
@@ -57,7 +57,7 @@ static thud_result make_anchor(thud_world *w, td_position near, thud_body_id *id
 /* Which axes a lock (a joint, or TD_NONE) locks. A wheel leaves the axis of its frame free. */
 static void read_locks(const thud_world *w, int lock, bool *x, bool *y) {
     const td_joint *joint = lock == TD_NONE ? NULL : td_joint_at(w, lock);
-    bool both = joint && joint->kind == THUD_HINGE;
+    bool both = joint && joint->kind == THUD_JOINT_HINGE;
     *x = joint && (both || td_abs((double)joint->axis_s) > 0.5);
     *y = joint && (both || !*x);
 }
@@ -65,7 +65,7 @@ static void read_locks(const thud_world *w, int lock, bool *x, bool *y) {
 /* Makes the lock of x, y or both, in place of the one that the body has. Room for the joint is
  * reserved before the anchor is made. */
 static thud_result make_lock(thud_world *w, td_body_index index, bool x, bool y) {
-    thud_joint_def def = thud_default_joint_def(x && y ? THUD_HINGE : THUD_WHEEL);
+    thud_joint_def def = thud_default_joint_def(x && y ? THUD_JOINT_HINGE : THUD_JOINT_WHEEL);
     if (!td_slots_reserve(&w->memory, &w->joints, 1) || !td_joint_reserve(w, (int)def.kind)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "set locks: out of memory");
     }
@@ -86,19 +86,19 @@ static thud_result make_lock(thud_world *w, td_body_index index, bool x, bool y)
         td_joint_end(w, old);
     }
     if (result == THUD_OK) {
-        td_joints_follow(w, index);
+        td_joints_move_locks(w, index);
     }
     return result;
 }
 
 thud_result thud_body_set_locks(thud_world *w, thud_body_id id, bool x, bool y) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_edit_body(w, id, &index);
     if (result != THUD_OK) {
         return result;
     }
-    if (td_body_at(w, index)->kind != THUD_DYNAMIC) {
+    if (td_body_at(w, index)->kind != THUD_BODY_DYNAMIC) {
         return td_refuse(w, THUD_ERROR_INVALID, "set locks: the body is not dynamic");
     }
     int lock = lock_of(w, index);
@@ -114,17 +114,17 @@ thud_result thud_body_set_locks(thud_world *w, thud_body_id id, bool x, bool y) 
     return THUD_OK;
 }
 
-thud_result thud_body_locks(const thud_world *w, thud_body_id id, bool *x, bool *y) {
+thud_result thud_body_get_locks(const thud_world *w, thud_body_id id, bool *out_x, bool *out_y) {
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result == THUD_OK) {
         bool has_x, has_y;
         read_locks(w, lock_of(w, index), &has_x, &has_y);
-        if (x) {
-            *x = has_x;
+        if (out_x) {
+            *out_x = has_x;
         }
-        if (y) {
-            *y = has_y;
+        if (out_y) {
+            *out_y = has_y;
         }
     }
     return result;

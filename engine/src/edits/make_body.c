@@ -6,11 +6,11 @@
 #include "state/handles.h"
 #include "thud/thud_edits.h"
 
-static thud_body_def body_def(const thud_body_options *options, const thud_shape_instance *at) {
+static thud_body_def body_def(const thud_body_options *options, const thud_geometry *at) {
     thud_body_def def = thud_default_body_def();
     def.kind = options->kind;
     def.position = (thud_pos){at->x, at->y};
-    def.angle = at->kind == THUD_OBB ? td_edit_angle_of(at->c, at->s) : 0.0;
+    def.angle = at->kind == THUD_SHAPE_OBB ? td_edit_angle_of(at->c, at->s) : 0.0;
     def.velocity = options->velocity;
     def.angular_velocity = options->angular_velocity;
     def.gravity_scale = options->weightless ? 0.0f : def.gravity_scale;
@@ -38,13 +38,12 @@ static thud_shape_def shape_def(const thud_body_options *options) {
     return def;
 }
 
-thud_body_id thud_body_make(thud_world *w, thud_shape_instance at,
-                            const thud_body_options *options) {
-    TD_IN_OWN_MODE;
+thud_body_id thud_body_make(thud_world *w, thud_geometry at, const thud_body_options *options) {
+    TD_IN_OWN_FLOAT_MODE;
     thud_body_options usual = {0};
     thud_body_id made = {0, 0};
     options = options ? options : &usual;
-    if (thud_placed_check(&at) != THUD_OK) {
+    if (thud_geometry_check(&at) != THUD_OK) {
         td_refuse(
             w, THUD_ERROR_INVALID,
             "body make: the shape is no circle, AABB or OBB, or its place, radius or half extents are not finite, or below 0");

@@ -6,7 +6,7 @@ thud_world *thud_world_make(thud_vec2 gravity, const thud_quality *quality) {
     if (!quality) {
         return NULL;
     }
-    thud_world_def def = thud_world_def_of(quality);
+    thud_world_def def = thud_default_world_def_of(quality);
     def.gravity = gravity;
     return thud_world_create(&def, &made) == THUD_OK ? made : NULL;
 }

@@ -23,9 +23,9 @@ static thud_result find_at(const thud_world *w, thud_body_id id, double x, doubl
     return result != THUD_OK ? result : td_check_place(w, "point of a body: x or y of point", x, y);
 }
 
-thud_result thud_body_velocity_at(const thud_world *w, thud_body_id id, thud_pos point,
-                                  thud_vec2 *out) {
-    TD_IN_OWN_MODE;
+thud_result thud_body_get_velocity_at(const thud_world *w, thud_body_id id, thud_pos point,
+                                      thud_vec2 *out) {
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = find_at(w, id, point.x, point.y, out, &index);
     if (result != THUD_OK) {
@@ -52,9 +52,9 @@ static thud_vec2 rotated(const td_pose *pose, double x, double y, double sign) {
     return (thud_vec2){finite_float(c * x - s * y), finite_float(s * x + c * y)};
 }
 
-thud_result thud_body_world_point(const thud_world *w, thud_body_id id, thud_vec2 point,
-                                  thud_pos *out) {
-    TD_IN_OWN_MODE;
+thud_result thud_body_get_world_point(const thud_world *w, thud_body_id id, thud_vec2 point,
+                                      thud_pos *out) {
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = find_at(w, id, (double)point.x, (double)point.y, out, &index);
     if (result != THUD_OK) {
@@ -68,9 +68,9 @@ thud_result thud_body_world_point(const thud_world *w, thud_body_id id, thud_vec
     return THUD_OK;
 }
 
-thud_result thud_body_local_point(const thud_world *w, thud_body_id id, thud_pos point,
-                                  thud_vec2 *out) {
-    TD_IN_OWN_MODE;
+thud_result thud_body_get_local_point(const thud_world *w, thud_body_id id, thud_pos point,
+                                      thud_vec2 *out) {
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = find_at(w, id, point.x, point.y, out, &index);
     if (result != THUD_OK) {
@@ -85,7 +85,7 @@ thud_result thud_body_local_point(const thud_world *w, thud_body_id id, thud_pos
 /* Turns a vector by the body's rotation (sign 1), or by its inverse (-1). */
 static thud_result rotate_vector(const thud_world *w, thud_body_id id, thud_vec2 vector,
                                  double sign, thud_vec2 *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = find(w, id, out, &index);
     if (result != THUD_OK) {
@@ -99,12 +99,12 @@ static thud_result rotate_vector(const thud_world *w, thud_body_id id, thud_vec2
     return THUD_OK;
 }
 
-thud_result thud_body_world_vector(const thud_world *w, thud_body_id id, thud_vec2 vector,
-                                   thud_vec2 *out) {
+thud_result thud_body_get_world_vector(const thud_world *w, thud_body_id id, thud_vec2 vector,
+                                       thud_vec2 *out) {
     return rotate_vector(w, id, vector, 1.0, out);
 }
 
-thud_result thud_body_local_vector(const thud_world *w, thud_body_id id, thud_vec2 vector,
-                                   thud_vec2 *out) {
+thud_result thud_body_get_local_vector(const thud_world *w, thud_body_id id, thud_vec2 vector,
+                                       thud_vec2 *out) {
     return rotate_vector(w, id, vector, -1.0, out);
 }

@@ -11,7 +11,7 @@
 /* Internal edges exist only between neighbours with equal filters: TD_CHANGE_SHAPES makes the step
  * compute them anew. */
 thud_result thud_shape_set_filter(thud_world *w, thud_shape_id id, thud_filter filter) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int index = 0;
     thud_result result = td_edit_shape(w, id, &index);
     if (result != THUD_OK) {
@@ -35,7 +35,7 @@ thud_result thud_shape_set_filter(thud_world *w, thud_shape_id id, thud_filter f
 }
 
 thud_result thud_shape_set_sensor(thud_world *w, thud_shape_id id, bool sensor) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int index = 0;
     thud_result result = td_edit_shape(w, id, &index);
     if (result != THUD_OK) {
@@ -52,8 +52,8 @@ thud_result thud_shape_set_sensor(thud_world *w, thud_shape_id id, bool sensor) 
     int kind = td_body_at(w, shape->body)->kind;
     shape->flags ^= TD_SHAPE_SENSOR;
     w->sensors += sensor ? 1 : -1;
-    w->mobile_sensors += kind == THUD_DYNAMIC ? (sensor ? 1 : -1) : 0;
-    if (kind != THUD_STATIC) { /* those of the body's other shapes follow with the change */
+    w->mobile_sensors += kind == THUD_BODY_DYNAMIC ? (sensor ? 1 : -1) : 0;
+    if (kind != THUD_BODY_STATIC) { /* those of the body's other shapes follow with the change */
         shape->internal_edges = shape->hidden = 0;
     }
     *td_marks_at(w, index) |= TD_MARK_FRESH;

@@ -15,7 +15,7 @@ static void update_mass(thud_world *w, int shape) {
 }
 
 thud_result thud_shape_set_density(thud_world *w, thud_shape_id id, float density) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int index = 0;
     thud_result result = td_edit_shape(w, id, &index);
     if (result != THUD_OK) {
@@ -45,7 +45,7 @@ static void resize(thud_world *w, int index, float half_x, float half_y) {
 }
 
 thud_result thud_shape_set_radius(thud_world *w, thud_shape_id id, float radius) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int index = 0;
     thud_result result = td_edit_shape(w, id, &index);
     if (result != THUD_OK) {
@@ -64,7 +64,7 @@ thud_result thud_shape_set_radius(thud_world *w, thud_shape_id id, float radius)
 }
 
 thud_result thud_shape_set_half_extents(thud_world *w, thud_shape_id id, thud_vec2 half) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int index = 0;
     thud_result result = td_edit_shape(w, id, &index);
     if (result != THUD_OK) {

@@ -12,7 +12,7 @@
 /* Sets the float at offset `field` of td_shape, if it is in [min, max]. `name` is for the log. */
 static thud_result set(thud_world *w, thud_shape_id id, size_t field, float value, float min,
                        float max, const char *name) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int index = 0;
     thud_result result = td_edit_shape(w, id, &index);
     if (result != THUD_OK) {

@@ -24,7 +24,7 @@ static double damped_time(const thud_world *w, float damping) {
 }
 
 thud_result thud_body_set_target(thud_world *w, thud_body_id id, thud_pos position, double angle) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
@@ -32,7 +32,7 @@ thud_result thud_body_set_target(thud_world *w, thud_body_id id, thud_pos positi
     }
     const td_body *body = td_body_at(w, index);
     const td_pose *pose = td_pose_at(w, index);
-    if (body->kind != THUD_KINEMATIC) {
+    if (body->kind != THUD_BODY_KINEMATIC) {
         return td_refuse(w, THUD_ERROR_INVALID, "set target: the body is not kinematic");
     }
     result = td_check_place(w, "set target: x or y of position", position.x, position.y);
@@ -54,7 +54,7 @@ thud_result thud_body_set_target(thud_world *w, thud_body_id id, thud_pos positi
     double max_speed = (double)(w->def.maximum_speed * w->unit);
     double v[3] = {x / time, y / time, turn / damped_time(w, body->angular_damping)};
     if (!(td_abs(v[0]) <= max_speed && td_abs(v[1]) <= max_speed &&
-          td_abs(v[2]) <= (double)THUD_SPIN_MAX)) {
+          td_abs(v[2]) <= (double)THUD_ANGULAR_SPEED_MAX)) {
         return td_refuse(w, THUD_ERROR_INVALID, "set target: the body would be too fast");
     }
     const float *now = td_body_velocity(w, body);

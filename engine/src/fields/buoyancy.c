@@ -51,7 +51,7 @@ static void add_shape_forces(const thud_world *w, const td_field_body *a, const 
                              double height, thud_pos up, const td_shape *shape, td_push *lift,
                              td_push *drag) {
     double half_step = 0.5 * w->def.time_step;
-    thud_shape_instance placed = td_field_shape(w, a, shape, half_step * a->turn);
+    thud_geometry placed = td_field_shape(w, a, shape, half_step * a->turn);
     double above = height + up.x * placed.x + up.y * placed.y;
     td_submerged_part part = td_submerged_part_of(&placed, above, up);
     double mass = (double)water->density * part.area;
@@ -64,7 +64,7 @@ static void add_shape_forces(const thud_world *w, const td_field_body *a, const 
 }
 
 thud_result thud_body_apply_buoyancy(thud_world *w, thud_body_id id, const thud_water *water) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_field_body a;
     thud_pos up;
     thud_result result = td_field_body_find(w, id, &a);

@@ -37,8 +37,8 @@ thud_explosion thud_default_explosion(void) {
 /* Whether a hit of a ray to a shape of `target` is cover, by the def's setting. */
 static bool is_cover(const blast *b, const thud_ray_hit *hit, td_body_index target) {
     td_body_index body = td_shape_at(b->world, (int)hit->shape.index1 - 1)->body;
-    return !td_same_body(body, target) &&
-           (b->def->cover == THUD_COVER_ALL || td_body_at(b->world, body)->kind != THUD_DYNAMIC);
+    return !td_same_body(body, target) && (b->def->cover == THUD_COVER_ALL ||
+                                           td_body_at(b->world, body)->kind != THUD_BODY_DYNAMIC);
 }
 
 /* Whether a body covers the place from the centre. The ray ends 1e-9 of its length before the
@@ -85,11 +85,12 @@ static double falloff_factor(const blast *b, double distance) {
 /* Pushes at one segment of the side that faces the centre. (dx, dy) is the unit vector to the
  * shape's nearest point, `across` the middle of the segment perpendicular to it, and `length` its
  * width. The place is found by a ray along (dx, dy) from in front of the shape. */
-static void push_segment(const blast *b, td_body_index body, const thud_shape_instance *shape,
-                         double dx, double dy, double across, double length) {
+static void push_segment(const blast *b, td_body_index body, const thud_geometry *shape, double dx,
+                         double dy, double across, double length) {
     double back = 2.0 * td_reach(shape), along = dx * shape->x + dy * shape->y - back;
     double x = dx * along - dy * across, y = dy * along + dx * across, fraction, nx, ny;
-    if (!thud_shape_cast_ray(shape, x, y, 2.0 * back * dx, 2.0 * back * dy, &fraction, &nx, &ny)) {
+    if (!thud_geometry_cast_ray(shape, (thud_segment){x, y, 2.0 * back * dx, 2.0 * back * dy},
+                                &fraction, &nx, &ny)) {
         return;
     }
     thud_pos place = {x + fraction * 2.0 * back * dx, y + fraction * 2.0 * back * dy};
@@ -102,7 +103,7 @@ static void push_segment(const blast *b, td_body_index body, const thud_shape_in
 }
 
 /* Pushes a shape that contains the centre: all of the impulse at the shape's own centre. */
-static void push_from_within(const blast *b, td_body_index body, const thud_shape_instance *shape) {
+static void push_from_within(const blast *b, td_body_index body, const thud_geometry *shape) {
     double x = shape->x, y = shape->y, length = __builtin_sqrt(x * x + y * y);
     double dx = length > 0.0 ? x / length : 0.0, dy = length > 0.0 ? y / length : 1.0;
     double impulse = 2.0 * td_half_along(shape, -dy, dx) * (double)b->def->impulse;
@@ -113,8 +114,8 @@ static void push_from_within(const blast *b, td_body_index body, const thud_shap
 static void push_shape(const blast *b, int index) {
     const thud_world *w = b->world;
     td_body_index body = td_shape_at(w, index)->body;
-    thud_shape_instance shape = td_query_instance(w, index, b->at);
-    thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1.0};
+    thud_geometry shape = td_query_instance(w, index, b->at);
+    thud_geometry point = {.kind = THUD_SHAPE_CIRCLE, .c = 1.0};
     thud_closest c;
     td_closest(&shape, &point, &c);
     if (c.distance > b->reach) {
@@ -140,7 +141,7 @@ static void push_shape(const blast *b, int index) {
 static bool may_push(const blast *b, int index) {
     const td_shape *shape = td_shape_at(b->world, index);
     const td_body *body = td_body_at(b->world, shape->body);
-    return body->kind == THUD_DYNAMIC && !(body->flags & TD_BODY_QUARANTINED) &&
+    return body->kind == THUD_BODY_DYNAMIC && !(body->flags & TD_BODY_QUARANTINED) &&
            !(shape->flags & TD_SHAPE_SENSOR) && td_query_passes(b->world, index, &b->def->filter);
 }
 
@@ -198,9 +199,9 @@ static thud_result explode(blast *b, int *pushed) {
         !td_array_reserve(&w->memory, &b->push, w->bodies.count)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "explode: out of memory");
     }
-    td_sort_ints(&w->scratch.hits);
-    for (int i = 0; i < w->scratch.hits.count; i++) {
-        int index = td_int_at(&w->scratch.hits, i);
+    td_sort_ints(&w->scratch.found_shapes);
+    for (int i = 0; i < w->scratch.found_shapes.count; i++) {
+        int index = td_int_at(&w->scratch.found_shapes, i);
         if (may_push(b, index)) {
             push_shape(b, index);
         }
@@ -229,8 +230,8 @@ static thud_result check(const thud_world *w, const thud_explosion *def) {
     return td_query_check_filter(w, &def->filter);
 }
 
-thud_result thud_world_explode(thud_world *w, const thud_explosion *def, int *pushed) {
-    TD_IN_OWN_MODE;
+thud_result thud_world_explode(thud_world *w, const thud_explosion *def, int *out_pushed) {
+    TD_IN_OWN_FLOAT_MODE;
     if (!w || !def) {
         return td_refuse(w, THUD_ERROR_NULL, "explode: world or explosion is null");
     }
@@ -250,7 +251,7 @@ thud_result thud_world_explode(thud_world *w, const thud_explosion *def, int *pu
                .push = {.stride = (int)sizeof(td_push)},
                .room = {.stride = (int)sizeof(int)}};
     b.cover.ignore = def->filter.ignore;
-    result = explode(&b, pushed);
+    result = explode(&b, out_pushed);
     td_array_free(&w->memory, &b.push);
     td_array_free(&w->memory, &b.room);
     return result;

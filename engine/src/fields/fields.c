@@ -16,7 +16,7 @@ thud_result td_field_body_find(const thud_world *w, thud_body_id id, td_field_bo
         return td_refuse(w, THUD_ERROR_LOCKED, "field: not inside a callback");
     }
     const td_body *body = td_body_at(w, index);
-    if (body->kind != THUD_DYNAMIC) {
+    if (body->kind != THUD_BODY_DYNAMIC) {
         return td_refuse(w, THUD_ERROR_INVALID, "field: the body is not dynamic");
     }
     const float *velocity = td_body_velocity(w, body);
@@ -39,17 +39,17 @@ thud_result td_field_body_in_flow(const thud_world *w, const char *name, thud_ve
     return result != THUD_OK ? result : td_check(w, name, (double)flow.y, -max, max);
 }
 
-thud_shape_instance td_field_shape(const thud_world *w, const td_field_body *a,
-                                   const td_shape *shape, double turn) {
+thud_geometry td_field_shape(const thud_world *w, const td_field_body *a, const td_shape *shape,
+                             double turn) {
     const td_body *body = td_body_at(w, a->index);
     const td_pose *pose = td_pose_at(w, a->index);
-    thud_shape_instance at = {(thud_shape_kind)shape->kind,
-                              0.0,
-                              0.0,
-                              (double)pose->c,
-                              (double)pose->s,
-                              (double)shape->half_x,
-                              (double)shape->half_y};
+    thud_geometry at = {(thud_shape_kind)shape->kind,
+                        0.0,
+                        0.0,
+                        (double)pose->c,
+                        (double)pose->s,
+                        (double)shape->half_x,
+                        (double)shape->half_y};
     /* One Newton step for 1 / sqrt(c^2 + s^2) from 1: cosine and sine in single precision are not
      * exactly of length 1. */
     double scale = 1.5 - 0.5 * (at.c * at.c + at.s * at.s), c, s;
@@ -60,7 +60,7 @@ thud_shape_instance td_field_shape(const thud_world *w, const td_field_body *a,
     at.x = turned_c * arm_x - turned_s * arm_y;
     at.y = turned_s * arm_x + turned_c * arm_y;
     double own_c = (double)shape->angle_c, own_s = (double)shape->angle_s;
-    bool turns = shape->kind == THUD_OBB;
+    bool turns = shape->kind == THUD_SHAPE_OBB;
     at.c = turns ? turned_c * own_c - turned_s * own_s : 1.0;
     at.s = turns ? turned_s * own_c + turned_c * own_s : 0.0;
     return at;
@@ -96,7 +96,7 @@ thud_result td_field_push(thud_world *w, const td_field_body *a, td_push force) 
         sum[0] += (float)force.x;
         sum[1] += (float)force.y;
         sum[2] += (float)force.turn;
-        w->push_stale = true;
+        w->substep_gain_stale = true;
     }
     return THUD_OK;
 }

@@ -30,9 +30,9 @@ static inline void td_push_add(td_push *push, double x, double y, double fx, dou
     push->turn += x * fy - y * fx;
 }
 
-/* Whether all components are within THUD_PUSH_MAX. False where one is not a number. */
+/* Whether all components are within THUD_FORCE_MAX. False where one is not a number. */
 static inline bool td_push_valid(td_push push) {
-    double max = (double)THUD_PUSH_MAX;
+    double max = (double)THUD_FORCE_MAX;
     return td_abs(push.x) <= max && td_abs(push.y) <= max && td_abs(push.turn) <= max;
 }
 
@@ -57,8 +57,8 @@ static inline thud_pos td_field_velocity_at(const td_field_body *a, double x, do
 
 /* A shape of the body as it is placed after the body has rotated by `turn` more radians. It follows
  * from the present pose, pending edits included, and not from the proxies. */
-thud_shape_instance td_field_shape(const thud_world *w, const td_field_body *a,
-                                   const td_shape *shape, double turn);
+thud_geometry td_field_shape(const thud_world *w, const td_field_body *a, const td_shape *shape,
+                             double turn);
 
 /* Whether fields act on the shape: it is no sensor, and was not made inside a callback. */
 static inline bool td_field_meets(const td_shape *shape) {

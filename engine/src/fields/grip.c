@@ -3,7 +3,7 @@
  *
  * With n the axis, r the point's lever arm, h the time step and J = (n, r x n), the force along n
  * that brings the point to the speed at the end of the step is f = (speed - J (v + h a)) / (h J
- * M^-1 J'),   |f| <= most, where a is the acceleration by gravity and the forces so far. */
+ * M^-1 J'),   |f| <= max_force, where a is the acceleration by gravity and the forces so far. */
 #include "fields/fields.h"
 
 #include "state/body.h"
@@ -17,8 +17,8 @@ static thud_pos to_world(const td_pose *pose, double x, double y) {
 }
 
 thud_result thud_body_apply_grip(thud_world *w, thud_body_id id, thud_vec2 point, thud_vec2 axis,
-                                 float speed, float most) {
-    TD_IN_OWN_MODE;
+                                 float speed, float max_force) {
+    TD_IN_OWN_FLOAT_MODE;
     td_field_body a;
     thud_result result = td_field_body_find(w, id, &a);
     if (result != THUD_OK) {
@@ -29,7 +29,7 @@ thud_result thud_body_apply_grip(thud_world *w, thud_body_id id, thud_vec2 point
     td_reason why;
     if (!td_offset_in(w, &why, "apply grip: x or y of point", point) ||
         !td_in(&why, "apply grip: speed", (double)speed, -max_speed, max_speed) ||
-        !td_in(&why, "apply grip: most", (double)most, 0.0, (double)THUD_PUSH_MAX)) {
+        !td_in(&why, "apply grip: max_force", (double)max_force, 0.0, (double)THUD_FORCE_MAX)) {
         return td_refuse(w, THUD_ERROR_INVALID, why.text);
     }
     if (!td_finite(length) || length == 0.0) {
@@ -53,7 +53,7 @@ thud_result thud_body_apply_grip(thud_world *w, thud_body_id id, thud_vec2 point
                          turn * (a.turn + time * inv_inertia * (double)body->force[2]) -
                          (double)speed;
     double response = inv_mass * (n.x * n.x + n.y * n.y) + inv_inertia * turn * turn;
-    double push = td_min_double(td_abs(speed_error) / (time * response), (double)most);
+    double push = td_min_double(td_abs(speed_error) / (time * response), (double)max_force);
     push = speed_error > 0.0 ? -push : push;
     return td_field_push(w, &a, (td_push){push * n.x, push * n.y, push * turn});
 }

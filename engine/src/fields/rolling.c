@@ -17,14 +17,14 @@ typedef struct rolling_sum {
 
 /* Adds the contact of an edge to the sums, if it touches a circle of the body. */
 static void add_contact(const thud_world *w, td_body_index body, int edge, rolling_sum *sum) {
-    const td_constraint *contact = td_constraint_at(w, edge / 2);
+    const td_constraint *contact = td_constraint_at(w, td_edge_constraint(edge));
     if (!td_is_contact(contact) || contact->state != TD_TOUCHING ||
         td_contact_is_ending(w, contact)) {
         return;
     }
     bool second = td_same_body(contact->body[1], body);
     const td_shape *shape = td_shape_at(w, second ? contact->shape_b : contact->shape_a);
-    if (shape->kind != THUD_CIRCLE) {
+    if (shape->kind != THUD_SHAPE_CIRCLE) {
         return;
     }
     thud_manifold manifold = td_manifold_of(w, contact);
@@ -38,7 +38,7 @@ static void add_contact(const thud_world *w, td_body_index body, int edge, rolli
 }
 
 thud_result thud_body_apply_rolling_resistance(thud_world *w, thud_body_id id, float coefficient) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_field_body a;
     thud_result result = td_field_body_find(w, id, &a);
     if (result != THUD_OK) {

@@ -1,5 +1,5 @@
 /* submerged.c: area and centroid of the part of a circle or box below a line, in closed form; and
- * thud_shape_below. */
+ * thud_geometry_area_below. */
 #include "fields/submerged.h"
 
 #include "base/trig.h"
@@ -21,8 +21,7 @@ static double angle_of(double cosine, double sine) {
 /* The part of a circle whose centre is at `height` above the line: a circular segment, of area
  * r^2 angle - height * half, where `half` is half the chord, with its centroid 2/3 half^3 / area
  * below the centre. */
-static td_submerged_part part_of_circle(const thud_shape_instance *circle, double height,
-                                        thud_pos up) {
+static td_submerged_part part_of_circle(const thud_geometry *circle, double height, thud_pos up) {
     double r = circle->hx;
     td_submerged_part part = {0.0, circle->x, circle->y};
     if (height >= r) {
@@ -43,8 +42,8 @@ static td_submerged_part part_of_circle(const thud_shape_instance *circle, doubl
 
 /* The part of a box: cuts the box at the line (Sutherland and Hodgman's clipping), which leaves up
  * to five corners, and adds up the triangles from the first corner. */
-static td_submerged_part part_of_box(const thud_shape_instance *box, double height, thud_pos up) {
-    thud_shape_instance own = *box;
+static td_submerged_part part_of_box(const thud_geometry *box, double height, thud_pos up) {
+    thud_geometry own = *box;
     thud_pos corner[4], left[5];
     double above[4];
     int count = 0;
@@ -82,10 +81,9 @@ static td_submerged_part part_of_box(const thud_shape_instance *box, double heig
                                box->y + left[0].y + sum_y / (3.0 * twice)};
 }
 
-td_submerged_part td_submerged_part_of(const thud_shape_instance *shape, double height,
-                                       thud_pos up) {
-    return shape->kind == THUD_CIRCLE ? part_of_circle(shape, height, up)
-                                      : part_of_box(shape, height, up);
+td_submerged_part td_submerged_part_of(const thud_geometry *shape, double height, thud_pos up) {
+    return shape->kind == THUD_SHAPE_CIRCLE ? part_of_circle(shape, height, up)
+                                            : part_of_box(shape, height, up);
 }
 
 bool td_line_normal(double x, double y, thud_pos *up) {
@@ -94,20 +92,20 @@ bool td_line_normal(double x, double y, thud_pos *up) {
     return td_abs(length - 1.0) <= THUD_NORMAL_ERROR;
 }
 
-thud_result thud_shape_below(const thud_shape_instance *shape, double x, double y, double nx,
-                             double ny, double *area, double *center_x, double *center_y) {
-    if (!shape || !area || !center_x || !center_y) {
+thud_result thud_geometry_area_below(const thud_geometry *shape, thud_half_plane below,
+                                     double *out_area, double *out_center_x, double *out_center_y) {
+    if (!shape || !out_area || !out_center_x || !out_center_y) {
         return THUD_ERROR_NULL;
     }
     thud_pos up;
-    if (thud_placed_check(shape) != THUD_OK || !td_line_normal(nx, ny, &up) ||
-        !(td_abs(x) <= THUD_COORDINATE_MAX && td_abs(y) <= THUD_COORDINATE_MAX)) {
+    if (thud_geometry_check(shape) != THUD_OK || !td_line_normal(below.nx, below.ny, &up) ||
+        !(td_abs(below.x) <= THUD_COORDINATE_MAX && td_abs(below.y) <= THUD_COORDINATE_MAX)) {
         return THUD_ERROR_INVALID;
     }
     td_submerged_part part =
-        td_submerged_part_of(shape, up.x * (shape->x - x) + up.y * (shape->y - y), up);
-    *area = part.area;
-    *center_x = part.x;
-    *center_y = part.y;
+        td_submerged_part_of(shape, up.x * (shape->x - below.x) + up.y * (shape->y - below.y), up);
+    *out_area = part.area;
+    *out_center_x = part.x;
+    *out_center_y = part.y;
     return THUD_OK;
 }

@@ -53,8 +53,8 @@ static void add_edge_force(const td_field_body *a, const wind *air, thud_pos fro
 }
 
 /* Adds the force on a circle. */
-static void add_circle_force(const td_field_body *a, const wind *air,
-                             const thud_shape_instance *circle, td_push *push) {
+static void add_circle_force(const td_field_body *a, const wind *air, const thud_geometry *circle,
+                             td_push *push) {
     thud_pos u = td_field_velocity_at(a, circle->x, circle->y);
     double drag = 2.0 * circle->hx * air->drag * __builtin_sqrt(u.x * u.x + u.y * u.y);
     double lift = 2.0 * circle->hx * air->lift * circle->hx * a->turn;
@@ -62,7 +62,7 @@ static void add_circle_force(const td_field_body *a, const wind *air,
 }
 
 /* Adds the forces on the edges of a box. */
-static void add_box_force(const td_field_body *a, const wind *air, const thud_shape_instance *box,
+static void add_box_force(const td_field_body *a, const wind *air, const thud_geometry *box,
                           td_push *push) {
     thud_pos from, to;
     td_corner(box, 3, &from.x, &from.y);
@@ -75,7 +75,7 @@ static void add_box_force(const td_field_body *a, const wind *air, const thud_sh
 
 thud_result thud_body_apply_wind(thud_world *w, thud_body_id id, thud_vec2 velocity, float density,
                                  float drag, float lift) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_field_body a;
     thud_result result = td_field_body_find(w, id, &a);
     if (result != THUD_OK) {
@@ -102,9 +102,9 @@ thud_result thud_body_apply_wind(thud_world *w, thud_body_id id, thud_vec2 veloc
     for (int i = td_body_at(w, a.index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         const td_shape *shape = td_shape_at(w, i);
         if (td_field_meets(shape)) {
-            thud_shape_instance placed = td_field_shape(w, &a, shape, 0.0);
-            (placed.kind == THUD_CIRCLE ? add_circle_force : add_box_force)(&a, &air, &placed,
-                                                                            &push);
+            thud_geometry placed = td_field_shape(w, &a, shape, 0.0);
+            (placed.kind == THUD_SHAPE_CIRCLE ? add_circle_force : add_box_force)(&a, &air, &placed,
+                                                                                  &push);
         }
     }
     return td_field_push(w, &a, td_push_dissipative(w, &a, push));

@@ -3,13 +3,13 @@
  * = -(p . u) / |d|, clamped to [0, 1]. */
 #include "geometry/shape_instance.h"
 
-thud_result thud_circles_approach(const thud_shape_instance *a, thud_motion motion_a,
-                                  const thud_shape_instance *b, thud_motion motion_b,
-                                  thud_approach *out) {
+thud_result thud_geometry_approach(const thud_geometry *a, thud_motion motion_a,
+                                   const thud_geometry *b, thud_motion motion_b,
+                                   thud_approach *out) {
     if (!a || !b || !out) {
         return THUD_ERROR_NULL;
     }
-    if (thud_placed_check(a) != THUD_OK || thud_placed_check(b) != THUD_OK ||
+    if (thud_geometry_check(a) != THUD_OK || thud_geometry_check(b) != THUD_OK ||
         !td_kind_is_round(a->kind) || !td_kind_is_round(b->kind) || !td_motion_valid(motion_a) ||
         !td_motion_valid(motion_b)) {
         return THUD_ERROR_INVALID;
@@ -24,7 +24,7 @@ thud_result thud_circles_approach(const thud_shape_instance *a, thud_motion moti
     double ux = path > 0.0 ? dx / path : 1.0, uy = path > 0.0 ? dy / path : 0.0;
     double along = -(x * ux + y * uy), side = ux * y - uy * x;
     double travelled = td_clamp(along, 0.0, path), remaining = along - travelled;
-    out->least_time = path > 0.0 ? travelled / path : 0.0;
-    out->least = __builtin_sqrt(remaining * remaining + side * side);
+    out->min_distance_time = path > 0.0 ? travelled / path : 0.0;
+    out->min_distance = __builtin_sqrt(remaining * remaining + side * side);
     return THUD_OK;
 }

@@ -1,6 +1,6 @@
 /* bisect.c: the time of collision by bisection. Each overlap test halves the interval that holds
  * it, so that a tolerance of 2^-20 of the motion takes twenty tests. A collision that is over by
- * the end of the motion is not found: thud_motion_is_bisectable says when that cannot happen. */
+ * the end of the motion is not found: thud_geometry_is_bisectable says when that cannot happen. */
 #include "geometry/bisect.h"
 
 bool td_bisect(td_overlap_at_fn *overlap_at, const void *pair, double tolerance, double *time) {
@@ -20,54 +20,54 @@ bool td_bisect(td_overlap_at_fn *overlap_at, const void *pair, double tolerance,
 
 /* Two moving shapes. */
 typedef struct shapes {
-    const thud_shape_instance *a, *b;
+    const thud_geometry *a, *b;
     thud_motion motion_a, motion_b;
 } shapes;
 
 /* A td_overlap_at_fn for `shapes`. */
 static bool overlap_at(const void *pair, double time) {
     const shapes *m = pair;
-    thud_shape_instance a = td_placed_at(m->a, &m->motion_a, time);
-    thud_shape_instance b = td_placed_at(m->b, &m->motion_b, time);
+    thud_geometry a = td_placed_at(m->a, &m->motion_a, time);
+    thud_geometry b = td_placed_at(m->b, &m->motion_b, time);
     thud_closest closest;
     td_closest(&a, &b, &closest);
     return closest.distance <= 0.0;
 }
 
-thud_result thud_shapes_time_of_collision(const thud_shape_instance *a, thud_motion motion_a,
-                                          const thud_shape_instance *b, thud_motion motion_b,
-                                          double tolerance, bool *collided, double *time) {
-    if (!a || !b || !collided || !time) {
+thud_result thud_geometry_time_of_collision(const thud_geometry *a, thud_motion motion_a,
+                                            const thud_geometry *b, thud_motion motion_b,
+                                            double tolerance, bool *out_collided,
+                                            double *out_time) {
+    if (!a || !b || !out_collided || !out_time) {
         return THUD_ERROR_NULL;
     }
-    if (thud_placed_check(a) != THUD_OK || thud_placed_check(b) != THUD_OK ||
+    if (thud_geometry_check(a) != THUD_OK || thud_geometry_check(b) != THUD_OK ||
         !td_motion_valid(motion_a) || !td_motion_valid(motion_b) ||
         !td_tolerance_valid(tolerance)) {
         return THUD_ERROR_INVALID;
     }
     shapes m = {a, b, motion_a, motion_b};
-    *collided = td_bisect(overlap_at, &m, tolerance, time);
+    *out_collided = td_bisect(overlap_at, &m, tolerance, out_time);
     return THUD_OK;
 }
 
 /* The smallest extent of a shape. */
-static double thickness(const thud_shape_instance *shape) {
+static double thickness(const thud_geometry *shape) {
     return 2.0 * td_kind_half_thickness(shape->kind, shape->hx, shape->hy);
 }
 
 /* The distance by which turning may move a point of the shape, at most. It is 0 for a shape that
  * does not turn, and where no point of the shape is further from its centre than half of both
  * thicknesses together: such a point cannot pass through the middle of the other shape. */
-static double turning_reach(const thud_shape_instance *shape, thud_motion m,
-                            const thud_shape_instance *other) {
+static double turning_reach(const thud_geometry *shape, thud_motion m, const thud_geometry *other) {
     double radius = __builtin_sqrt(shape->hx * shape->hx + shape->hy * shape->hy);
     bool far = radius > 0.5 * (thickness(shape) + thickness(other));
     return td_kind_turns(shape->kind) && far ? td_abs(m.turn) * radius : 0.0;
 }
 
-bool thud_motion_is_bisectable(const thud_shape_instance *a, thud_motion motion_a,
-                               const thud_shape_instance *b, thud_motion motion_b) {
-    if (thud_placed_check(a) != THUD_OK || thud_placed_check(b) != THUD_OK ||
+bool thud_geometry_is_bisectable(const thud_geometry *a, thud_motion motion_a,
+                                 const thud_geometry *b, thud_motion motion_b) {
+    if (thud_geometry_check(a) != THUD_OK || thud_geometry_check(b) != THUD_OK ||
         !td_motion_valid(motion_a) || !td_motion_valid(motion_b)) {
         return false;
     }

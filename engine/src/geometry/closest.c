@@ -6,7 +6,7 @@
  * at a corner of one, so that all corners are tested against the other box. */
 #include "geometry/shape_instance.h"
 
-thud_result thud_placed_check(const thud_shape_instance *p) {
+thud_result thud_geometry_check(const thud_geometry *p) {
     if (!p) {
         return THUD_ERROR_NULL;
     }
@@ -20,8 +20,7 @@ thud_result thud_placed_check(const thud_shape_instance *p) {
 }
 
 /* Two circles. Where the centres coincide, the normal is (0, 1). */
-static void circle_circle(const thud_shape_instance *a, const thud_shape_instance *b,
-                          thud_closest *out) {
+static void circle_circle(const thud_geometry *a, const thud_geometry *b, thud_closest *out) {
     double dx = b->x - a->x, dy = b->y - a->y;
     double length = __builtin_sqrt(dx * dx + dy * dy);
     out->nx = length > 0.0 ? dx / length : 0.0;
@@ -35,8 +34,7 @@ static void circle_circle(const thud_shape_instance *a, const thud_shape_instanc
 
 /* A box and a circle. A centre outside of the box is nearest to its projection onto the box; one
  * inside leaves through the nearest face. */
-static void box_circle(const thud_shape_instance *box, const thud_shape_instance *circle,
-                       thud_closest *out) {
+static void box_circle(const thud_geometry *box, const thud_geometry *circle, thud_closest *out) {
     double u, v, nu, nv, distance;
     td_to_frame(box, circle->x - box->x, circle->y - box->y, &u, &v);
     double cu = td_clamp(u, -box->hx, box->hx), cv = td_clamp(v, -box->hy, box->hy);
@@ -78,8 +76,8 @@ static void flip(thud_closest *c) {
 
 /* Tests the separation of a and b along both axes of the box `reference`. Keeps the greatest one so
  * far in *out, with its normal from a to b, and returns whether it is one of these two. */
-static bool try_axes(const thud_shape_instance *reference, const thud_shape_instance *a,
-                     const thud_shape_instance *b, thud_closest *out) {
+static bool try_axes(const thud_geometry *reference, const thud_geometry *a, const thud_geometry *b,
+                     thud_closest *out) {
     double dx = b->x - a->x, dy = b->y - a->y;
     bool better = false;
     for (int axis = 0; axis < 2; axis++) {
@@ -100,8 +98,7 @@ static bool try_axes(const thud_shape_instance *reference, const thud_shape_inst
 /* Sets the points of two overlapping boxes where the normal in *out is that of a face of a: the
  * deepest corner of b, and its projection onto that face, clamped to the face's ends where b's edge
  * is parallel to it and longer. */
-static void deepest_points(const thud_shape_instance *a, const thud_shape_instance *b,
-                           thud_closest *out) {
+static void deepest_points(const thud_geometry *a, const thud_geometry *b, thud_closest *out) {
     double u, v, x, y;
     td_to_frame(b, -out->nx, -out->ny, &u, &v);
     td_from_frame(b, u < 0.0 ? -b->hx : b->hx, v < 0.0 ? -b->hy : b->hy, &x, &y);
@@ -126,14 +123,14 @@ static void shift(thud_closest *c, double x, double y) {
 /* Tests each corner of b against the box a, and keeps the closest pair in *out. `flipped`: the
  * caller has exchanged a and b. Works relative to a's centre, since coordinates far from the origin
  * are too coarse for a distance. */
-static void try_corners(const thud_shape_instance *a, const thud_shape_instance *b, bool flipped,
+static void try_corners(const thud_geometry *a, const thud_geometry *b, bool flipped,
                         thud_closest *out) {
-    thud_shape_instance box = *a, other = *b;
+    thud_geometry box = *a, other = *b;
     box.x = box.y = 0.0;
     other.x = b->x - a->x;
     other.y = b->y - a->y;
     for (int i = 0; i < 4; i++) {
-        thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1.0};
+        thud_geometry point = {.kind = THUD_SHAPE_CIRCLE, .c = 1.0};
         thud_closest found;
         td_corner(&other, i, &point.x, &point.y);
         box_circle(&box, &point, &found);
@@ -148,23 +145,21 @@ static void try_corners(const thud_shape_instance *a, const thud_shape_instance 
 }
 
 /* The separation of two boxes along the normal of *c. */
-static double gap_along(const thud_shape_instance *a, const thud_shape_instance *b,
-                        const thud_closest *c) {
+static double gap_along(const thud_geometry *a, const thud_geometry *b, const thud_closest *c) {
     return (b->x - a->x) * c->nx + (b->y - a->y) * c->ny - td_projected_extent(a, c->nx, c->ny) -
            td_projected_extent(b, c->nx, c->ny);
 }
 
 /* Sets distance and normal of *out by the axes of both boxes. Returns whether the axis is one of
  * b's. */
-static bool try_all_axes(const thud_shape_instance *a, const thud_shape_instance *b,
-                         thud_closest *out) {
+static bool try_all_axes(const thud_geometry *a, const thud_geometry *b, thud_closest *out) {
     out->distance = -1e300;
     try_axes(a, a, b, out);
     return try_axes(b, a, b, out);
 }
 
 /* Two boxes. */
-static void box_box(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out) {
+static void box_box(const thud_geometry *a, const thud_geometry *b, thud_closest *out) {
     thud_closest corners = {.distance = 1e300};
     bool face_of_b = try_all_axes(a, b, out);
     if (out->distance > 0.0) {
@@ -186,9 +181,9 @@ static void box_box(const thud_shape_instance *a, const thud_shape_instance *b, 
     }
 }
 
-void td_closest(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out) {
+void td_closest(const thud_geometry *a, const thud_geometry *b, thud_closest *out) {
     switch (a->kind) {
-    case THUD_CIRCLE:
+    case THUD_SHAPE_CIRCLE:
         if (td_kind_is_round(b->kind)) {
             circle_circle(a, b, out);
         } else {
@@ -196,9 +191,9 @@ void td_closest(const thud_shape_instance *a, const thud_shape_instance *b, thud
             flip(out);
         }
         break;
-    case THUD_AABB:
-    case THUD_OBB:
-    case THUD_TERRAIN: /* never called for one */
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
+    case THUD_SHAPE_TERRAIN: /* never called for one */
         if (td_kind_is_round(b->kind)) {
             box_circle(a, b, out);
         } else {
@@ -208,19 +203,19 @@ void td_closest(const thud_shape_instance *a, const thud_shape_instance *b, thud
     }
 }
 
-thud_result thud_shapes_closest(const thud_shape_instance *a, const thud_shape_instance *b,
-                                thud_closest *out) {
+thud_result thud_geometry_closest(const thud_geometry *a, const thud_geometry *b,
+                                  thud_closest *out) {
     if (!a || !b || !out) {
         return THUD_ERROR_NULL;
     }
-    if (thud_placed_check(a) != THUD_OK || thud_placed_check(b) != THUD_OK) {
+    if (thud_geometry_check(a) != THUD_OK || thud_geometry_check(b) != THUD_OK) {
         return THUD_ERROR_INVALID;
     }
     td_closest(a, b, out);
     return THUD_OK;
 }
 
-bool thud_shapes_overlap(const thud_shape_instance *a, const thud_shape_instance *b) {
+bool thud_geometry_overlap(const thud_geometry *a, const thud_geometry *b) {
     thud_closest closest;
     if (a && b && td_kind_is_box(a->kind) && td_kind_is_box(b->kind)) {
         /* A separation along an axis shows that the boxes are apart, without the search for the
@@ -231,5 +226,5 @@ bool thud_shapes_overlap(const thud_shape_instance *a, const thud_shape_instance
             return false;
         }
     }
-    return thud_shapes_closest(a, b, &closest) == THUD_OK && closest.distance <= 0.0;
+    return thud_geometry_closest(a, b, &closest) == THUD_OK && closest.distance <= 0.0;
 }

@@ -8,8 +8,8 @@
 #include "geometry/minkowski.h"
 
 /* The first axis of a box, normalised by a Newton step for the inverse square root.
- * thud_placed_check allows an error of 1e-5, of which about 1e-10 is left. */
-static thud_pos axis_of(const thud_shape_instance *box) {
+ * thud_geometry_check allows an error of 1e-5, of which about 1e-10 is left. */
+static thud_pos axis_of(const thud_geometry *box) {
     double scale = 1.5 - 0.5 * (box->c * box->c + box->s * box->s);
     return (thud_pos){box->c * scale, box->s * scale};
 }
@@ -55,8 +55,7 @@ static void set_box(thud_minkowski *sum, thud_pos e, double hx, double hy) {
 }
 
 /* The sum of two boxes: a box where they are parallel, else an octagon. */
-static void set_boxes(thud_minkowski *sum, const thud_shape_instance *a,
-                      const thud_shape_instance *b) {
+static void set_boxes(thud_minkowski *sum, const thud_geometry *a, const thud_geometry *b) {
     if (!td_kind_turns(a->kind) && !td_kind_turns(b->kind)) {
         set_box(sum, (thud_pos){1.0, 0.0}, a->hx + b->hx, a->hy + b->hy);
         return;
@@ -82,23 +81,22 @@ static void set_boxes(thud_minkowski *sum, const thud_shape_instance *a,
     }
 }
 
-void td_minkowski_of(const thud_shape_instance *shape, thud_minkowski *sum) {
+void td_minkowski_of(const thud_geometry *shape, thud_minkowski *sum) {
     switch (shape->kind) {
-    case THUD_CIRCLE:
+    case THUD_SHAPE_CIRCLE:
         sum->count = 1;
         sum->vertices[0] = (thud_pos){0.0, 0.0};
         sum->radius = shape->hx;
         break;
-    case THUD_AABB:
-    case THUD_OBB:
-    case THUD_TERRAIN: /* never called for one */
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
+    case THUD_SHAPE_TERRAIN: /* never called for one */
         set_box(sum, axis_of(shape), shape->hx, shape->hy);
         break;
     }
 }
 
-void td_minkowski_sum(const thud_shape_instance *a, const thud_shape_instance *b,
-                      thud_minkowski *sum) {
+void td_minkowski_sum(const thud_geometry *a, const thud_geometry *b, thud_minkowski *sum) {
     if (td_kind_is_round(b->kind)) {
         td_minkowski_of(a, sum);
         sum->radius += b->hx;
@@ -236,7 +234,8 @@ bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx
         return enter_circle(sum->vertices[0], sum->radius, x, y, dx, dy, fraction, nx, ny);
     }
     int faces = sum->count / 2, face = TD_NONE;
-    double at[THUD_MINKOWSKI_MAX / 2], rate[THUD_MINKOWSKI_MAX / 2], enter = 0.0, side = 1.0;
+    double at[THUD_MINKOWSKI_VERTICES_MAX / 2], rate[THUD_MINKOWSKI_VERTICES_MAX / 2], enter = 0.0,
+                                                                                       side = 1.0;
     for (int i = 0; i < faces; i++) {
         at[i] = dot(sum->normals[i], x, y);
         rate[i] = dot(sum->normals[i], dx, dy);
@@ -298,59 +297,61 @@ static bool readable(const thud_minkowski *sum) {
            sum->radius <= THUD_VOLUME_MAX;
 }
 
-thud_result thud_minkowski_sum(const thud_shape_instance *a, const thud_shape_instance *b,
-                               thud_minkowski *sum) {
-    if (!a || !b || !sum) {
+thud_result thud_minkowski_sum(const thud_geometry *a, const thud_geometry *b,
+                               thud_minkowski *out) {
+    if (!a || !b || !out) {
         return THUD_ERROR_NULL;
     }
-    if (thud_placed_check(a) != THUD_OK || thud_placed_check(b) != THUD_OK) {
+    if (thud_geometry_check(a) != THUD_OK || thud_geometry_check(b) != THUD_OK) {
         return THUD_ERROR_INVALID;
     }
-    *sum = (thud_minkowski){0};
-    td_minkowski_sum(a, b, sum);
+    *out = (thud_minkowski){0};
+    td_minkowski_sum(a, b, out);
     return THUD_OK;
 }
 
-thud_result thud_minkowski_contains(const thud_minkowski *sum, double x, double y, bool *inside) {
-    if (!sum || !inside) {
+thud_result thud_minkowski_contains(const thud_minkowski *sum, double x, double y,
+                                    bool *out_inside) {
+    if (!sum || !out_inside) {
         return THUD_ERROR_NULL;
     }
     if (!readable(sum) || !in_range(x, y)) {
         return THUD_ERROR_INVALID;
     }
-    *inside = td_minkowski_contains(sum, x, y);
+    *out_inside = td_minkowski_contains(sum, x, y);
     return THUD_OK;
 }
 
-thud_result thud_minkowski_distance(const thud_minkowski *sum, double x, double y, double *distance,
-                                    double *nx, double *ny) {
-    if (!sum || !distance || !nx || !ny) {
+thud_result thud_minkowski_distance(const thud_minkowski *sum, double x, double y,
+                                    double *out_distance, double *out_nx, double *out_ny) {
+    if (!sum || !out_distance || !out_nx || !out_ny) {
         return THUD_ERROR_NULL;
     }
     if (!readable(sum) || !in_range(x, y)) {
         return THUD_ERROR_INVALID;
     }
-    *distance = td_minkowski_distance(sum, x, y, nx, ny);
+    *out_distance = td_minkowski_distance(sum, x, y, out_nx, out_ny);
     return THUD_OK;
 }
 
-thud_result thud_minkowski_cast(const thud_minkowski *sum, double x, double y, double dx, double dy,
-                                bool *hit, double *fraction, double *nx, double *ny) {
-    if (!sum || !hit || !fraction || !nx || !ny) {
+thud_result thud_minkowski_cast(const thud_minkowski *sum, thud_segment path, bool *out_hit,
+                                double *out_fraction, double *out_nx, double *out_ny) {
+    if (!sum || !out_hit || !out_fraction || !out_nx || !out_ny) {
         return THUD_ERROR_NULL;
     }
-    if (!readable(sum) || !in_range(x, y) || !in_range(dx, dy)) {
+    if (!readable(sum) || !in_range(path.x, path.y) || !in_range(path.dx, path.dy)) {
         return THUD_ERROR_INVALID;
     }
-    *fraction = 1.0;
-    *nx = 0.0;
-    *ny = 0.0;
-    *hit = td_minkowski_contains(sum, x, y);
-    if (*hit) {
-        *fraction = 0.0;
-        td_minkowski_distance(sum, x, y, nx, ny);
+    *out_fraction = 1.0;
+    *out_nx = 0.0;
+    *out_ny = 0.0;
+    *out_hit = td_minkowski_contains(sum, path.x, path.y);
+    if (*out_hit) {
+        *out_fraction = 0.0;
+        td_minkowski_distance(sum, path.x, path.y, out_nx, out_ny);
     } else {
-        *hit = td_minkowski_enter(sum, x, y, dx, dy, fraction, nx, ny);
+        *out_hit =
+            td_minkowski_enter(sum, path.x, path.y, path.dx, path.dy, out_fraction, out_nx, out_ny);
     }
     return THUD_OK;
 }

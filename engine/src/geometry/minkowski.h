@@ -7,10 +7,9 @@
 #include "thud/thud_minkowski.h"
 
 /* The sum of a shape and a point: the shape itself, about its own centre. */
-void td_minkowski_of(const thud_shape_instance *shape, thud_minkowski *sum);
+void td_minkowski_of(const thud_geometry *shape, thud_minkowski *sum);
 
-void td_minkowski_sum(const thud_shape_instance *a, const thud_shape_instance *b,
-                      thud_minkowski *sum);
+void td_minkowski_sum(const thud_geometry *a, const thud_geometry *b, thud_minkowski *sum);
 
 bool td_minkowski_contains(const thud_minkowski *sum, double x, double y);
 

@@ -13,8 +13,7 @@
 
 /* Finds the outward normal of the box's face that is nearest to the direction (x, y). Returns the
  * tangent of the angle between both. */
-static double face_along(const thud_shape_instance *box, double x, double y, double *nx,
-                         double *ny) {
+static double face_along(const thud_geometry *box, double x, double y, double *nx, double *ny) {
     double u, v;
     td_to_frame(box, x, y, &u, &v);
     bool by_u = td_abs(u) > td_abs(v);
@@ -34,7 +33,7 @@ static face_point face_point_of(const thud_closest *c, double x, double y) {
 }
 
 /* The ends of the box's face that is most opposed to the normal, relative to its centre. */
-static void face_against(const thud_shape_instance *box, const thud_closest *c, face_point end[2]) {
+static void face_against(const thud_geometry *box, const thud_closest *c, face_point end[2]) {
     double u, v, x, y;
     td_to_frame(box, -c->nx, -c->ny, &u, &v);
     bool by_u = td_abs(u) > td_abs(v);
@@ -56,7 +55,7 @@ static face_point interpolate(face_point p, face_point q, double along) {
 /* Clips the other box's opposite face to the face of `box` whose normal is c's, and returns the end
  * that is further from the closest points. Both boxes and `c` are relative to c's point on the
  * surface of `box`; the normal points out of `box`. */
-static face_point far_end(const thud_shape_instance *box, const thud_shape_instance *other,
+static face_point far_end(const thud_geometry *box, const thud_geometry *other,
                           const thud_closest *c) {
     face_point end[2], offset = face_point_of(c, other->x, other->y),
                        own = face_point_of(c, box->x, box->y);
@@ -80,7 +79,7 @@ static void reverse(thud_closest *c) {
 }
 
 /* Adds the second point of two boxes, if there is one within the margin. */
-static void add_far_end(const thud_shape_instance *a, const thud_shape_instance *b, double margin,
+static void add_far_end(const thud_geometry *a, const thud_geometry *b, double margin,
                         thud_contacts *out) {
     thud_closest c = out->point[0];
     double ax, ay, bx, by;
@@ -95,7 +94,7 @@ static void add_far_end(const thud_shape_instance *a, const thud_shape_instance 
     }
     c.nx = flipped ? bx : ax;
     c.ny = flipped ? by : ay;
-    thud_shape_instance box = flipped ? *b : *a, other = flipped ? *a : *b;
+    thud_geometry box = flipped ? *b : *a, other = flipped ? *a : *b;
     box.x -= c.ax;
     box.y -= c.ay;
     other.x -= c.ax;
@@ -116,17 +115,17 @@ static void add_far_end(const thud_shape_instance *a, const thud_shape_instance 
     out->point[out->count++] = c;
 }
 
-thud_result thud_shapes_contacts(const thud_shape_instance *a, const thud_shape_instance *b,
-                                 double margin, thud_contacts *out) {
+thud_result thud_geometry_contacts(const thud_geometry *a, const thud_geometry *b, double margin,
+                                   thud_contacts *out) {
     if (!a || !b || !out) {
         return THUD_ERROR_NULL;
     }
-    if (thud_placed_check(a) != THUD_OK || thud_placed_check(b) != THUD_OK ||
+    if (thud_geometry_check(a) != THUD_OK || thud_geometry_check(b) != THUD_OK ||
         !(margin >= 0.0 && margin <= THUD_COORDINATE_MAX)) {
         return THUD_ERROR_INVALID;
     }
     /* Relative to a, since coordinates far from the origin are too coarse. */
-    thud_shape_instance here = *a, there = *b;
+    thud_geometry here = *a, there = *b;
     here.x = here.y = 0.0;
     there.x -= a->x;
     there.y -= a->y;

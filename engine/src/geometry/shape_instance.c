@@ -3,8 +3,8 @@
 
 #include "base/trig.h"
 
-thud_shape_instance td_placed_at(const thud_shape_instance *shape, const thud_motion *m, double t) {
-    thud_shape_instance p = *shape;
+thud_geometry td_placed_at(const thud_geometry *shape, const thud_motion *m, double t) {
+    thud_geometry p = *shape;
     p.x += m->dx * t;
     p.y += m->dy * t;
     if (td_kind_turns(p.kind) && m->turn != 0.0) {

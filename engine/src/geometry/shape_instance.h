@@ -1,4 +1,4 @@
-/* shape_instance.h: helpers on thud_shape_instance, a circle or box in its place, in double
+/* shape_instance.h: helpers on thud_geometry, a circle or box in its place, in double
  * precision and without a world; and the internal versions of the geometry functions, which do not
  * check their input. Lengths are the caller's unit, angles radians. */
 #ifndef TD_SHAPE_INSTANCE_H
@@ -12,20 +12,18 @@ static inline double td_clamp(double x, double low, double high) {
 }
 
 /* Rotates a world vector into the shape's frame, and back. */
-static inline void td_to_frame(const thud_shape_instance *f, double x, double y, double *u,
-                               double *v) {
+static inline void td_to_frame(const thud_geometry *f, double x, double y, double *u, double *v) {
     *u = f->c * x + f->s * y;
     *v = f->c * y - f->s * x;
 }
 
-static inline void td_from_frame(const thud_shape_instance *f, double u, double v, double *x,
-                                 double *y) {
+static inline void td_from_frame(const thud_geometry *f, double u, double v, double *x, double *y) {
     *x = f->c * u - f->s * v;
     *y = f->s * u + f->c * v;
 }
 
 /* A corner of a box in the world; 0 to 3 counter-clockwise from the lower left one in its frame. */
-static inline void td_corner(const thud_shape_instance *box, int i, double *x, double *y) {
+static inline void td_corner(const thud_geometry *box, int i, double *x, double *y) {
     double u = i == 1 || i == 2 ? box->hx : -box->hx, v = i >= 2 ? box->hy : -box->hy;
     td_from_frame(box, u, v, x, y);
     *x += box->x;
@@ -33,40 +31,40 @@ static inline void td_corner(const thud_shape_instance *box, int i, double *x, d
 }
 
 /* Half the length of a box's projection onto the unit vector (x, y). */
-static inline double td_projected_extent(const thud_shape_instance *box, double x, double y) {
+static inline double td_projected_extent(const thud_geometry *box, double x, double y) {
     double u, v;
     td_to_frame(box, x, y, &u, &v);
     return td_abs(u) * box->hx + td_abs(v) * box->hy;
 }
 
 /* An upper bound of the distance of the shape's points from its centre: the radius, or hx + hy. */
-TD_INLINE_SMALL double td_reach(const thud_shape_instance *shape) {
+TD_INLINE_SMALL double td_reach(const thud_geometry *shape) {
     switch (shape->kind) {
-    case THUD_CIRCLE:
+    case THUD_SHAPE_CIRCLE:
         return shape->hx;
-    case THUD_AABB:
-    case THUD_OBB:
-    case THUD_TERRAIN:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
+    case THUD_SHAPE_TERRAIN:
         break;
     }
     return shape->hx + shape->hy;
 }
 
 /* Half the length of a shape's projection onto the unit vector (x, y). */
-static inline double td_half_along(const thud_shape_instance *shape, double x, double y) {
+static inline double td_half_along(const thud_geometry *shape, double x, double y) {
     switch (shape->kind) {
-    case THUD_CIRCLE:
+    case THUD_SHAPE_CIRCLE:
         return shape->hx;
-    case THUD_AABB:
-    case THUD_OBB:
-    case THUD_TERRAIN:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
+    case THUD_SHAPE_TERRAIN:
         break;
     }
     return td_projected_extent(shape, x, y);
 }
 
 /* Half the width of the shape's bounding box. */
-static inline double td_half_width(const thud_shape_instance *shape) {
+static inline double td_half_width(const thud_geometry *shape) {
     return td_half_along(shape, 1.0, 0.0);
 }
 
@@ -82,24 +80,22 @@ static inline bool td_target_valid(double target) {
 }
 
 /* The instance at a time of its motion, 0 to 1. */
-thud_shape_instance td_placed_at(const thud_shape_instance *shape, const thud_motion *motion,
-                                 double time);
+thud_geometry td_placed_at(const thud_geometry *shape, const thud_motion *motion, double time);
 
-/* closest.c: does what thud_shapes_closest does, for shapes known to be valid; boxes may have hy =
- * 0. */
-void td_closest(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out);
+/* closest.c: does what thud_geometry_closest does, for shapes known to be valid; boxes may have hy
+ * = 0. */
+void td_closest(const thud_geometry *a, const thud_geometry *b, thud_closest *out);
 
-/* toi.c: does what thud_shapes_time_of_impact does, for shapes and motions known to be valid. */
-void td_time_of_impact(const thud_shape_instance *a, thud_motion motion_a,
-                       const thud_shape_instance *b, thud_motion motion_b, double target, bool *hit,
-                       double *time);
+/* toi.c: does what thud_geometry_time_of_impact does, for shapes and motions known to be valid. */
+void td_time_of_impact(const thud_geometry *a, thud_motion motion_a, const thud_geometry *b,
+                       thud_motion motion_b, double target, bool *hit, double *time);
 /* A lower bound of the time until the shapes can come within `target` of each other, for
  * conservative advancement: by the separation along the unit normal (nx, ny), from a to b, which is
  * greater than the target. Motions are per unit of time; more than 1 says "not within the
  * motions". */
-typedef double td_jump_fn(const thud_shape_instance *a, const thud_motion *motion_a,
-                          const thud_shape_instance *b, const thud_motion *motion_b, double nx,
-                          double ny, double target);
+typedef double td_jump_fn(const thud_geometry *a, const thud_motion *motion_a,
+                          const thud_geometry *b, const thud_motion *motion_b, double nx, double ny,
+                          double target);
 td_jump_fn td_time_across;
 /* A td_jump_fn that also uses the faces of turning boxes, and finds longer times than
  * td_time_across where such a face keeps the shapes apart. It takes longer itself, which pays for
@@ -109,8 +105,8 @@ td_jump_fn td_time_across_faces;
 /* As td_time_of_impact, with the bound to advance by. `target` may be negative, so that shapes may
  * overlap by that much; turning shapes may stop up to `tolerance` (length) short of it, which saves
  * advances. */
-void td_time_of_near_impact(const thud_shape_instance *a, thud_motion motion_a,
-                            const thud_shape_instance *b, thud_motion motion_b, double target,
-                            double tolerance, td_jump_fn *jump, bool *hit, double *time);
+void td_time_of_near_impact(const thud_geometry *a, thud_motion motion_a, const thud_geometry *b,
+                            thud_motion motion_b, double target, double tolerance, td_jump_fn *jump,
+                            bool *hit, double *time);
 
 #endif

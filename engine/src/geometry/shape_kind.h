@@ -3,36 +3,36 @@
  * (-Wswitch-enum).
  *
  * A kind has two half extents, hx and hy. Of a circle hx is the radius, and hy is 0, in what
- * callers pass, in thud_shape_instance and in td_shape. td_kind_half_y gives the half extent that a
+ * callers pass, in thud_geometry and in td_shape. td_kind_half_y gives the half extent that a
  * circle has across hx, its radius; td_shape_proxy stores that one instead. */
 #ifndef TD_SHAPE_KIND_H
 #define TD_SHAPE_KIND_H
 
 #include "base/base.h"
-#include "thud/thud_shapes.h"
+#include "thud/thud_geometry.h"
 
 /* Whether the kind is a line of ground (a terrain), which has segments, and neither a centre nor
- * half extents. All other kinds can be a thud_shape_instance. */
+ * half extents. All other kinds can be a thud_geometry. */
 TD_INLINE_SMALL bool td_kind_is_line(thud_shape_kind kind) {
     switch (kind) {
-    case THUD_CIRCLE:
-    case THUD_AABB:
-    case THUD_OBB:
+    case THUD_SHAPE_CIRCLE:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
         return false;
-    case THUD_TERRAIN:
+    case THUD_SHAPE_TERRAIN:
         return true;
     }
     return false;
 }
 
-/* Whether there is a thud_shape_instance of the kind; false for values that are no kind, too. */
+/* Whether there is a thud_geometry of the kind; false for values that are no kind, too. */
 TD_INLINE_SMALL bool td_kind_has_instances(thud_shape_kind kind) {
     switch (kind) {
-    case THUD_CIRCLE:
-    case THUD_AABB:
-    case THUD_OBB:
+    case THUD_SHAPE_CIRCLE:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
         return true;
-    case THUD_TERRAIN:
+    case THUD_SHAPE_TERRAIN:
         return false;
     }
     return false;
@@ -41,11 +41,11 @@ TD_INLINE_SMALL bool td_kind_has_instances(thud_shape_kind kind) {
 /* Whether there is a thud_volume of the kind; false for values that are no kind, too. */
 TD_INLINE_SMALL bool td_kind_is_volume(thud_shape_kind kind) {
     switch (kind) {
-    case THUD_CIRCLE:
-    case THUD_AABB:
-    case THUD_OBB:
+    case THUD_SHAPE_CIRCLE:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
         return true;
-    case THUD_TERRAIN:
+    case THUD_SHAPE_TERRAIN:
         return false;
     }
     return false;
@@ -55,11 +55,11 @@ TD_INLINE_SMALL bool td_kind_is_volume(thud_shape_kind kind) {
  * nothing. */
 TD_INLINE_SMALL bool td_kind_is_round(thud_shape_kind kind) {
     switch (kind) {
-    case THUD_CIRCLE:
+    case THUD_SHAPE_CIRCLE:
         return true;
-    case THUD_AABB:
-    case THUD_OBB:
-    case THUD_TERRAIN:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
+    case THUD_SHAPE_TERRAIN:
         return false;
     }
     return false;
@@ -68,11 +68,11 @@ TD_INLINE_SMALL bool td_kind_is_round(thud_shape_kind kind) {
 /* Whether the kind is a box: four faces and four corners, with half extents hx and hy. */
 TD_INLINE_SMALL bool td_kind_is_box(thud_shape_kind kind) {
     switch (kind) {
-    case THUD_AABB:
-    case THUD_OBB:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
         return true;
-    case THUD_CIRCLE:
-    case THUD_TERRAIN:
+    case THUD_SHAPE_CIRCLE:
+    case THUD_SHAPE_TERRAIN:
         return false;
     }
     return false;
@@ -81,11 +81,11 @@ TD_INLINE_SMALL bool td_kind_is_box(thud_shape_kind kind) {
 /* Whether the shape rotates with its body, so that its extent depends on the angle. */
 TD_INLINE_SMALL bool td_kind_turns(thud_shape_kind kind) {
     switch (kind) {
-    case THUD_OBB:
+    case THUD_SHAPE_OBB:
         return true;
-    case THUD_CIRCLE:
-    case THUD_AABB:
-    case THUD_TERRAIN:
+    case THUD_SHAPE_CIRCLE:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_TERRAIN:
         return false;
     }
     return false;
@@ -94,11 +94,11 @@ TD_INLINE_SMALL bool td_kind_turns(thud_shape_kind kind) {
 /* Whether a body with such a shape never rotates, whatever acts on it. */
 TD_INLINE_SMALL bool td_kind_fixes_rotation(thud_shape_kind kind) {
     switch (kind) {
-    case THUD_AABB:
+    case THUD_SHAPE_AABB:
         return true;
-    case THUD_CIRCLE:
-    case THUD_OBB:
-    case THUD_TERRAIN:
+    case THUD_SHAPE_CIRCLE:
+    case THUD_SHAPE_OBB:
+    case THUD_SHAPE_TERRAIN:
         return false;
     }
     return false;
@@ -107,11 +107,11 @@ TD_INLINE_SMALL bool td_kind_fixes_rotation(thud_shape_kind kind) {
 /* The half extent across hx, of a circle its radius. */
 TD_INLINE_SMALL double td_kind_half_y(thud_shape_kind kind, double hx, double hy) {
     switch (kind) {
-    case THUD_CIRCLE:
+    case THUD_SHAPE_CIRCLE:
         return hx;
-    case THUD_AABB:
-    case THUD_OBB:
-    case THUD_TERRAIN:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
+    case THUD_SHAPE_TERRAIN:
         return hy;
     }
     return hy;
@@ -127,11 +127,11 @@ TD_INLINE_SMALL double td_kind_half_thickness(thud_shape_kind kind, double hx, d
 /* The value of hy of a shape that is grown by `by` on all sides; 0 for a circle. */
 TD_INLINE_SMALL double td_kind_grown_hy(thud_shape_kind kind, double hy, double by) {
     switch (kind) {
-    case THUD_CIRCLE:
+    case THUD_SHAPE_CIRCLE:
         return 0.0;
-    case THUD_AABB:
-    case THUD_OBB:
-    case THUD_TERRAIN:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
+    case THUD_SHAPE_TERRAIN:
         return hy + by;
     }
     return hy;
@@ -142,16 +142,16 @@ static inline void td_kind_area(thud_shape_kind kind, double hx, double hy, doub
                                 double *moment) {
     *area = *moment = 0.0;
     switch (kind) {
-    case THUD_CIRCLE:
+    case THUD_SHAPE_CIRCLE:
         *area = TD_PI * hx * hx;
         *moment = *area * hx * hx / 2.0;
         break;
-    case THUD_AABB:
-    case THUD_OBB:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
         *area = 4.0 * hx * hy;
         *moment = *area * (hx * hx + hy * hy) / 3.0;
         break;
-    case THUD_TERRAIN:
+    case THUD_SHAPE_TERRAIN:
         break;
     }
 }

@@ -21,9 +21,8 @@
 enum { ADVANCES_MAX = 1000 };
 
 /* Shapes that do not turn: b's centre is a point that enters the Minkowski sum of both. */
-static void translating(const thud_shape_instance *a, const thud_motion *ma,
-                        const thud_shape_instance *b, const thud_motion *mb, double target,
-                        bool *hit, double *time) {
+static void translating(const thud_geometry *a, const thud_motion *ma, const thud_geometry *b,
+                        const thud_motion *mb, double target, bool *hit, double *time) {
     double x = b->x - a->x, y = b->y - a->y, nx, ny;
     thud_minkowski sum;
     td_minkowski_sum(a, b, &sum);
@@ -37,7 +36,7 @@ static void translating(const thud_shape_instance *a, const thud_motion *ma,
 }
 
 /* Whether the shape turns in the motion in a way that changes it. */
-static bool turns(const thud_shape_instance *shape, const thud_motion *m) {
+static bool turns(const thud_geometry *shape, const thud_motion *m) {
     return td_kind_turns(shape->kind) && m->turn != 0.0;
 }
 
@@ -49,22 +48,22 @@ typedef struct corner {
 
 /* The corners of a shape along (nx, ny), where it turns by `turn`; for one that does not turn, the
  * furthest extent alone. Returns their number. */
-static int corners_along(const thud_shape_instance *shape, double turn, double nx, double ny,
+static int corners_along(const thud_geometry *shape, double turn, double nx, double ny,
                          corner out[4]) {
     switch (shape->kind) {
-    case THUD_CIRCLE:
+    case THUD_SHAPE_CIRCLE:
         turn = 0.0; /* the rotation of a circle changes nothing */
         break;
-    case THUD_AABB:
-    case THUD_OBB:
-    case THUD_TERRAIN:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
+    case THUD_SHAPE_TERRAIN:
         break;
     }
     if (turn == 0.0) {
         out[0] = (corner){td_half_along(shape, nx, ny), 0.0};
         return 1;
     }
-    thud_shape_instance box = *shape;
+    thud_geometry box = *shape;
     box.x = box.y = 0.0;
     for (int i = 0; i < 4; i++) {
         double x, y;
@@ -85,15 +84,14 @@ static double time_to_close(double gap, double speed, double bend) {
 }
 
 /* The distance of a box's corners from its centre. */
-static double radius_of(const thud_shape_instance *box) {
+static double radius_of(const thud_geometry *box) {
     return __builtin_sqrt(box->hx * box->hx + box->hy * box->hy);
 }
 
 /* The shapes cannot meet before the circles around turning shapes do, nor before the first pair of
  * corners. The later of both bounds is valid. */
-double td_time_across(const thud_shape_instance *a, const thud_motion *ma,
-                      const thud_shape_instance *b, const thud_motion *mb, double nx, double ny,
-                      double target) {
+double td_time_across(const thud_geometry *a, const thud_motion *ma, const thud_geometry *b,
+                      const thud_motion *mb, double nx, double ny, double target) {
     corner of_a[4], of_b[4];
     double turn_a = turns(a, ma) ? ma->turn : 0.0, turn_b = turns(b, mb) ? mb->turn : 0.0;
     int count_a = corners_along(a, turn_a, nx, ny, of_a);
@@ -123,9 +121,8 @@ double td_time_across(const thud_shape_instance *a, const thud_motion *ma,
  *
  * whose second derivative, with twist = other turn - turn, is at most turn (turn (|from| + |path|)
  * + 2 |path|) + twist^2 radius. */
-static double time_across_face(const thud_shape_instance *box, const thud_motion *m,
-                               const thud_shape_instance *other, const thud_motion *mo,
-                               double target) {
+static double time_across_face(const thud_geometry *box, const thud_motion *m,
+                               const thud_geometry *other, const thud_motion *mo, double target) {
     double x = other->x - box->x, y = other->y - box->y, vx = mo->dx - m->dx, vy = mo->dy - m->dy;
     double twist = (td_kind_turns(other->kind) ? mo->turn : 0.0) - m->turn, apart = 0.0, nx = 0.0,
            ny = 0.0;
@@ -156,9 +153,8 @@ static double time_across_face(const thud_shape_instance *box, const thud_motion
     return time;
 }
 
-double td_time_across_faces(const thud_shape_instance *a, const thud_motion *ma,
-                            const thud_shape_instance *b, const thud_motion *mb, double nx,
-                            double ny, double target) {
+double td_time_across_faces(const thud_geometry *a, const thud_motion *ma, const thud_geometry *b,
+                            const thud_motion *mb, double nx, double ny, double target) {
     double time = td_time_across(a, ma, b, mb, nx, ny, target);
     if (turns(a, ma)) {
         time = td_max_double(time, time_across_face(a, ma, b, mb, target));
@@ -171,21 +167,21 @@ double td_time_across_faces(const thud_shape_instance *a, const thud_motion *ma,
 
 /* The distance at which turning shapes count as touching, length: 1e-10 of their extent, far below
  * what is visible, and above the rounding of their coordinates. Chosen. */
-static double tolerance_of(const thud_shape_instance *a, const thud_motion *ma,
-                           const thud_shape_instance *b, const thud_motion *mb) {
+static double tolerance_of(const thud_geometry *a, const thud_motion *ma, const thud_geometry *b,
+                           const thud_motion *mb) {
     double path = td_abs(ma->dx) + td_abs(ma->dy) + td_abs(mb->dx) + td_abs(mb->dy);
     return 1e-10 * (td_reach(a) + td_reach(b)) + 1e-15 * (td_abs(b->x) + td_abs(b->y) + path);
 }
 
-void td_time_of_near_impact(const thud_shape_instance *a, thud_motion ma,
-                            const thud_shape_instance *b, thud_motion mb, double target,
-                            double tolerance, td_jump_fn *jump, bool *hit, double *time) {
+void td_time_of_near_impact(const thud_geometry *a, thud_motion ma, const thud_geometry *b,
+                            thud_motion mb, double target, double tolerance, td_jump_fn *jump,
+                            bool *hit, double *time) {
     if (!turns(a, &ma) && !turns(b, &mb) && target >= 0.0) {
         translating(a, &ma, b, &mb, target, hit, time);
         return;
     }
     /* Relative to a, since coordinates far from the origin are too coarse. */
-    thud_shape_instance here = *a, there = *b;
+    thud_geometry here = *a, there = *b;
     here.x = here.y = 0.0;
     there.x -= a->x;
     there.y -= a->y;
@@ -194,7 +190,7 @@ void td_time_of_near_impact(const thud_shape_instance *a, thud_motion ma,
     *hit = false;
     *time = 1.0;
     for (int i = 0; i < ADVANCES_MAX; i++) {
-        thud_shape_instance pa = td_placed_at(&here, &ma, t), pb = td_placed_at(&there, &mb, t);
+        thud_geometry pa = td_placed_at(&here, &ma, t), pb = td_placed_at(&there, &mb, t);
         thud_closest closest;
         td_closest(&pa, &pb, &closest);
         if (closest.distance - target <= tolerance) {
@@ -211,21 +207,21 @@ void td_time_of_near_impact(const thud_shape_instance *a, thud_motion ma,
     *time = t;
 }
 
-void td_time_of_impact(const thud_shape_instance *a, thud_motion ma, const thud_shape_instance *b,
+void td_time_of_impact(const thud_geometry *a, thud_motion ma, const thud_geometry *b,
                        thud_motion mb, double target, bool *hit, double *time) {
     td_time_of_near_impact(a, ma, b, mb, target, 0.0, td_time_across, hit, time);
 }
 
-thud_result thud_shapes_time_of_impact(const thud_shape_instance *a, thud_motion motion_a,
-                                       const thud_shape_instance *b, thud_motion motion_b,
-                                       double target, bool *hit, double *time) {
-    if (!a || !b || !hit || !time) {
+thud_result thud_geometry_time_of_impact(const thud_geometry *a, thud_motion motion_a,
+                                         const thud_geometry *b, thud_motion motion_b,
+                                         double target, bool *out_hit, double *out_time) {
+    if (!a || !b || !out_hit || !out_time) {
         return THUD_ERROR_NULL;
     }
-    if (thud_placed_check(a) != THUD_OK || thud_placed_check(b) != THUD_OK ||
+    if (thud_geometry_check(a) != THUD_OK || thud_geometry_check(b) != THUD_OK ||
         !td_motion_valid(motion_a) || !td_motion_valid(motion_b) || !td_target_valid(target)) {
         return THUD_ERROR_INVALID;
     }
-    td_time_of_impact(a, motion_a, b, motion_b, target, hit, time);
+    td_time_of_impact(a, motion_a, b, motion_b, target, out_hit, out_time);
     return THUD_OK;
 }

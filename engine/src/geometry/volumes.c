@@ -32,7 +32,7 @@ thud_result td_volume_store(thud_shape_kind kind, thud_volume v, thud_volume *ou
 }
 
 thud_volume td_volume_of_span(thud_pos origin, double c, double s, td_volume_span span) {
-    thud_volume box = {.kind = THUD_OBB, .c = c, .s = s};
+    thud_volume box = {.kind = THUD_SHAPE_OBB, .c = c, .s = s};
     td_from_frame(&box, 0.5 * (span.u_min + span.u_max), 0.5 * (span.v_min + span.v_max), &box.x,
                   &box.y);
     box.x += origin.x;
@@ -51,7 +51,7 @@ void td_volume_keep_smaller(thud_volume *best, thud_pos origin, double c, double
 }
 
 /* The radius of the smallest circle about the shape's centre that holds the shape. */
-static double radius_around(const thud_shape_instance *shape) {
+static double radius_around(const thud_geometry *shape) {
     double x = shape->hx, y = 0.0;
     if (td_kind_is_box(shape->kind)) {
         td_from_frame(shape, shape->hx, shape->hy, &x, &y);
@@ -69,17 +69,17 @@ static double greatest_x(thud_pos p, thud_pos q, bool half_turn) {
 }
 
 /* Corner 0 or 1 of a box from its centre, along (c, s); the other two are opposite. */
-static thud_pos corner_along(const thud_shape_instance *box, int i, double c, double s) {
+static thud_pos corner_along(const thud_geometry *box, int i, double c, double s) {
     double x, y;
     td_from_frame(box, box->hx, i ? -box->hy : box->hy, &x, &y);
     return (thud_pos){c * x + s * y, c * y - s * x};
 }
 
 /* The span of a moving shape along (c, s), relative to the middle of its centre's path. */
-static td_volume_span span_of_motion(const thud_shape_instance *start, const thud_motion *m,
-                                     double c, double s) {
+static td_volume_span span_of_motion(const thud_geometry *start, const thud_motion *m, double c,
+                                     double s) {
     double u = td_kind_is_round(start->kind) ? start->hx : 0.0, v = u;
-    thud_shape_instance end = td_placed_at(start, m, 1.0);
+    thud_geometry end = td_placed_at(start, m, 1.0);
     bool half_turn = td_kind_turns(start->kind) && td_abs(m->turn) >= TD_PI;
     for (int i = 0; i < 2 && td_kind_is_box(start->kind); i++) {
         thud_pos p = corner_along(start, i, c, s), q = corner_along(&end, i, c, s);
@@ -91,12 +91,12 @@ static td_volume_span span_of_motion(const thud_shape_instance *start, const thu
     return (td_volume_span){-u, u, -v, v};
 }
 
-thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_shape_instance *shape,
+thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_geometry *shape,
                                       thud_motion motion, thud_volume *out) {
     if (!shape || !out) {
         return THUD_ERROR_NULL;
     }
-    if (!td_kind_is_volume(kind) || thud_placed_check(shape) != THUD_OK ||
+    if (!td_kind_is_volume(kind) || thud_geometry_check(shape) != THUD_OK ||
         !td_motion_valid(motion)) {
         return THUD_ERROR_INVALID;
     }
@@ -111,7 +111,7 @@ thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_shape_ins
     }
     thud_pos axis = {1.0, 0.0};
     if (td_kind_turns(kind) && td_kind_turns(shape->kind)) {
-        thud_shape_instance halfway = td_placed_at(shape, &motion, 0.5);
+        thud_geometry halfway = td_placed_at(shape, &motion, 0.5);
         axis = td_volume_direction(halfway.c, halfway.s);
     }
     thud_volume box =
@@ -124,7 +124,7 @@ thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_shape_ins
     return td_volume_store(kind, box, out);
 }
 
-thud_result thud_volume_around_shape(thud_shape_kind kind, const thud_shape_instance *shape,
+thud_result thud_volume_around_shape(thud_shape_kind kind, const thud_geometry *shape,
                                      thud_volume *out) {
     return thud_volume_around_motion(kind, shape, (thud_motion){0}, out);
 }

@@ -87,19 +87,20 @@ static bool in_box(const thud_volume *box, const thud_volume *inner) {
     return td_abs(u) + hu <= box->hx && td_abs(v) + hv <= box->hy;
 }
 
-thud_result thud_volume_contains(const thud_volume *outer, const thud_volume *inner, bool *inside) {
-    if (!outer || !inner || !inside) {
+thud_result thud_volume_contains(const thud_volume *outer, const thud_volume *inner,
+                                 bool *out_inside) {
+    if (!outer || !inner || !out_inside) {
         return THUD_ERROR_NULL;
     }
     if (thud_volume_check(outer) != THUD_OK || thud_volume_check(inner) != THUD_OK) {
         return THUD_ERROR_INVALID;
     }
-    *inside = td_kind_is_round(outer->kind) ? in_circle(outer, inner) : in_box(outer, inner);
+    *out_inside = td_kind_is_round(outer->kind) ? in_circle(outer, inner) : in_box(outer, inner);
     return THUD_OK;
 }
 
 thud_result thud_volume_contains_point(const thud_volume *volume, double x, double y,
-                                       bool *inside) {
-    const thud_volume point = {.kind = THUD_CIRCLE, .x = x, .y = y};
-    return thud_volume_contains(volume, &point, inside);
+                                       bool *out_inside) {
+    const thud_volume point = {.kind = THUD_SHAPE_CIRCLE, .x = x, .y = y};
+    return thud_volume_contains(volume, &point, out_inside);
 }

@@ -16,7 +16,7 @@ static void join(td_awake_slot *parents, td_awake_slot a, td_awake_slot b) {
 }
 
 static bool is_dynamic(const thud_world *w, td_awake_slot slot) {
-    return td_body_at(w, td_body_of(w, slot))->kind == THUD_DYNAMIC;
+    return td_body_at(w, td_body_of(w, slot))->kind == THUD_BODY_DYNAMIC;
 }
 
 static bool moves(const thud_world *w, td_awake_slot slot) {

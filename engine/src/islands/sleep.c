@@ -20,10 +20,10 @@ static void put_to_sleep(thud_world *w) {
     for (int i = 0; i < bodies->count; i++) {
         int e = td_body_at(w, td_body_in(bodies, i))->first_constraint;
         for (; e != TD_NONE; e = td_next_edge(w, e)) {
-            td_constraint *constraint = td_constraint_at(w, e / 2);
+            td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
             if (constraint->state == TD_TOUCHING && !constraint->listed) {
                 constraint->listed = 1;
-                td_push_int(constraints, e / 2);
+                td_push_int(constraints, td_edge_constraint(e));
             }
         }
     }
@@ -41,8 +41,9 @@ static void put_to_sleep(thud_world *w) {
         td_body *body = td_body_at(w, td_body_in(bodies, i));
         for (int e = body->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
             const td_body *other = td_body_at(w, td_other_body(w, e));
-            if (td_constraint_at(w, e / 2)->state == TD_WAITING && other->awake.at < 0) {
-                td_constraint_rest(w, e / 2);
+            if (td_constraint_at(w, td_edge_constraint(e))->state == TD_WAITING &&
+                other->awake.at < 0) {
+                td_constraint_rest(w, td_edge_constraint(e));
             }
         }
     }
@@ -91,7 +92,7 @@ static bool is_corrected(const thud_world *w, td_awake_slot slot) {
 /* The idle time of a body, s; 0 for a body that must not sleep now. */
 static float idle_time(const thud_world *w, td_awake_slot slot) {
     const td_body *body = td_body_at(w, td_body_of(w, slot));
-    bool restless = body->flags & TD_BODY_RESTLESS || body->kind != THUD_DYNAMIC;
+    bool restless = body->flags & TD_BODY_RESTLESS || body->kind != THUD_BODY_DYNAMIC;
     return restless || is_corrected(w, slot) ? 0.0f : *td_row(&w->idle, slot);
 }
 

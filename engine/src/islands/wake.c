@@ -8,7 +8,7 @@
 
 /* Whether a body is asleep and can wake. */
 static bool may_wake(const td_body *body) {
-    return body->kind == THUD_DYNAMIC && body->awake.at < 0 &&
+    return body->kind == THUD_BODY_DYNAMIC && body->awake.at < 0 &&
            !(body->flags & (TD_BODY_QUARANTINED | TD_BODY_DISABLED)) &&
            !(body->changes & TD_CHANGE_ENTER);
 }
@@ -49,13 +49,13 @@ bool td_wake(thud_world *w, td_body_index index) {
     for (int i = 0; i < bodies->count; i++) {
         td_body_index body = td_body_in(bodies, i);
         for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-            td_constraint *constraint = td_constraint_at(w, e / 2);
+            td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
             if (constraint->state != TD_TOUCHING || constraint->bin != TD_SLEEPING ||
                 constraint->listed) {
                 continue;
             }
             constraint->listed = 1;
-            td_push_int(constraints, e / 2);
+            td_push_int(constraints, td_edge_constraint(e));
             td_body_index other = td_other_body(w, e);
             if (may_wake(td_body_at(w, other))) {
                 td_awake_add(w, other);
@@ -75,8 +75,8 @@ bool td_wake(thud_world *w, td_body_index index) {
     for (int i = 0; i < bodies->count; i++) {
         td_body_index body = td_body_in(bodies, i);
         for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-            if (td_constraint_at(w, e / 2)->state == TD_RESTING) {
-                td_constraint_wait(w, e / 2);
+            if (td_constraint_at(w, td_edge_constraint(e))->state == TD_RESTING) {
+                td_constraint_wait(w, td_edge_constraint(e));
             }
         }
         find_new_pairs(w, body);

@@ -1,17 +1,17 @@
 /* anchors.c: what the lanes of a joint copy from its td_joint. The copies stay until the joint or
- * the centre of mass of a body changes, which sets td_block.armed: then td_joint_update_anchors
- * copies all lanes of the block anew. */
+ * the centre of mass of a body changes, which sets td_block.anchors_stale: then
+ * td_joint_update_anchors copies all lanes of the block anew. */
 #include "joints/joint.h"
 
 void td_joint_fill_lane(thud_world *w, td_block *block, int lane, int index) {
     (void)w, (void)index;
     block->shape_a[lane] = block->shape_b[lane] = TD_NONE;
-    block->armed = 1;
+    block->anchors_stale = 1;
 }
 
 void td_joint_renew_lane(thud_world *w, td_block *block, int lane, int index) {
     (void)w, (void)lane, (void)index;
-    block->armed = 1;
+    block->anchors_stale = 1;
 }
 
 void td_joint_clear_lane(thud_world *w, td_block *block, int lane, int index) {
@@ -38,24 +38,24 @@ static float sign_of(const td_joint *joint) {
     return joint->swapped ? -1.0f : 1.0f;
 }
 
-/* A lane of locked directions. rows->frame is 0 where both along and across are locked: the frame
- * is then that of the world, so that impulses that carry a weight keep their direction. */
+/* A lane of locked directions. rows->frame_turns is 0 where both along and across are locked: the
+ * frame is then that of the world, so that impulses that carry a weight keep their direction. */
 static void set_lock(const thud_world *w, td_block *block, int lane, const td_joint *joint) {
     td_lock_rows *rows = td_lock_rows_of(block);
     float sign = sign_of(joint);
     set_anchors(w, joint, &rows->anchor, lane);
     rows->locked[lane] = joint->locked;
-    rows->frame[lane] = (joint->locked & 3u) != 3u ? 1.0f : 0.0f;
+    rows->frame_turns[lane] = (joint->locked & 3u) != 3u ? 1.0f : 0.0f;
     rows->turn_sign[lane] = sign;
     block->tangent_cross_a[lane] = block->tangent_cross_b[lane] =
-        joint->locked >> THUD_TURN & 1u ? sign : 0.0f;
+        joint->locked >> THUD_DIRECTION_TURN & 1u ? sign : 0.0f;
 }
 
 /* A lane of a locked distance. */
 static void set_rod(const thud_world *w, td_block *block, int lane, const td_joint *joint) {
     td_lock_rows *rows = td_lock_rows_of(block);
     set_anchors(w, joint, &rows->anchor, lane);
-    rows->turn_base[lane] = joint->length;
+    rows->rest_length[lane] = joint->length;
 }
 
 /* The direction (thud_direction) whose drive is this constraint. */
@@ -73,7 +73,7 @@ static void set_drive(const thud_world *w, td_block *block, int lane, const td_j
     int direction = direction_of(joint, block->constraint[lane]);
     const td_drive *d = &joint->drive[direction];
     set_anchors(w, joint, &rows->anchor, lane);
-    rows->across[lane] = direction == THUD_ACROSS ? -1 : 0;
+    rows->across[lane] = direction == THUD_DIRECTION_ACROSS ? -1 : 0;
     rows->turn_sign[lane] = sign_of(joint);
     rows->limited[lane] = d->limited ? -1 : 0;
     rows->lower[lane] = d->lower;
@@ -82,9 +82,9 @@ static void set_drive(const thud_world *w, td_block *block, int lane, const td_j
     rows->target[lane] = td_joint_target(joint, direction);
     rows->frequency[lane] = d->frequency;
     rows->damping[lane] = d->damping;
-    rows->spring_most[lane] = d->spring_force;
+    rows->max_spring_force[lane] = d->spring_force;
     rows->motor_speed[lane] = d->motor_speed;
-    rows->motor_most[lane] = d->motor_force;
+    rows->max_motor_force[lane] = d->motor_force;
 }
 
 void td_joint_update_anchors(const thud_world *w, td_block *block) {
@@ -95,5 +95,5 @@ void td_joint_update_anchors(const thud_world *w, td_block *block) {
          : constraint->kind == TD_CONSTRAINT_ROD ? set_rod
                                                  : set_drive)(w, block, lane, joint);
     }
-    block->armed = 0;
+    block->anchors_stale = 0;
 }

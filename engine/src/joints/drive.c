@@ -25,7 +25,7 @@ static void count(thud_world *w, const td_block *block) {
     (void)w, (void)block;
 }
 
-TD_DEFINE_JOINT_LANES(td_drive_take_rows, td_drive_turn_rows)
+TD_DEFINE_JOINT_LANES(td_drive_take_rows, td_drive_update_rows)
 TD_DEFINE_JOINT_OPS(line, TD_FORM_DRIVE, td_place_joints, td_solve_drive_line)
 TD_DEFINE_JOINT_OPS(axis, TD_FORM_DRIVE, td_place_joints, td_solve_drive_axis)
 TD_DEFINE_JOINT_OPS(turn, TD_FORM_DRIVE, td_place_joints, td_solve_drive_turn)

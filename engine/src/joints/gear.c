@@ -19,7 +19,7 @@ static const td_joint *member(const thud_world *w, const td_joint *gear, int i) 
 }
 
 bool td_gear_by_angle(const td_joint *joint) {
-    return joint->kind == THUD_HINGE || joint->kind == THUD_WHEEL;
+    return joint->kind == THUD_JOINT_HINGE || joint->kind == THUD_JOINT_WHEEL;
 }
 
 bool td_gear_has_joints(const thud_world *w, const td_joint *joint) {
@@ -56,8 +56,8 @@ static double coordinate_of(const thud_world *w, const td_joint *gear, int i) {
     }
     td_joint_place place = td_joint_place_of(w, joint);
     double x = (double)place.x, y = (double)place.y;
-    return joint->kind == THUD_DISTANCE ? __builtin_sqrt(x * x + y * y)
-                                        : x * (double)place.axis_x + y * (double)place.axis_y;
+    return joint->kind == THUD_JOINT_DISTANCE ? __builtin_sqrt(x * x + y * y)
+                                              : x * (double)place.axis_x + y * (double)place.axis_y;
 }
 
 double td_gear_gap(const thud_world *w, const td_joint *gear) {
@@ -95,7 +95,7 @@ static void coordinate_gradient(const thud_world *w, const td_joint *joint, floa
         return;
     }
     float x = place.axis_x, y = place.axis_y;
-    if (joint->kind == THUD_DISTANCE) {
+    if (joint->kind == THUD_JOINT_DISTANCE) {
         td_joint_line(&place, &x, &y);
     }
     out[0] = x;
@@ -133,14 +133,14 @@ static void prepare_lane(const thud_world *w, td_block *block, int lane) {
     bool acts = !update_apart(w, gear) && k > 0.0f;
     p->normal_mass[lane] = acts ? 1.0f / k : 0.0f;
     p->normal_impulse[lane] = acts ? p->normal_impulse[lane] : 0.0f;
-    p->base[lane] = p->separation[lane] = acts ? (float)td_gear_gap(w, gear) : 0.0f;
+    p->start_separation[lane] = p->separation[lane] = acts ? (float)td_gear_gap(w, gear) : 0.0f;
 }
 
 float td_gear_inverse_mass(const thud_world *w, const td_block *block, int lane) {
     const td_gear_rows *rows = td_gear_rows_of((td_block *)block);
     const td_point *p = &block->point[0];
-    float a = td_row(&w->velocity, td_slot_of_side(block->a[lane]))[3];
-    float b = td_row(&w->velocity, td_slot_of_side(block->b[lane]))[3];
+    float a = td_inv_mass_of(w, td_slot_of_side(block->a[lane]));
+    float b = td_inv_mass_of(w, td_slot_of_side(block->b[lane]));
     float x = rows->a_x[lane], y = rows->a_y[lane], u = block->nx[lane], v = block->ny[lane];
     return a * (x * x + y * y) + block->inv_inertia_a[lane] * p->cross_a[lane] * p->cross_a[lane] +
            b * (u * u + v * v) + block->inv_inertia_b[lane] * p->cross_b[lane] * p->cross_b[lane];
@@ -172,6 +172,12 @@ static void count(thud_world *w, const td_block *block) {
 
 /* ---- for the direct solver ---- */
 
+/* td_gap_unit of a gear: its gap is in units of the first coordinate. */
+static double gap_unit(const thud_world *w, const td_block *block, int lane) {
+    const td_joint *gear = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));
+    return td_gap_unit(w, td_gear_by_angle(member(w, gear, 0)));
+}
+
 /* td_take_rows_fn: one equality row. */
 static bool take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
                       td_direct_constraint *c) {
@@ -182,20 +188,22 @@ static bool take_rows(const thud_world *w, td_block *block, int lane, const floa
         .a = {(double)rows->a_x[lane], (double)rows->a_y[lane], (double)p->cross_a[lane]},
         .b = {(double)block->nx[lane], (double)block->ny[lane], (double)p->cross_b[lane]},
         .impulse = 0.5 * (double)impulses[0],
-        .target_speed = td_joint_closing_speed(w, (double)p->base[lane], w->def.time_step),
+        .target_speed = td_joint_closing_speed((double)p->start_separation[lane],
+                                               gap_unit(w, block, lane), w->def.time_step),
         .used = p->normal_mass[lane] > 0.0f};
     return false;
 }
 
-/* td_turn_rows_fn: the Jacobian stays, and the gap follows the motion along it. */
-static void turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
-                      td_direct_constraint *c) {
+/* td_update_rows_fn: the Jacobian stays, and the gap follows the motion along it. */
+static void update_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
+                        td_direct_constraint *c) {
     td_direct_row *row = &c->row[0];
-    double gap = (double)block->point[0].base[lane];
+    double gap = (double)block->point[0].start_separation[lane];
     for (int k = 0; k < 3; k++) {
         gap += row->a[k] * s->a[0][k] + row->b[k] * s->b[0][k];
     }
-    row->target_speed = s->time > 0.0 ? td_joint_closing_speed(w, gap, s->time) : 0.0;
+    row->target_speed =
+        s->time > 0.0 ? td_joint_closing_speed(gap, gap_unit(w, block, lane), s->time) : 0.0;
     row->closing = s->time > 0.0 ? td_abs(row->target_speed) : row->closing;
 }
 
@@ -208,7 +216,7 @@ static void prepare(thud_world *w, td_block *const *blocks, int count,
             prepare_lane(w, blocks[i], lane);
         }
         blocks[i]->touching = (1u << blocks[i]->used) - 1u;
-        blocks[i]->armed = 0;
+        blocks[i]->anchors_stale = 0;
     }
 }
 
@@ -216,7 +224,7 @@ static void prepare(thud_world *w, td_block *const *blocks, int count,
 #define prepare_base prepare
 #define prepare_avx2 prepare
 
-TD_DEFINE_JOINT_LANES(take_rows, turn_rows)
+TD_DEFINE_JOINT_LANES(take_rows, update_rows)
 TD_DEFINE_JOINT_OPS(ops, TD_FORM_GEAR, prepare, td_solve_gear)
 
 const td_constraint_ops *td_gear_ops(const thud_world *w) {

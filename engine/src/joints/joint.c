@@ -6,9 +6,9 @@
 #include "base/trig.h"
 
 enum {
-    ALONG = 1u << THUD_ALONG,
-    ACROSS = 1u << THUD_ACROSS,
-    TURN = 1u << THUD_TURN,
+    ALONG = 1u << THUD_DIRECTION_ALONG,
+    ACROSS = 1u << THUD_DIRECTION_ACROSS,
+    TURN = 1u << THUD_DIRECTION_TURN,
     ALL = ALONG | ACROSS | TURN
 };
 
@@ -18,14 +18,14 @@ _Static_assert((int)THUD_DIRECTION_COUNT == (int)TD_JOINT_DIRECTIONS, "a drive f
  * drive (`unless_driven`), and those that may be driven. */
 static const struct {
     unsigned locked, unless_driven, drivable;
-} of_kind[] = {[THUD_DISTANCE] = {ALONG, ALONG, ALONG},
-               [THUD_HINGE] = {ALONG | ACROSS, 0, TURN},
-               [THUD_SLIDER] = {ACROSS | TURN, 0, ALONG},
-               [THUD_WELD] = {ALL, ALL, ALL},
-               [THUD_WHEEL] = {ACROSS, 0, ALONG | TURN},
-               [THUD_TARGET] = {0, 0, ALL},
-               [THUD_FILTER] = {0, 0, 0},
-               [THUD_GEAR] = {0, 0, 0}};
+} of_kind[] = {[THUD_JOINT_DISTANCE] = {ALONG, ALONG, ALONG},
+               [THUD_JOINT_HINGE] = {ALONG | ACROSS, 0, TURN},
+               [THUD_JOINT_SLIDER] = {ACROSS | TURN, 0, ALONG},
+               [THUD_JOINT_WELD] = {ALL, ALL, ALL},
+               [THUD_JOINT_WHEEL] = {ACROSS, 0, ALONG | TURN},
+               [THUD_JOINT_TARGET] = {0, 0, ALL},
+               [THUD_JOINT_FILTER] = {0, 0, 0},
+               [THUD_JOINT_GEAR] = {0, 0, 0}};
 _Static_assert(sizeof of_kind / sizeof *of_kind == THUD_JOINT_KIND_COUNT, "every kind has a line");
 
 unsigned td_joint_drivable(int kind) {
@@ -44,14 +44,14 @@ void td_joint_sort_directions(td_joint *joint) {
 }
 
 int td_joint_part_kind(const td_joint *joint, int part) {
-    bool distance = joint->kind == THUD_DISTANCE;
-    if (joint->kind == THUD_GEAR) {
+    bool distance = joint->kind == THUD_JOINT_DISTANCE;
+    if (joint->kind == THUD_JOINT_GEAR) {
         return TD_CONSTRAINT_GEAR;
     }
     switch (part) {
     case TD_JOINT_LOCK:
         return distance ? TD_CONSTRAINT_ROD : TD_CONSTRAINT_LOCK;
-    case THUD_TURN:
+    case THUD_DIRECTION_TURN:
         return TD_CONSTRAINT_DRIVE_TURN;
     default:
         return distance ? TD_CONSTRAINT_DRIVE_LINE : TD_CONSTRAINT_DRIVE_AXIS;
@@ -94,8 +94,8 @@ float td_joint_line(const td_joint_place *place, float *x, float *y) {
     return length;
 }
 
-double td_joint_closing_speed(const thud_world *w, double gap, double time) {
-    double max_speed = (double)(TD_JOINT_CLOSING * w->unit), speed = -gap / time;
+double td_joint_closing_speed(double gap, double unit, double time) {
+    double max_speed = (double)TD_JOINT_CLOSING_SPEED * unit, speed = -gap / time;
     return speed > max_speed ? max_speed : speed < -max_speed ? -max_speed : speed;
 }
 
@@ -195,8 +195,8 @@ float td_joint_speed(const thud_world *w, const td_block *block, int lane, doubl
 
 float td_joint_inverse_mass(const thud_world *w, const td_block *block, int lane, float linear,
                             float cross_a, float cross_b) {
-    float mass_a = td_row(&w->velocity, td_slot_of_side(block->a[lane]))[3];
-    float mass_b = td_row(&w->velocity, td_slot_of_side(block->b[lane]))[3];
+    float mass_a = td_inv_mass_of(w, td_slot_of_side(block->a[lane]));
+    float mass_b = td_inv_mass_of(w, td_slot_of_side(block->b[lane]));
     return linear * (mass_a + mass_b) + block->inv_inertia_a[lane] * cross_a * cross_a +
            block->inv_inertia_b[lane] * cross_b * cross_b;
 }

@@ -73,7 +73,7 @@ static inline bool td_joint_is_lock(const thud_world *w, const td_joint *joint,
                                     td_body_index body) {
     return td_same_body(joint->body[1], body) &&
            (td_body_at(w, joint->body[0])->flags & TD_BODY_ANCHOR) &&
-           (joint->kind == THUD_HINGE || joint->kind == THUD_WHEEL);
+           (joint->kind == THUD_JOINT_HINGE || joint->kind == THUD_JOINT_WHEEL);
 }
 
 /* joint_make.c. Reserves memory for all parts that a joint of this kind may have; false when memory
@@ -157,9 +157,14 @@ td_joint_place td_joint_place_of(const thud_world *w, const td_joint *joint);
  * where they coincide. */
 float td_joint_line(const td_joint_place *place, float *x, float *y);
 
-/* The speed that closes a gap within `time`, within -TD_JOINT_CLOSING .. TD_JOINT_CLOSING length
- * scales a second. */
-double td_joint_closing_speed(const thud_world *w, double gap, double time);
+/* The unit in which bounds of gaps are given: a length scale for lengths, 1 (rad) for angles. */
+static inline double td_gap_unit(const thud_world *w, bool is_angle) {
+    return is_angle ? 1.0 : (double)w->unit;
+}
+
+/* The speed that closes a gap within `time`, at most TD_JOINT_CLOSING_SPEED units a second. `unit`:
+ * td_gap_unit. */
+double td_joint_closing_speed(double gap, double unit, double time);
 
 /* arm x (x, y) */
 static inline float td_cross(const float arm[2], float x, float y) {
@@ -198,8 +203,8 @@ void td_joint_fill_lane(thud_world *w, td_block *block, int lane, int index);
 void td_joint_renew_lane(thud_world *w, td_block *block, int lane, int index);
 void td_joint_clear_lane(thud_world *w, td_block *block, int lane, int index);
 
-/* anchors.c: copies from the joints what a block's lanes keep of them, and clears td_block.armed.
- */
+/* anchors.c: copies from the joints what a block's lanes keep of them, and clears
+ * td_block.anchors_stale. */
 void td_joint_update_anchors(const thud_world *w, td_block *block);
 
 /* wide_place.c: td_constraint_ops.collide_world of rods, locks and drives: their rows from the
@@ -211,8 +216,8 @@ TD_DECLARE_WIDE(td_place_fn, td_place_joints);
 /* Inverse mass of the lighter side of a lane. */
 static inline float td_joint_max_inverse_mass(const thud_world *w, const td_block *block,
                                               int lane) {
-    return td_max_float(td_row(&w->velocity, td_slot_of_side(block->a[lane]))[3],
-                        td_row(&w->velocity, td_slot_of_side(block->b[lane]))[3]);
+    return td_max_float(td_inv_mass_of(w, td_slot_of_side(block->a[lane])),
+                        td_inv_mass_of(w, td_slot_of_side(block->b[lane])));
 }
 
 static inline float td_joint_abs(float x) {
@@ -227,12 +232,12 @@ static inline float td_joint_abs(float x) {
                                       .count = count,               \
                                       .load = load,                 \
                                       .take_rows = (take),          \
-                                      .turn_rows = (turn)};
+                                      .update_rows = (turn)};
 
 #define TD_JOINT_OPS(block_form, prepare, solve_ops)                                              \
     {                                                                                             \
         .form = (block_form), .lanes = &lanes, .collide_world = (prepare), .solve = &(solve_ops), \
-        .solve_unarmed = &(solve_ops)                                                             \
+        .solve_centered = &(solve_ops)                                                            \
     }
 
 /* Defines, below those, the operations ops_base and ops_avx2 of a kind, for TD_PICK_WIDE; `solve`
@@ -256,6 +261,6 @@ const td_constraint_ops *td_drive_ops(const thud_world *w, int kind);
 
 /* joint_rows.c: their rows for the direct solver. */
 td_take_rows_fn td_rod_take_rows, td_lock_take_rows, td_drive_take_rows;
-td_turn_rows_fn td_rod_turn_rows, td_lock_turn_rows, td_drive_turn_rows;
+td_update_rows_fn td_rod_update_rows, td_lock_update_rows, td_drive_update_rows;
 
 #endif

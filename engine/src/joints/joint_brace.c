@@ -1,16 +1,19 @@
-/* joint_brace.c: bracing: an energy bound on the impulses that locks of widely open joints apply in
- * a substep.
+/* joint_brace.c: bracing: an energy bound on the impulses that locks and rods apply in a substep,
+ * in steps that begin with a torn joint: one whose gap is wider than TD_JOINT_CLOSING_SPEED closes
+ * in a substep (flag_torn, wide_joint.h). Other steps do without. A lock that is wide open
+ * (is_wide_open) has a gap that is wider still.
  *
  * The soft solver begins a substep with the impulses of the one before (warm start). One
- * Gauss-Seidel pass corrects little of a mode that all rows of a mechanism share, where the rows
- * are stiff against it one by one: long lever arms, loops that cannot close. Such impulses then
- * oscillate, grow as directions turn, and add energy without bound. A row's own correction takes
- * energy out; the warm start can add energy, and so can the bias that closes gaps, of which one
- * relax pass takes back only a part.
+ * Gauss-Seidel pass corrects little of a mode q of all rows together where q.K q is small beside
+ * the diagonal of K = J M^-1 J', by which each row divides what it corrects: in mechanisms with
+ * long lever arms, and in loops that cannot close. Impulses of such a mode then oscillate, grow as
+ * directions turn, and add energy without bound. A row's own correction takes energy out; the warm
+ * start can add energy, and so can the bias that closes gaps, of which one relax pass takes back
+ * only a part.
  *
  * Take a group of tied bodies (constraint/tied_bodies.h): p are the impulses of all its locks, u
- * the relative speeds along them without these impulses, and u' = u + K p those with them, where
- * K = J M^-1 J'. A share s of the impulses changes the kinetic energy by
+ * the relative speeds along them without these impulses, and u' = u + K p those with them. A share
+ * s of the impulses changes the kinetic energy by
  *     E(s) = s p.u + s^2 p.(u' - u) / 2
  *     E(1) = p.(u + u') / 2
  * E has its minimum at s = -p.u / p.(u' - u), and is 0 again at twice that share.
@@ -18,16 +21,18 @@
  * Warm start: where E(1) > 0, the group keeps the share of least energy, within 0 .. 1.
  *
  * After the relax pass: p is all that the locks applied in the substep. A group with a lock that is
- * wide open (is_wide_open) and E(1) > 0 keeps the share with E = 0; another relax pass of all rows,
- * contacts too, then corrects the velocities that the rows miss. In other groups the impulses may
- * add energy: a gap acts as a spring there, which returns what opened it.
+ * wide open and E(1) > 0 keeps the share with E = 0; a second relax pass of all rows, those of
+ * contacts too, then corrects the speeds that the rows miss without the impulses taken. In groups
+ * without such a lock the impulses may add energy after the relax pass: a gap acts as a spring
+ * there, which gives back the energy that opened it.
  *
- * Gaps of a group that lost a share close at no more than TD_JOINT_CLOSING for the rest of the step
- * (td_lock_rows.haste is 1), since the bias of many rows that hardly move could add as much again.
+ * Gaps of a group that lost a share close at no more than TD_JOINT_CLOSING_SPEED for the rest of
+ * the step (td_lock_rows.closing_factor is 1), since the bias of many rows that hardly move could
+ * add as much again.
  *
- * solve.c runs this between its passes (TD_BRACE_ stages, block.h), in steps that begin with a
- * joint open by more than TD_JOINT_CLOSING closes in a substep (flag_torn, wide_joint.h); others do
- * without. The lanes' part is td_brace_applied of wide_rod.c. */
+ * solve.c runs this between its passes. td_brace_applied of wide_rod.c does what is done lane by
+ * lane: it measures p.u and p.u' of each lane, takes impulses back, and applies the share to keep
+ * (the passes TD_BRACE_..., block.h). */
 #include "constraint/joint_hooks.h"
 #include "constraint/lanes.h"
 #include "constraint/tied_bodies.h"
@@ -35,13 +40,14 @@
 
 #include <string.h>
 
-/* The three numbers of a group in scratch.powers: p.u, p.u' (energies, mass length^2 / s^2), and 1
- * where one of its locks is wide open, else 0. */
-enum { POWER_BEFORE, POWER_AFTER, WIDE_OPEN };
+/* The numbers of a group in scratch.brace_groups: p.u and p.u', its work at the speeds without and
+ * with its impulses (energies, mass length^2 / s^2); and 1 where one of its locks is wide open,
+ * else 0. td_joints_engage has reserved them for as many groups as there are bodies. */
+enum { WORK_WITHOUT, WORK_WITH, WIDE_OPEN, GROUP_NUMBERS };
 
-/* The numbers of a group; `number` is a whole number, stored as a float in lanes. */
-static double *group_sums(const thud_world *w, float number) {
-    return (double *)w->scratch.powers.data + 3 * (size_t)number;
+/* The numbers of a group; `group` is its index, stored as a float in lanes. */
+static double *group_sums(const thud_world *w, float group) {
+    return (double *)w->scratch.brace_groups.data + GROUP_NUMBERS * (size_t)group;
 }
 
 /* Calls `visit` for each block of locks and rods. Returns whether any call returned true. */
@@ -57,58 +63,57 @@ static bool for_each_lock_block(thud_world *w, bool (*visit)(thud_world *w, td_b
     return any;
 }
 
-/* The two td_point_history of a lock's block are for bracing alone:
- *     [0].approach: the number of each lane's group
- *     [1].approach: element 0 is that of same_group; the others are not used
- *     [0].total: p.u of each lane, then the share to keep
- *     [1].total: p.u' of each lane */
-static float *group_numbers(td_block *block) {
-    return (float *)&td_history_of(block, 2)[0].approach;
+/* The index of each lane's group. */
+static float *lane_groups(td_block *block) {
+    return (float *)&td_brace_rows_of(block)->group;
 }
 
 /* 1 where all lanes of the block belong to the same group, else 0. */
 static float *same_group(td_block *block) {
-    return (float *)&td_history_of(block, 2)[1].approach;
+    return (float *)&td_brace_rows_of(block)->same_group;
 }
 
-/* The number of the group of a body. A group gets the next free one when its first lane asks;
- * scratch.parents holds -1 - number for each of its bodies, and 0 for bodies without a number. */
-static float group_number(thud_world *w, td_awake_slot slot) {
-    td_awake_slot *number = w->scratch.parents.data;
-    if (number[slot.at].at >= 0) {
-        td_awake_slot assigned = {-1 - w->scratch.powers.count++};
-        for (td_awake_slot i = slot; number[i.at].at >= 0; i = td_next_tied(w, i)) {
-            number[i.at] = assigned;
+/* The index of the group of a body. A group gets the next free one when the first of its lanes is
+ * numbered. scratch.parents holds -1 - index for each of its bodies, and 0 for bodies without an
+ * index: the union-find that it was for is done, and the ring of tied bodies is in next_tied. */
+static float group_index(thud_world *w, td_awake_slot slot) {
+    td_awake_slot *marks = w->scratch.parents.data;
+    if (marks[slot.at].at >= 0) {
+        td_awake_slot mark = {-1 - w->scratch.brace_groups.count++};
+        for (td_awake_slot i = slot; marks[i.at].at >= 0; i = td_next_tied(w, i)) {
+            marks[i.at] = mark;
         }
-        group_sums(w, (float)(-1 - assigned.at))[WIDE_OPEN] = 0.0;
+        group_sums(w, (float)(-1 - mark.at))[WIDE_OPEN] = 0.0;
     }
-    return (float)(-1 - number[slot.at].at);
+    return (float)(-1 - marks[slot.at].at);
 }
 
-/* Whether a lane's gap is so wide that its bias has reached its limit (TD_JOINT_HASTE times
- * TD_JOINT_CLOSING) in a substep: a length or an angle beyond which the speed of closing no longer
- * grows with the gap. Of a slider or wheel `base` is the travel along its free axis, which counts
- * as well: it is the lever arm of what the joint locks. Measured: without it, mechanisms with
- * sliders gain more than 5 % of energy (test_joints_random). */
+/* Whether a lane's gap, at the start of the step, is so wide that its bias is at its limit: the
+ * bias TD_JOINT_GAP_SHARE / h times the gap reaches TD_JOINT_CLOSING_FACTOR times
+ * TD_JOINT_CLOSING_SPEED, length scales or radians a second. Beyond that the speed of closing no
+ * longer grows with the gap. start_separation of point 0 has the gap along u also where that
+ * direction is free: it is then the travel of a slider or wheel, which counts as well, since it is
+ * the lever arm of what the joint locks. Measured: without it, mechanisms with sliders gain more
+ * than 5 % of energy (test_joints_random). separation of point 1 is 0 where across is free. */
 static bool is_wide_open(const thud_world *w, td_block *block, int lane) {
-    float limit =
-        TD_JOINT_HASTE * TD_JOINT_CLOSING / TD_JOINT_PULL * (float)(w->def.time_step / w->substeps);
+    float limit = TD_JOINT_CLOSING_FACTOR * TD_JOINT_CLOSING_SPEED / TD_JOINT_GAP_SHARE *
+                  (float)(w->def.time_step / w->substeps);
     bool rod = td_constraint_at(w, block->constraint[0])->kind == TD_CONSTRAINT_ROD;
     bool turns = !rod && block->tangent_mass[lane] > 0.0f;
-    float gap = td_max_float(td_joint_abs(block->point[0].base[lane]),
+    float gap = td_max_float(td_joint_abs(block->point[0].start_separation[lane]),
                              rod ? 0.0f : td_joint_abs(block->point[1].separation[lane]));
-    float turn = turns ? td_joint_abs(td_lock_rows_of(block)->turn_base[lane]) : 0.0f;
+    float turn = turns ? td_joint_abs(td_lock_rows_of(block)->start_turn_gap[lane]) : 0.0f;
     return gap > limit * w->unit || turn > limit;
 }
 
-/* Sets the group numbers of a block's lanes, each by its dynamic side, and notes groups that are
- * wide open. A visitor; returns false. */
+/* Sets the groups of a block's lanes, each by its dynamic side, and flags groups that are wide
+ * open. A visitor of for_each_lock_block; returns false. */
 static bool number_lanes(thud_world *w, td_block *block) {
-    float *group = group_numbers(block);
+    float *group = lane_groups(block);
     *same_group(block) = 1.0f;
     for (int lane = 0; lane < block->used; lane++) {
         td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
-        group[lane] = group_number(w, td_row(&w->velocity, b)[3] > 0.0f ? b : a);
+        group[lane] = group_index(w, td_inv_mass_of(w, b) > 0.0f ? b : a);
         *same_group(block) = group[lane] == group[0] ? *same_group(block) : 0.0f;
         if (is_wide_open(w, block, lane)) {
             group_sums(w, group[lane])[WIDE_OPEN] = 1.0;
@@ -120,67 +125,74 @@ static bool number_lanes(thud_world *w, td_block *block) {
 /* Numbers the groups once a step: in the first substep, while gaps are those at its start. Later
  * calls do nothing. */
 static void number_groups(thud_world *w) {
-    td_awake_slot *number = w->scratch.parents.data;
-    if (w->scratch.powers.count > 0) {
+    td_awake_slot *marks = w->scratch.parents.data;
+    if (w->scratch.brace_groups.count > 0) {
         return;
     }
     td_joints_tie(w);
     for (int i = 0; i < w->body_of.count; i++) {
-        number[i] = (td_awake_slot){0};
+        marks[i] = (td_awake_slot){0};
     }
     for_each_lock_block(w, number_lanes);
 }
 
-/* Adds the products p.u (`which` POWER_BEFORE) or p.u' (POWER_AFTER) of a block's lanes to the sums
- * of their groups. */
-static void add_powers(const thud_world *w, td_block *block, int which) {
-    const float *group = group_numbers(block);
-    const float *power = (const float *)&td_history_of(block, 2)[which].total;
+/* Adds the work p.u (`which` WORK_WITHOUT) or p.u' (WORK_WITH) of a block's lanes to the sums of
+ * their groups. */
+static void add_work(const thud_world *w, td_block *block, int which) {
+    const float *group = lane_groups(block);
+    td_brace_rows *rows = td_brace_rows_of(block);
+    const float *work =
+        (const float *)(which == WORK_WITH ? &rows->work_with : &rows->work_without);
     if (*same_group(block) > 0.0f) {
         double sum = 0.0;
         for (int lane = 0; lane < block->used; lane++) {
-            sum += (double)power[lane];
+            sum += (double)work[lane];
         }
         group_sums(w, group[0])[which] += sum;
         return;
     }
     for (int lane = 0; lane < block->used; lane++) {
-        group_sums(w, group[lane])[which] += (double)power[lane];
+        group_sums(w, group[lane])[which] += (double)work[lane];
     }
 }
 
-static bool add_powers_before(thud_world *w, td_block *block) {
-    add_powers(w, block, POWER_BEFORE);
+static bool add_work_without(thud_world *w, td_block *block) {
+    add_work(w, block, WORK_WITHOUT);
     return false;
 }
 
-static bool add_powers_after(thud_world *w, td_block *block) {
-    add_powers(w, block, POWER_AFTER);
+static bool add_work_with(thud_world *w, td_block *block) {
+    add_work(w, block, WORK_WITH);
     return false;
 }
 
-/* The share of a group's impulses to keep, 0 .. 1; 1 where they add no energy. `multiple` of the
- * share with least energy: 1, or 2 for the share that leaves the energy as it was. */
+/* Multiples of the share at which E has its minimum: that share itself, and the one with E = 0. */
+#define MIN_ENERGY 1.0
+#define ZERO_ENERGY 2.0
+
+/* The share of a group's impulses to keep, 0 .. 1; 1 where they add no energy. `multiple`:
+ * MIN_ENERGY or ZERO_ENERGY. */
 static float share_to_keep(const double *group, double multiple) {
-    double share = -multiple * group[POWER_BEFORE] / (group[POWER_AFTER] - group[POWER_BEFORE]);
+    double share = -multiple * group[WORK_WITHOUT] / (group[WORK_WITH] - group[WORK_WITHOUT]);
     bool adds =
-        group[POWER_BEFORE] + group[POWER_AFTER] > 0.0 && group[POWER_AFTER] > group[POWER_BEFORE];
+        group[WORK_WITHOUT] + group[WORK_WITH] > 0.0 && group[WORK_WITH] > group[WORK_WITHOUT];
     return !adds || share > 1.0 ? 1.0f : share > 0.0 ? (float)share : 0.0f;
 }
 
 /* Writes the shares to keep into a block's lanes, and limits the closing speed of lanes that keep
- * less than all. Returns whether any lane does. */
+ * less than all. `relaxed`: after the relax pass; else after the warm start. Returns whether any
+ * lane keeps less. */
 static bool set_shares(thud_world *w, td_block *block, bool relaxed) {
-    const float *group = group_numbers(block);
-    float *share = (float *)&td_history_of(block, 2)[0].total;
-    float *haste = (float *)&td_lock_rows_of(block)->haste;
+    const float *group = lane_groups(block);
+    float *share = (float *)&td_brace_rows_of(block)->kept_share;
+    float *closing_factor = (float *)&td_lock_rows_of(block)->closing_factor;
     bool any = false;
     for (int lane = 0; lane < block->used; lane++) {
         const double *sums = group_sums(w, group[lane]);
-        share[lane] = !relaxed                ? share_to_keep(sums, 1.0)
-                      : sums[WIDE_OPEN] > 0.0 ? share_to_keep(sums, 2.0)
+        share[lane] = !relaxed                ? share_to_keep(sums, MIN_ENERGY)
+                      : sums[WIDE_OPEN] > 0.0 ? share_to_keep(sums, ZERO_ENERGY)
                                               : 1.0f;
-        haste[lane] = share[lane] < 1.0f ? 1.0f : haste[lane];
+        closing_factor[lane] = share[lane] < 1.0f ? 1.0f : closing_factor[lane];
         any |= share[lane] < 1.0f;
     }
     return any;
@@ -194,33 +206,36 @@ static bool set_relaxed_shares(thud_world *w, td_block *block) {
     return set_shares(w, block, true);
 }
 
-/* Whether the impulses may add energy; cheaper than E(1), since it needs no speeds without them: K
- * is positive semidefinite, thus p.u <= p.u' and E(1) <= p.u'. `relaxed`: after the relax pass,
- * where only groups that are wide open count. */
-bool td_joints_add_energy(thud_world *w, bool relaxed) {
+/* Whether the impulses may add energy, once TD_BRACE_WORK_WITH has measured p.u' of the lanes. This
+ * is cheaper than E(1), since it needs no speeds without the impulses: K is positive semidefinite,
+ * thus p.u <= p.u' and E(1) <= p.u'. `relaxed`: after the relax pass, where only groups that are
+ * wide open count. Finds the groups where this step has not done so, and leaves the sums of p.u'
+ * for td_joints_set_shares. */
+bool td_joints_may_add_energy(thud_world *w, bool relaxed) {
     bool any = false;
     number_groups(w);
-    for (int group = 0; group < w->scratch.powers.count; group++) {
-        group_sums(w, (float)group)[POWER_BEFORE] = group_sums(w, (float)group)[POWER_AFTER] = 0.0;
+    for (int group = 0; group < w->scratch.brace_groups.count; group++) {
+        group_sums(w, (float)group)[WORK_WITHOUT] = group_sums(w, (float)group)[WORK_WITH] = 0.0;
     }
-    for_each_lock_block(w, add_powers_after);
-    for (int group = 0; group < w->scratch.powers.count && !any; group++) {
+    for_each_lock_block(w, add_work_with);
+    for (int group = 0; group < w->scratch.brace_groups.count && !any; group++) {
         const double *sums = group_sums(w, (float)group);
-        any = sums[POWER_AFTER] > 0.0 && (!relaxed || sums[WIDE_OPEN] > 0.0);
+        any = sums[WORK_WITH] > 0.0 && (!relaxed || sums[WIDE_OPEN] > 0.0);
     }
     return any;
 }
 
-/* Sets the shares to keep, once TD_BRACE_BEFORE has measured p.u. */
-void td_joints_weigh(thud_world *w, bool relaxed) {
-    for_each_lock_block(w, add_powers_before);
+/* Sets the shares to keep, after td_joints_may_add_energy, and once TD_BRACE_WORK_WITHOUT has
+ * measured p.u of the lanes. */
+void td_joints_set_shares(thud_world *w, bool relaxed) {
+    for_each_lock_block(w, add_work_without);
     for_each_lock_block(w, relaxed ? set_relaxed_shares : set_warm_start_shares);
 }
 
-/* Whether any group is wide open. Known once td_joints_add_energy has judged the warm start. */
-bool td_joints_gape(const thud_world *w) {
+/* Whether any group is wide open. Known once td_joints_may_add_energy has found the groups. */
+bool td_joints_wide_open(const thud_world *w) {
     bool any = false;
-    for (int group = 0; group < w->scratch.powers.count; group++) {
+    for (int group = 0; group < w->scratch.brace_groups.count; group++) {
         any |= group_sums(w, (float)group)[WIDE_OPEN] > 0.0;
     }
     return any;

@@ -46,12 +46,15 @@ void td_joints_break_up(thud_world *w) {
     }
 }
 
-const thud_joint_event *thud_world_joint_events(const thud_world *w, int *count) {
-    const td_array *events = !w ? NULL : w->gathers ? &w->gathered.broken : &w->broken;
-    if (count) {
-        *count = events ? events->count : 0;
+thud_result thud_world_get_joint_events(const thud_world *w, const thud_joint_event **out,
+                                        int *out_count) {
+    if (!w || !out || !out_count) {
+        return THUD_ERROR_NULL;
     }
-    return events && events->count ? td_at(events, 0) : NULL;
+    const td_array *events = w->gathers ? &w->gathered.broken : &w->broken;
+    *out = events->count ? td_at(events, 0) : NULL;
+    *out_count = events->count;
+    return THUD_OK;
 }
 
 thud_result thud_joint_set_breaking(thud_world *w, thud_joint_id id, float force, float torque,

@@ -32,7 +32,7 @@ static double uncapped_force(const thud_world *w, td_lane at, bool motor) {
     }
     double omega = td_spring_omega(w, r->frequency[at.lane]);
     return mass * omega *
-           (omega * (double)block->point[1].base[at.lane] +
+           (omega * (double)block->point[1].start_separation[at.lane] +
             2.0 * (double)r->damping[at.lane] * speed);
 }
 
@@ -44,15 +44,15 @@ static double cap_of(const td_drive *d, bool motor) {
 /* The lanes' bounds of the force. */
 static f8 *bounds_of(td_lane at, bool motor) {
     td_drive_rows *r = td_drive_rows_of(at.block);
-    return motor ? &r->motor_most : &r->spring_most;
+    return motor ? &r->max_motor_force : &r->max_spring_force;
 }
 
 /* Sets the bounds of both directions of a joint's springs or motors. Bounds stay the caps
  * themselves where one direction has none of them, or the greater cap is unlimited. */
 static void share_cap(const thud_world *w, const td_joint *joint, td_lane along, td_lane across,
                       bool motor) {
-    double cap_u = cap_of(&joint->drive[THUD_ALONG], motor);
-    double cap_v = cap_of(&joint->drive[THUD_ACROSS], motor);
+    double cap_u = cap_of(&joint->drive[THUD_DIRECTION_ALONG], motor);
+    double cap_v = cap_of(&joint->drive[THUD_DIRECTION_ACROSS], motor);
     double radius = td_max_double(cap_u, cap_v);
     if (!(cap_u > 0.0 && cap_v > 0.0 && radius < (double)THUD_JOINT_FORCE_MAX)) {
         return;
@@ -83,8 +83,8 @@ static void share_caps_of_block(const thud_world *w, td_block *block) {
     for (int lane = 0; lane < block->used; lane++) {
         const td_joint *joint = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));
         bool across = td_drive_rows_of(block)->across[lane] != 0;
-        if (across && joint->part[THUD_ALONG] != TD_NONE) {
-            td_lane along = td_lane_of(w, td_constraint_at(w, joint->part[THUD_ALONG]));
+        if (across && joint->part[THUD_DIRECTION_ALONG] != TD_NONE) {
+            td_lane along = td_lane_of(w, td_constraint_at(w, joint->part[THUD_DIRECTION_ALONG]));
             share_cap(w, joint, along, (td_lane){block, lane}, false);
             share_cap(w, joint, along, (td_lane){block, lane}, true);
         }

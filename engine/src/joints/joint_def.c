@@ -26,14 +26,15 @@ static const char *undrivable_error(int direction, const thud_drive *d) {
 
 const char *td_joint_drive_error(const thud_world *w, thud_joint_kind kind, int direction,
                                  const thud_drive *d, td_reason *why) {
-    bool turns = direction == THUD_TURN;
-    float max_value = turns ? THUD_JOINT_TURN_MAX : THUD_JOINT_LENGTH_MAX * w->unit;
-    float max_speed = turns ? THUD_JOINT_SPIN_MAX : max_value, max_force = THUD_JOINT_FORCE_MAX;
-    float min = kind == THUD_DISTANCE ? 0.0f : -max_value;
+    bool turns = direction == THUD_DIRECTION_TURN;
+    float max_value = turns ? THUD_JOINT_ANGLE_MAX : THUD_JOINT_LENGTH_MAX * w->unit;
+    float max_speed = turns ? THUD_JOINT_ANGULAR_SPEED_MAX : max_value,
+          max_force = THUD_JOINT_FORCE_MAX;
+    float min = kind == THUD_JOINT_DISTANCE ? 0.0f : -max_value;
     if (!(td_joint_drivable((int)kind) >> direction & 1u)) {
         return undrivable_error(direction, d);
     }
-    bool target_is_length = kind == THUD_DISTANCE && td_target_is_length(d->target);
+    bool target_is_length = kind == THUD_JOINT_DISTANCE && td_target_is_length(d->target);
     bool valid =
         (!d->limited || (td_float_in(why, "joint drive: lower", d->lower, min, max_value) &&
                          td_float_in(why, "joint drive: upper", d->upper, min, max_value))) &&
@@ -56,7 +57,7 @@ void td_joint_warn_of_drive(const thud_world *w, const thud_drive *d) {
 }
 
 static bool is_dynamic(const thud_world *w, td_body_index body) {
-    return td_body_at(w, body)->kind == THUD_DYNAMIC;
+    return td_body_at(w, body)->kind == THUD_BODY_DYNAMIC;
 }
 
 const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_body_index a,
@@ -67,23 +68,25 @@ const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_
     if ((int)d->kind < 0 || d->kind >= THUD_JOINT_KIND_COUNT) {
         return "joint create: kind is none";
     }
-    if (d->kind == THUD_GEAR && td_same_body(a, b)) {
+    if (d->kind == THUD_JOINT_GEAR && td_same_body(a, b)) {
         return "joint create: both joints of a gear move the same body";
     }
     float min = d->ratio < 0.0f ? -THUD_GEAR_RATIO_MAX : THUD_GEAR_RATIO_MIN;
     float max = d->ratio < 0.0f ? -THUD_GEAR_RATIO_MIN : THUD_GEAR_RATIO_MAX;
-    if (d->kind == THUD_GEAR && !td_float_in(why, "joint create: ratio", d->ratio, min, max)) {
+    if (d->kind == THUD_JOINT_GEAR &&
+        !td_float_in(why, "joint create: ratio", d->ratio, min, max)) {
         return why->text;
     }
     if (td_same_body(a, b) || (!is_dynamic(w, a) && !is_dynamic(w, b))) {
         return "joint create: needs two bodies, one dynamic";
     }
-    if ((d->kind == THUD_WHEEL || d->kind == THUD_TARGET) && !is_dynamic(w, b)) {
+    if ((d->kind == THUD_JOINT_WHEEL || d->kind == THUD_JOINT_TARGET) && !is_dynamic(w, b)) {
         return "joint create: body b of a wheel or target must be dynamic";
     }
     if (!td_joint_frame_valid(w, why, &d->frame_a) || !td_joint_frame_valid(w, why, &d->frame_b) ||
-        (d->kind == THUD_DISTANCE && !td_above_0(why, "joint create: length", (double)d->length,
-                                                 (double)(THUD_JOINT_LENGTH_MAX * w->unit))) ||
+        (d->kind == THUD_JOINT_DISTANCE &&
+         !td_above_0(why, "joint create: length", (double)d->length,
+                     (double)(THUD_JOINT_LENGTH_MAX * w->unit))) ||
         !td_joint_break_valid(why, "joint create: break_force", d->break_force) ||
         !td_joint_break_valid(why, "joint create: break_torque", d->break_torque)) {
         return why->text;
@@ -100,8 +103,9 @@ const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_
 thud_joint_def thud_default_joint_def(thud_joint_kind kind) {
     thud_joint_def def = {.kind = kind,
                           .length = 1.0f,
+                          .enabled = true,
                           .ratio = 1.0f,
-                          .collide_connected = kind == THUD_GEAR,
+                          .collide_connected = kind == THUD_JOINT_GEAR,
                           .break_force = THUD_JOINT_FORCE_MAX,
                           .break_torque = THUD_JOINT_FORCE_MAX,
                           .cookie = TD_COOKIE};
@@ -109,8 +113,8 @@ thud_joint_def thud_default_joint_def(thud_joint_kind kind) {
         def.drive[i].damping = 0.7f;
         def.drive[i].spring_force = THUD_JOINT_FORCE_MAX;
     }
-    if (kind == THUD_DISTANCE) {
-        def.drive[THUD_ALONG].target = -__builtin_inff();
+    if (kind == THUD_JOINT_DISTANCE) {
+        def.drive[THUD_DIRECTION_ALONG].target = -__builtin_inff();
     }
     return def;
 }
@@ -144,12 +148,12 @@ void td_joint_set_place(td_joint *joint, int side, const thud_joint_frame *f) {
 
 td_joint td_joint_of_def(const thud_world *w, const thud_joint_def *d, td_body_index a,
                          td_body_index b) {
-    bool swapped = td_body_at(w, b)->kind == THUD_STATIC;
+    bool swapped = td_body_at(w, b)->kind == THUD_BODY_STATIC;
     td_joint joint = {.body = {swapped ? b : a, swapped ? a : b},
                       .part = {TD_NONE, TD_NONE, TD_NONE, TD_NONE},
                       .kind = (uint8_t)d->kind,
                       .live = 1,
-                      .disabled = d->disabled,
+                      .disabled = !d->enabled,
                       .collides = d->collide_connected,
                       .swapped = swapped,
                       .length = d->length,
@@ -157,7 +161,7 @@ td_joint td_joint_of_def(const thud_world *w, const thud_joint_def *d, td_body_i
                       .break_force = d->break_force,
                       .break_torque = d->break_torque,
                       .user_data = d->user_data};
-    for (int i = 0; i < TD_JOINT_DIRECTIONS && d->kind != THUD_GEAR; i++) {
+    for (int i = 0; i < TD_JOINT_DIRECTIONS && d->kind != THUD_JOINT_GEAR; i++) {
         joint.drive[i] = td_drive_of(&d->drive[i]);
     }
     td_joint_set_place(&joint, swapped, &d->frame_a);
@@ -198,7 +202,7 @@ thud_result thud_joint_get_def(const thud_world *w, thud_joint_id id, thud_joint
     def.frame_a = frame_of(joint, joint->swapped);
     def.frame_b = frame_of(joint, !joint->swapped);
     read_drives(joint, &def);
-    if (joint->kind == THUD_GEAR) {
+    if (joint->kind == THUD_JOINT_GEAR) {
         def.gear[0] = td_joint_handle(w, joint->gear.joint[0]);
         def.gear[1] = td_joint_handle(w, joint->gear.joint[1]);
         def.ratio = joint->gear.ratio;
@@ -208,7 +212,7 @@ thud_result thud_joint_get_def(const thud_world *w, thud_joint_id id, thud_joint
     def.break_force = joint->break_force;
     def.break_torque = joint->break_torque;
     def.only_reports = joint->only_reports;
-    def.disabled = joint->disabled;
+    def.enabled = !joint->disabled;
     def.user_data = joint->user_data;
     *out = def;
     return THUD_OK;

@@ -33,13 +33,13 @@ static drawn drawn_of(const td_drawing *d, const td_joint *joint) {
 
 static void point(const td_drawing *d, thud_vec2 p) {
     if (d->draw->point) {
-        d->draw->point(p, THUD_DRAW_JOINT, d->draw->context);
+        d->draw->point(p, THUD_STYLE_JOINT, d->draw->context);
     }
 }
 
 /* A line from a's anchor at an angle (rad) to the axis. */
 static void angle_line(const td_drawing *d, const drawn *j, double angle, float length,
-                       thud_draw_style style) {
+                       thud_style style) {
     double s, c;
     td_sincos(angle, &s, &c);
     float x = (float)c * j->x - (float)s * j->y, y = (float)s * j->x + (float)c * j->y;
@@ -53,14 +53,14 @@ static void limit_marks(const td_drawing *d, thud_vec2 from, float x, float y, c
     for (int i = 0; i < 2; i++) {
         end[i] = offset_by(from, at[i] * x, at[i] * y);
         td_drawing_line(d, offset_by(end[i], half * y, -half * x),
-                        offset_by(end[i], -half * y, half * x), THUD_DRAW_JOINT_LIMIT);
+                        offset_by(end[i], -half * y, half * x), THUD_STYLE_JOINT_LIMIT);
     }
-    td_drawing_line(d, end[0], end[1], THUD_DRAW_JOINT_LIMIT);
+    td_drawing_line(d, end[0], end[1], THUD_STYLE_JOINT_LIMIT);
 }
 
 static void draw_limits(const td_drawing *d, const td_joint *joint, const drawn *j) {
     float length = AXIS_LENGTH * d->w->unit, x = j->x, y = j->y;
-    if (joint->kind == THUD_DISTANCE) {
+    if (joint->kind == THUD_JOINT_DISTANCE) {
         float u = j->place[1].x - j->place[0].x, v = j->place[1].y - j->place[0].y;
         float size = __builtin_sqrtf(u * u + v * v);
         x = size > 0.0f ? u / size : 1.0f;
@@ -71,11 +71,11 @@ static void draw_limits(const td_drawing *d, const td_joint *joint, const drawn 
         if (!(joint->driven >> i & 1u) || !of->limited) {
             continue;
         }
-        if (i == THUD_TURN) {
-            angle_line(d, j, (double)of->lower, length, THUD_DRAW_JOINT_LIMIT);
-            angle_line(d, j, (double)of->upper, length, THUD_DRAW_JOINT_LIMIT);
+        if (i == THUD_DIRECTION_TURN) {
+            angle_line(d, j, (double)of->lower, length, THUD_STYLE_JOINT_LIMIT);
+            angle_line(d, j, (double)of->upper, length, THUD_STYLE_JOINT_LIMIT);
         } else {
-            bool across = i == THUD_ACROSS;
+            bool across = i == THUD_DIRECTION_ACROSS;
             limit_marks(d, j->place[0], across ? -y : x, across ? x : y, of);
         }
     }
@@ -83,19 +83,19 @@ static void draw_limits(const td_drawing *d, const td_joint *joint, const drawn 
 
 static void draw_joint(const td_drawing *d, const td_joint *joint) {
     drawn j = drawn_of(d, joint);
-    if (joint->kind == THUD_GEAR || joint->kind == THUD_FILTER) {
-        td_drawing_line(d, j.centre[0], j.centre[1], THUD_DRAW_JOINT);
+    if (joint->kind == THUD_JOINT_GEAR || joint->kind == THUD_JOINT_FILTER) {
+        td_drawing_line(d, j.centre[0], j.centre[1], THUD_STYLE_JOINT);
         return;
     }
     for (int side = 0; side < 2; side++) {
-        if (td_body_at(d->w, joint->body[side ^ joint->swapped])->kind != THUD_STATIC) {
-            td_drawing_line(d, j.centre[side], j.place[side], THUD_DRAW_JOINT);
+        if (td_body_at(d->w, joint->body[side ^ joint->swapped])->kind != THUD_BODY_STATIC) {
+            td_drawing_line(d, j.centre[side], j.place[side], THUD_STYLE_JOINT);
         }
         point(d, j.place[side]);
     }
-    td_drawing_line(d, j.place[0], j.place[1], THUD_DRAW_JOINT);
-    if (joint->kind != THUD_DISTANCE) {
-        angle_line(d, &j, 0.0, AXIS_LENGTH * d->w->unit, THUD_DRAW_JOINT_AXIS);
+    td_drawing_line(d, j.place[0], j.place[1], THUD_STYLE_JOINT);
+    if (joint->kind != THUD_JOINT_DISTANCE) {
+        angle_line(d, &j, 0.0, AXIS_LENGTH * d->w->unit, THUD_STYLE_JOINT_AXIS);
     }
     draw_limits(d, joint, &j);
 }
@@ -110,7 +110,7 @@ static void draw_force(const td_drawing *d, const td_joint *joint) {
     mass = mass > 0.0f ? mass : td_body_at(d->w, joint->body[1 - b])->inv_mass;
     float part = 0.5f * mass;
     td_drawing_line(d, j.place[1], offset_by(j.place[1], part * load.force.x, part * load.force.y),
-                    THUD_DRAW_JOINT_FORCE);
+                    THUD_STYLE_JOINT_FORCE);
 }
 
 void td_joints_draw(const td_drawing *d) {

@@ -41,7 +41,7 @@ void td_joint_end(thud_world *w, int index) {
 }
 
 thud_result thud_joint_destroy(thud_world *w, thud_joint_id id) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int index = 0;
     thud_result result = td_find_joint(w, id, true, &index);
     if (result != THUD_OK) {

@@ -23,16 +23,17 @@ static bool in_world(const td_body *body) {
 static bool end_contacts(thud_world *w, td_body_index a, td_body_index b) {
     int count = 0;
     for (int e = td_body_at(w, a)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        count +=
-            is_solid_contact(td_constraint_at(w, e / 2)) && td_same_body(td_other_body(w, e), b);
+        count += is_solid_contact(td_constraint_at(w, td_edge_constraint(e))) &&
+                 td_same_body(td_other_body(w, e), b);
     }
     if (count && !td_contact_end_reserve(w, count)) {
         return false;
     }
     for (int e = td_body_at(w, a)->first_constraint; count && e != TD_NONE;) {
         int next = td_next_edge(w, e);
-        if (is_solid_contact(td_constraint_at(w, e / 2)) && td_same_body(td_other_body(w, e), b)) {
-            td_contact_destroy(w, e / 2);
+        if (is_solid_contact(td_constraint_at(w, td_edge_constraint(e))) &&
+            td_same_body(td_other_body(w, e), b)) {
+            td_contact_destroy(w, td_edge_constraint(e));
         }
         e = next;
     }
@@ -53,7 +54,7 @@ static bool prepare_bodies(thud_world *w, int index) {
     if (!joint->collides && !end_contacts(w, constraint->body[0], constraint->body[1])) {
         return false;
     }
-    for (int side = 0; side < 2 && joint->kind != THUD_FILTER; side++) {
+    for (int side = 0; side < 2 && joint->kind != THUD_JOINT_FILTER; side++) {
         td_body_index body = td_constraint_at(w, index)->body[side];
         if (td_body_sleeps(w, body) && !td_wake(w, body)) {
             return false;
@@ -64,14 +65,14 @@ static bool prepare_bodies(thud_world *w, int index) {
 
 /* Removes filters from a list of constraints: they need no lane. */
 static void remove_filters(const thud_world *w, td_array *list) {
-    int kept = 0;
+    int kept_count = 0;
     for (int i = 0; i < list->count; i++) {
         int index = td_int_at(list, i);
-        bool filter = td_joint_of(w, td_constraint_at(w, index))->kind == THUD_FILTER;
-        ((int *)list->data)[kept] = index;
-        kept += !filter;
+        bool filter = td_joint_of(w, td_constraint_at(w, index))->kind == THUD_JOINT_FILTER;
+        ((int *)list->data)[kept_count] = index;
+        kept_count += !filter;
     }
-    list->count = kept;
+    list->count = kept_count;
 }
 
 /* Gives lanes to all constraints of a kind that wait and may act. False when memory is short. */
@@ -112,7 +113,7 @@ static bool engage_kind(thud_world *w, int kind) {
 static void end_idle_gears(thud_world *w) {
     for (int i = 0; i < w->joints.count && w->constraint_count[TD_CONSTRAINT_GEAR] > 0; i++) {
         const td_joint *joint = td_joint_at(w, i);
-        if (joint->live && joint->kind == THUD_GEAR && !td_gear_has_joints(w, joint)) {
+        if (joint->live && joint->kind == THUD_JOINT_GEAR && !td_gear_has_joints(w, joint)) {
             td_joint_end(w, i);
         }
     }
@@ -120,12 +121,12 @@ static void end_idle_gears(thud_world *w) {
 
 bool td_joints_engage(thud_world *w) {
     int bodies = w->bodies.live + 1; /* bound of the awake slots in this step */
-    w->scratch.next_tied.count = w->scratch.powers.count = 0;
+    w->scratch.next_tied.count = w->scratch.brace_groups.count = 0;
     if (!td_array_reserve(&w->memory, &w->broken, w->breakable) ||
         !td_array_reserve(&w->memory, &w->scratch.parents, bodies) ||
         !td_array_reserve(&w->memory, &w->scratch.next_tied, bodies) ||
         !td_array_reserve(&w->memory, &w->scratch.before, bodies) ||
-        !td_array_reserve(&w->memory, &w->scratch.powers, bodies)) {
+        !td_array_reserve(&w->memory, &w->scratch.brace_groups, bodies)) {
         return false;
     }
     end_idle_gears(w);
@@ -139,10 +140,10 @@ bool td_joints_engage(thud_world *w) {
 
 void td_joints_suspend(thud_world *w, td_body_index body) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
         if (!td_is_contact(constraint) && constraint->state == TD_TOUCHING) {
-            td_lane_remove(w, e / 2);
-            td_constraint_wait(w, e / 2);
+            td_lane_remove(w, td_edge_constraint(e));
+            td_constraint_wait(w, td_edge_constraint(e));
         }
     }
 }
@@ -151,11 +152,11 @@ void td_joints_suspend(thud_world *w, td_body_index body) {
  * an anchor: a static body at angle 0 without shapes, in whose frame directions are those of the
  * world.
  */
-void td_joints_follow(thud_world *w, td_body_index index) {
+void td_joints_move_locks(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
     const td_position *center = &td_pose_at(w, index)->center;
     for (int e = body->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *part = td_constraint_at(w, e / 2);
+        const td_constraint *part = td_constraint_at(w, td_edge_constraint(e));
         td_joint *joint = td_is_contact(part) ? NULL : td_joint_of(w, part);
         if (!joint || !td_joint_is_lock(w, joint, index)) {
             continue;
@@ -166,13 +167,13 @@ void td_joints_follow(thud_world *w, td_body_index index) {
         joint->anchor[1][0] = body->center_x;
         joint->anchor[1][1] = body->center_y;
         if (part->state == TD_TOUCHING) {
-            td_lane_renew(w, e / 2);
+            td_lane_renew(w, td_edge_constraint(e));
         }
     }
 }
 
 /* Walks both bodies' lists of constraints alternately, so that the shorter one bounds the time. */
-bool td_joints_keep_apart(const thud_world *w, td_body_index a, td_body_index b) {
+bool td_joints_exclude_contact(const thud_world *w, td_body_index a, td_body_index b) {
     const td_body *body_a = td_body_at(w, a), *body_b = td_body_at(w, b);
     if (!(body_a->passes & td_passing_bit(b) && body_b->passes & td_passing_bit(a))) {
         return false;
@@ -180,7 +181,7 @@ bool td_joints_keep_apart(const thud_world *w, td_body_index a, td_body_index b)
     int e = body_a->first_constraint, f = body_b->first_constraint;
     td_body_index other = b;
     while (e != TD_NONE && f != TD_NONE) {
-        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
         if (!td_is_contact(constraint) && td_same_body(td_other_body(w, e), other) &&
             !td_joint_of(w, constraint)->collides) {
             return true;
@@ -212,7 +213,7 @@ static void end_idle_anchor(thud_world *w, td_body_index index) {
     td_slots_give(&w->bodies, index.at);
 }
 
-void td_joints_leave(thud_world *w, int index, int part) {
+void td_joints_remove_part(thud_world *w, int index, int part) {
     td_joint *joint = td_slot_at(&w->joints, index);
     bool any = false;
     for (int i = 0; i < TD_JOINT_PARTS; i++) {

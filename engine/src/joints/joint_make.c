@@ -22,16 +22,16 @@ bool td_joint_reserve(thud_world *w, int kind) {
 
 static const td_joint_hooks joint_hooks = {.engage = td_joints_engage,
                                            .suspend = td_joints_suspend,
-                                           .follow = td_joints_follow,
-                                           .keeps_apart = td_joints_keep_apart,
-                                           .leave = td_joints_leave,
+                                           .move_locks = td_joints_move_locks,
+                                           .exclude_contact = td_joints_exclude_contact,
+                                           .remove_part = td_joints_remove_part,
                                            .tie = td_joints_tie,
                                            .hold_back = td_joints_hold_back,
-                                           .adds_energy = td_joints_add_energy,
-                                           .weigh = td_joints_weigh,
-                                           .gape = td_joints_gape,
+                                           .may_add_energy = td_joints_may_add_energy,
+                                           .set_shares = td_joints_set_shares,
+                                           .wide_open = td_joints_wide_open,
                                            .share_caps = td_joints_share_caps,
-                                           .forget = td_joints_forget,
+                                           .clear_yielded = td_joints_clear_yielded,
                                            .yield = td_joints_yield,
                                            .break_up = td_joints_break_up,
                                            .measure = td_joints_measure,
@@ -92,8 +92,9 @@ static thud_result find_dynamic_body(const thud_world *w, thud_joint_id id, td_b
         return result;
     }
     const td_joint *joint = td_joint_at(w, index);
-    if ((!td_gear_by_angle(joint) && joint->kind != THUD_SLIDER && joint->kind != THUD_DISTANCE) ||
-        td_body_at(w, joint->body[0])->kind != THUD_STATIC) {
+    if ((!td_gear_by_angle(joint) && joint->kind != THUD_JOINT_SLIDER &&
+         joint->kind != THUD_JOINT_DISTANCE) ||
+        td_body_at(w, joint->body[0])->kind != THUD_BODY_STATIC) {
         return td_refuse(
             w, THUD_ERROR_INVALID,
             "joint create: a gear is of hinges, wheels, sliders or distances with a static body");
@@ -105,7 +106,7 @@ static thud_result find_dynamic_body(const thud_world *w, thud_joint_id id, td_b
 /* The bodies of a def. */
 static thud_result find_sides(const thud_world *w, const thud_joint_def *def, td_body_index *a,
                               td_body_index *b) {
-    if (def->kind == THUD_GEAR) {
+    if (def->kind == THUD_JOINT_GEAR) {
         thud_result result = find_dynamic_body(w, def->gear[0], a);
         return result == THUD_OK ? find_dynamic_body(w, def->gear[1], b) : result;
     }
@@ -125,7 +126,7 @@ static void set_members(const thud_world *w, td_joint *gear, const thud_joint_de
 }
 
 thud_result thud_joint_create(thud_world *w, const thud_joint_def *def, thud_joint_id *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index a, b;
     if (!w || !def) {
         return td_refuse(w, THUD_ERROR_NULL, "joint create: world or def is null");
@@ -155,7 +156,7 @@ thud_result thud_joint_create(thud_world *w, const thud_joint_def *def, thud_joi
         td_body_at(w, a)->passes |= td_passing_bit(b);
         td_body_at(w, b)->passes |= td_passing_bit(a);
     }
-    if (joint->kind == THUD_GEAR) {
+    if (joint->kind == THUD_JOINT_GEAR) {
         set_members(w, joint, def);
     }
     td_joint_update_parts(w, index);

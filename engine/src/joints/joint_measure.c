@@ -28,30 +28,31 @@ static td_joint_reading read_gear(const thud_world *w, const td_joint *joint) {
     double gap = td_gear_gap(w, joint);
     bool turns = td_gear_by_angle(td_joint_at(w, joint->gear.joint[0]));
     td_joint_reading r = {.gap = turns ? 0.0 : td_abs(gap), .angle_gap = turns ? td_abs(gap) : 0.0};
-    r.value[turns ? THUD_TURN : THUD_ALONG] = gap;
+    r.value[turns ? THUD_DIRECTION_TURN : THUD_DIRECTION_ALONG] = gap;
     return r;
 }
 
 td_joint_reading td_joint_read(const thud_world *w, const td_joint *joint) {
-    if (joint->kind == THUD_GEAR) {
+    if (joint->kind == THUD_JOINT_GEAR) {
         return read_gear(w, joint);
     }
     td_joint_place place = td_joint_place_of(w, joint);
     double x = (double)place.x, y = (double)place.y;
     double u = (double)place.axis_x, v = (double)place.axis_y;
     td_joint_reading r = {.value = {x * u + y * v, y * u - x * v, (double)place.turn}};
-    if (joint->kind == THUD_DISTANCE) {
-        r.value[THUD_ALONG] = __builtin_sqrt(x * x + y * y);
-        r.value[THUD_ACROSS] = 0.0;
-        double off = joint->locked ? r.value[THUD_ALONG] - (double)joint->length
-                                   : error_of(joint, THUD_ALONG, r.value[THUD_ALONG]);
+    if (joint->kind == THUD_JOINT_DISTANCE) {
+        r.value[THUD_DIRECTION_ALONG] = __builtin_sqrt(x * x + y * y);
+        r.value[THUD_DIRECTION_ACROSS] = 0.0;
+        double off = joint->locked
+                         ? r.value[THUD_DIRECTION_ALONG] - (double)joint->length
+                         : error_of(joint, THUD_DIRECTION_ALONG, r.value[THUD_DIRECTION_ALONG]);
         r.gap = td_abs(off);
         return r;
     }
-    double along = error_of(joint, THUD_ALONG, r.value[THUD_ALONG]);
-    double across = error_of(joint, THUD_ACROSS, r.value[THUD_ACROSS]);
+    double along = error_of(joint, THUD_DIRECTION_ALONG, r.value[THUD_DIRECTION_ALONG]);
+    double across = error_of(joint, THUD_DIRECTION_ACROSS, r.value[THUD_DIRECTION_ACROSS]);
     r.gap = __builtin_sqrt(along * along + across * across);
-    r.angle_gap = td_abs(error_of(joint, THUD_TURN, r.value[THUD_TURN]));
+    r.angle_gap = td_abs(error_of(joint, THUD_DIRECTION_TURN, r.value[THUD_DIRECTION_TURN]));
     return r;
 }
 

@@ -1,9 +1,12 @@
 /* joint_rows.c: the rows of joints for the direct solver (direct/direct.h): Jacobians, target
  * speeds and warm starts.
  *
- * td_*_take_rows fills a constraint's rows at the start of the step. td_*_turn_rows recomputes them
- * for a part of the step of length h, from the motions of both sides at its start (a[0], b[0]) and,
- * as known so far, at its end (a[1], b[1]): td_span. Where h is 0, rows are those of the instant.
+ * td_*_take_rows fills a constraint's rows at the start of the step, and returns false: the soft
+ * solver lets no joint bounce (direct/rows.h). The direct solver divides a step of an island with
+ * joints into parts, since directions turn (direct/step_parts.c). td_*_update_rows recomputes the
+ * rows for a part of duration h, from the motions of both sides since the start of the step: up to
+ * the start of the part (a[0], b[0]) and, by the present iteration, up to its end (a[1], b[1]):
+ * td_span. Where h is 0, rows are those of the instant at the end of a part.
  *
  * The Jacobians J of a part are discrete gradients of the joint's coordinate q, so that locked rows
  * do no work (O. Gonzalez, "Time integration and discrete Hamiltonian systems", 1996):
@@ -15,17 +18,21 @@
  *
  * The velocity at the end of a part is 2 v - v_before, where v is the mean velocity that the
  * problem solves for. Its impulses are thus half of those of the part, which gives the factors 0.5.
- * Lengths, masses and times are the world's; turn is in radians. */
+ *
+ * turn_sign is -1 where the block's sides are the caller's b and a, so that coordinates of turn are
+ * those of the caller's order (joint.h). Lengths and masses are in the caller's units, times in
+ * seconds, turn in radians. Bounds of gaps are in length scales or radians: `unit` is a length
+ * scale for a row of lengths, and 1 for a row of turn (td_gap_unit). */
 #include "joints/joint.h"
 
 #include "direct/rows.h"
 
-/* Warm start and target speed of an equality row: half of impulse k of the last step, and the speed
- * that closes `gap` (a length or an angle) in this one. */
-static void set_equality(const thud_world *w, td_direct_row *row, const float *impulses, int k,
-                         double gap) {
-    row->impulse = 0.5 * (double)impulses[k];
-    row->target_speed = td_joint_closing_speed(w, gap, w->def.time_step);
+/* Warm start and target speed of an equality row: half of `impulse`, that of the last step, and the
+ * speed that closes `gap` in this one. */
+static void set_equality(const thud_world *w, td_direct_row *row, float impulse, double gap,
+                         double unit) {
+    row->impulse = 0.5 * (double)impulse;
+    row->target_speed = td_joint_closing_speed(gap, unit, w->def.time_step);
 }
 
 /* ---- a part of the step ---- */
@@ -63,20 +70,23 @@ static double displacement_along(const td_direct_row *row, const td_span *s) {
 #define GAP_SHARE_PER_STEP 0.2
 #define GAP_CLOSED_MIN 1e-4
 
-/* The mean speed along a row for which its gap, which the motion as known changes from `before` to
- * `after`, is by the end of the part as wide as it should be:
+/* The mean speed along a row for which its gap, which the motion of the present iteration changes
+ * from `before` to `after`, is as wide by the end of the part as it should be:
  *     (J (x[1] - x[0]) - (after - left)) / h,  where `left` is the gap that should be left.
- * Closing is also limited to TD_JOINT_CLOSING. Sets row->closing, the speed of closing. */
+ * A gap closes by the share and the width above, at TD_JOINT_CLOSING_SPEED at most. Sets
+ * row->closing, the speed of closing. At an instant (h = 0) the row keeps it, and the gap is not
+ * closed: the speed is 0. */
 static double target_speed_for_gap(const thud_world *w, td_direct_row *row, const td_span *s,
-                                   double before, double after) {
-    double max_change = (double)(TD_JOINT_CLOSING * w->unit) * s->time, off = td_abs(before);
-    double share =
-        off * (GAP_SHARE_PER_STEP * s->time / w->def.time_step) + GAP_CLOSED_MIN * (double)w->unit;
-    max_change = td_min_double(max_change, share);
-    double left = off <= GAP_IGNORED * (double)w->unit ? before
-                  : before > max_change                ? before - max_change
-                  : before < -max_change               ? before + max_change
-                                                       : 0.0;
+                                   double before, double after, double unit) {
+    double width = td_abs(before);
+    double max_change = (double)TD_JOINT_CLOSING_SPEED * unit * s->time;
+    double change =
+        width * (GAP_SHARE_PER_STEP * s->time / w->def.time_step) + GAP_CLOSED_MIN * unit;
+    change = td_min_double(max_change, change);
+    double left = width <= GAP_IGNORED * unit ? before
+                  : before > change           ? before - change
+                  : before < -change          ? before + change
+                                              : 0.0;
     row->closing = s->time > 0.0 ? td_abs(before - left) / s->time : row->closing;
     return s->time > 0.0 ? (displacement_along(row, s) - (after - left)) / s->time : 0.0;
 }
@@ -87,10 +97,14 @@ typedef struct midpoint {
     double chord_a, chord_b; /* chord over arc of each side's rotation in the part */
 } midpoint;
 
+/* Square of half a rotation, rad^2, below which its chord counts as long as its arc: sin(x) / x is
+ * 1 - x^2 / 6, here within 2e-13 of 1. Avoids 0 / 0. */
+#define CHORD_IS_ARC 1e-12
+
 /* The chord of a rotation over its arc: sin(turn / 2) / (turn / 2). */
 static double chord_ratio(double turn) {
     double half = 0.5 * turn, s, c;
-    if (half * half < 1e-12) {
+    if (half * half < CHORD_IS_ARC) {
         return 1.0;
     }
     td_joint_sincos(half, &s, &c);
@@ -145,19 +159,19 @@ static td_joint_frame midpoint_line(const td_block *block, int lane, double gap_
                             .b_v = u * f.b_v - v * f.b_u};
 }
 
-/* Geometric stiffness of impulses along u and v, as a moment of inertia: minus the change of their
- * moment about each side per mean angular velocity of that side. h / 2 is the time up to the middle
- * of the part. */
+/* Geometric stiffness of the rows' impulses along u and v, as a moment of inertia: minus the change
+ * of their moment about each side per mean angular velocity of that side. h / 2 is the time up to
+ * the middle of the part. */
 static void set_geometric_stiffness(td_direct_constraint *c, const td_joint_frame *f,
-                                    const td_span *s, double u, double v) {
+                                    const td_span *s, double impulse_u, double impulse_v) {
     double half = 0.5 * s->time;
-    c->stiff[0] = -half * (f->a_v * u - f->a_u * v);
-    c->stiff[1] = half * (f->b_v * u - f->b_u * v);
+    c->stiff[0] = -half * (f->a_v * impulse_u - f->a_u * impulse_v);
+    c->stiff[1] = half * (f->b_v * impulse_u - f->b_u * impulse_v);
 }
 
 /* Geometric stiffness of a distance. One that pulls (impulse < 0) resists rotation of its line,
- * too: a soft row across it, of weight h / 2 times tension over length, with the present speed as
- * its target. */
+ * too: a soft row across it, of weight h / 2 times the size of the row's impulse over the length,
+ * with the present speed as its target. */
 static void set_line_stiffness(td_direct_constraint *c, const td_joint_frame *f, const td_span *s,
                                double impulse, double length, td_direct_row *across) {
     set_geometric_stiffness(c, f, s, impulse, 0.0);
@@ -172,65 +186,72 @@ static void set_line_stiffness(td_direct_constraint *c, const td_joint_frame *f,
 
 /* ---- locked directions ---- */
 
-/* td_take_rows_fn of a locked distance: row 0. (Row 1 is its stiffness across, in parts of a step
- * only.) */
+/* td_take_rows_fn of a locked distance: row 0. (Row 1 is its stiffness across the line, in parts of
+ * a step only.) */
 bool td_rod_take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
                       td_direct_constraint *c) {
     const td_point *p = &block->point[0];
     td_row_set(&c->row[0], TD_ROW_EQUALITY, (double)block->nx[lane], (double)block->ny[lane],
                (double)p->cross_a[lane], (double)p->cross_b[lane]);
-    set_equality(w, &c->row[0], impulses, 0, (double)p->base[lane]);
+    set_equality(w, &c->row[0], impulses[0], (double)p->start_separation[lane], (double)w->unit);
     return false;
 }
 
-void td_rod_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
-                      td_direct_constraint *c) {
-    double rest_length = (double)td_lock_rows_at(block)->turn_base[lane], length[2];
-    td_joint_frame f = midpoint_line(block, lane, (double)block->point[0].base[lane] + rest_length,
-                                     0.0, s, length);
+void td_rod_update_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
+                        td_direct_constraint *c) {
+    double rest_length = (double)td_lock_rows_at(block)->rest_length[lane], length[2];
+    td_joint_frame f =
+        midpoint_line(block, lane, (double)block->point[0].start_separation[lane] + rest_length,
+                      0.0, s, length);
     set_direction(&c->row[0], f.x, f.y, f.a_u, f.b_u);
-    c->row[0].target_speed =
-        target_speed_for_gap(w, &c->row[0], s, length[0] - rest_length, length[1] - rest_length);
+    c->row[0].target_speed = target_speed_for_gap(w, &c->row[0], s, length[0] - rest_length,
+                                                  length[1] - rest_length, (double)w->unit);
     set_line_stiffness(c, &f, s, c->row[0].impulse, length[0], &c->row[1]);
 }
 
-/* td_turn_rows_fn of locked directions: rows 0 along, 1 across, 2 turn. */
-void td_lock_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
-                       td_direct_constraint *c) {
+/* td_update_rows_fn of locked directions: rows 0 along, 1 across, 2 turn. The Jacobian of turn is
+ * constant, and stays. */
+void td_lock_update_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
+                         td_direct_constraint *c) {
     const td_lock_rows *rows = td_lock_rows_at(block);
-    double u = (double)block->point[0].base[lane], v = (double)block->point[1].base[lane];
-    double sign = (double)rows->turn_sign[lane];
-    bool turns = rows->frame[lane] > 0.0f;
+    double u = (double)block->point[0].start_separation[lane],
+           v = (double)block->point[1].start_separation[lane];
+    double sign = (double)rows->turn_sign[lane], unit = (double)w->unit;
+    bool turns = rows->frame_turns[lane] > 0.0f;
     td_joint_frame end[2];
     double angle[2];
     for (int i = 0; i < 2; i++) {
         bool same = i == 1 && s->time == 0.0;
         end[i] = same ? end[0] : td_joint_frame_after(block, lane, u, v, turns, s->a[i], s->b[i]);
-        angle[i] = (double)rows->turn_base[lane] + sign * (s->b[i][2] - s->a[i][2]);
+        angle[i] = (double)rows->start_turn_gap[lane] + sign * (s->b[i][2] - s->a[i][2]);
     }
     td_joint_frame f = s->time == 0.0 ? end[0] : midpoint_frame(block, lane, u, v, turns, s);
     set_direction(&c->row[0], f.x, f.y, f.a_u, f.b_u);
     set_direction(&c->row[1], -f.y, f.x, f.a_v, f.b_v);
-    c->row[0].target_speed = target_speed_for_gap(w, &c->row[0], s, end[0].gap_u, end[1].gap_u);
-    c->row[1].target_speed = target_speed_for_gap(w, &c->row[1], s, end[0].gap_v, end[1].gap_v);
-    c->row[2].target_speed = target_speed_for_gap(w, &c->row[2], s, angle[0], angle[1]);
+    c->row[0].target_speed =
+        target_speed_for_gap(w, &c->row[0], s, end[0].gap_u, end[1].gap_u, unit);
+    c->row[1].target_speed =
+        target_speed_for_gap(w, &c->row[1], s, end[0].gap_v, end[1].gap_v, unit);
+    c->row[2].target_speed = target_speed_for_gap(w, &c->row[2], s, angle[0], angle[1], 1.0);
     set_geometric_stiffness(c, &f, s, c->row[0].impulse, c->row[1].impulse);
 }
 
+/* td_take_rows_fn of locked directions: the same rows. Those of directions that are not locked are
+ * not used: their effective mass is 0. */
 bool td_lock_take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
                        td_direct_constraint *c) {
     const td_lock_rows *rows = td_lock_rows_of(block);
     const td_point *p = block->point;
     double no_motion[3] = {0.0, 0.0, 0.0}, sign = (double)rows->turn_sign[lane];
-    td_joint_frame f =
-        td_joint_frame_after(block, lane, (double)p[0].base[lane], (double)p[1].base[lane],
-                             rows->frame[lane] > 0.0f, no_motion, no_motion);
+    td_joint_frame f = td_joint_frame_after(block, lane, (double)p[0].start_separation[lane],
+                                            (double)p[1].start_separation[lane],
+                                            rows->frame_turns[lane] > 0.0f, no_motion, no_motion);
     td_row_set(&c->row[0], TD_ROW_EQUALITY, f.x, f.y, f.a_u, f.b_u);
     td_row_set(&c->row[1], TD_ROW_EQUALITY, -f.y, f.x, f.a_v, f.b_v);
     td_row_set(&c->row[2], TD_ROW_EQUALITY, 0.0, 0.0, sign, sign);
-    set_equality(w, &c->row[0], impulses, 0, f.gap_u);
-    set_equality(w, &c->row[1], impulses, 1, f.gap_v);
-    set_equality(w, &c->row[2], impulses, 2, (double)rows->turn_base[lane]);
+    set_equality(w, &c->row[0], impulses[0], f.gap_u, (double)w->unit);
+    set_equality(w, &c->row[1], impulses[1], f.gap_v, (double)w->unit);
+    set_equality(w, &c->row[2], impulses[2], (double)rows->start_turn_gap[lane], 1.0);
     c->row[0].used = p[0].normal_mass[lane] > 0.0f;
     c->row[1].used = p[1].normal_mass[lane] > 0.0f;
     c->row[2].used = block->tangent_mass[lane] > 0.0f;
@@ -240,28 +261,33 @@ bool td_lock_take_rows(const thud_world *w, td_block *block, int lane, const flo
 /* ---- driven directions ---- */
 
 /* Chooses the limit of a step: the one that is nearer as the step begins, or the other one where
- * the soft solver ended nearer to that. True for the first, whose impulse of the last step is a
- * warm start. */
+ * the soft solver has chosen that, and ended nearer to it than the step began to the first one.
+ * Sets limit_side (1 lower, -1 upper, 0 no limits), limit, and the separation from it at the start
+ * of the step. Returns whether it is the first one, whose impulse of the last step is a warm start.
+ */
 static bool choose_limit(td_block *block, int lane) {
     td_drive_rows *r = td_drive_rows_of(block);
     td_point *p = &block->point[0];
-    float value = r->value_base[lane], low = value - r->lower[lane], high = r->upper[lane] - value;
-    float first = low <= high ? 1.0f : -1.0f, nearest = td_min_float(low, high);
-    bool crossed = r->limit_side[lane] != first && p->separation[lane] < nearest;
-    float side = r->limited[lane] == 0 ? 0.0f : crossed ? -first : first;
+    float value = r->start_value[lane];
+    float above_lower = value - r->lower[lane], below_upper = r->upper[lane] - value;
+    float nearer_side = above_lower <= below_upper ? 1.0f : -1.0f;
+    float nearer_gap = td_min_float(above_lower, below_upper);
+    bool other = r->limit_side[lane] != nearer_side && p->separation[lane] < nearer_gap;
+    float side = r->limited[lane] == 0 ? 0.0f : other ? -nearer_side : nearer_side;
     r->limit_side[lane] = side;
     r->limit[lane] = side > 0.0f ? r->lower[lane] : r->upper[lane];
-    p->base[lane] = side * (value - r->limit[lane]);
-    return !crossed;
+    p->start_separation[lane] = side * (value - r->limit[lane]);
+    return !other;
 }
 
 /* The row of a limit; `along` is the driven direction. A limit at a distance gets the target speed
- * that just reaches it by the end of the step (as a speculative contact); equal limits lock. */
+ * that just reaches it by the end of the step (as a speculative contact); equal limits lock.
+ * `unit`: td_gap_unit of the direction. */
 static void take_limit(const thud_world *w, td_block *block, int lane, const float *impulses,
-                       td_direct_row *row, const td_direct_row *along) {
+                       td_direct_row *row, const td_direct_row *along, double unit) {
     const td_drive_rows *r = td_drive_rows_at(block);
-    bool known = choose_limit(block, lane);
-    double side = (double)r->limit_side[lane], gap = (double)block->point[0].base[lane];
+    bool has_warm_start = choose_limit(block, lane);
+    double side = (double)r->limit_side[lane], gap = (double)block->point[0].start_separation[lane];
     bool locked = r->locked[lane] > 0.0f;
     *row = *along;
     for (int k = 0; k < 3; k++) {
@@ -270,29 +296,34 @@ static void take_limit(const thud_world *w, td_block *block, int lane, const flo
     }
     row->kind = locked ? TD_ROW_EQUALITY : TD_ROW_UNILATERAL;
     row->used = side != 0.0;
-    set_equality(w, row, impulses, 0, gap);
-    row->impulse *= known ? 1.0 : 0.0;
+    set_equality(w, row, impulses[0], gap, unit);
+    row->impulse *= has_warm_start ? 1.0 : 0.0;
     row->target_speed = gap > 0.0 && !locked ? -gap / w->def.time_step : row->target_speed;
 }
 
-/* The effective mass of a driven direction, at the start of the step. */
+/* The effective mass of a driven direction, at the start of the step. A frame of an axis turns with
+ * body a, whose lever arm then ends at b's anchor: its cross with u is cross_a - gap_v (joint.h).
+ */
 static double mass_of(const thud_world *w, const td_block *block, int lane) {
     const td_drive_rows *r = td_drive_rows_at(block);
     int kind = td_constraint_at(w, block->constraint[lane])->kind;
     bool turns = kind == TD_CONSTRAINT_DRIVE_TURN;
-    float lever = kind == TD_CONSTRAINT_DRIVE_AXIS ? r->gap_v[lane] : 0.0f;
-    float cross_a = turns ? r->turn_sign[lane] : block->point[0].cross_a[lane] - lever;
+    float gap_v = kind == TD_CONSTRAINT_DRIVE_AXIS ? r->gap_v[lane] : 0.0f;
+    float cross_a = turns ? r->turn_sign[lane] : block->point[0].cross_a[lane] - gap_v;
     float cross_b = turns ? r->turn_sign[lane] : block->point[0].cross_b[lane];
     float inverse = td_joint_inverse_mass(w, block, lane, turns ? 0.0f : 1.0f, cross_a, cross_b);
     return inverse > 0.0f ? 1.0 / (double)inverse : 0.0;
 }
 
-/* A spring for a part of length h = `time`, by the implicit midpoint rule, which keeps its energy:
- * its mean force is -k (x + h v / 2) - c v for its displacement x at the start of the part, mean
- * speed v, stiffness k and damping c. That is a soft row, impulse = weight * (target - v), with
+/* A spring for a part of duration h = `time`, by the implicit midpoint rule, which keeps its
+ * energy. Its displacement at the start of the part is x, its mean speed v, its stiffness k and its
+ * damping c. Its mean force is
+ *     -k (x + h v / 2) - c v,
+ * which is a soft row, impulse = weight * (target - v), with
  *     weight = h / 2 (h k / 2 + c),  target = -k x / (h k / 2 + c).
- * Sets weight and bound of the row; returns the target speed. `moved`: displacement since the start
- * of the step. */
+ * x is start_separation of point 1, the displacement at the start of the step, plus `moved`, the
+ * motion from there to the start of the part. Sets weight and max_impulse of the row; returns the
+ * target speed. */
 static double update_spring(const thud_world *w, const td_block *block, int lane,
                             td_direct_row *row, double moved, double time) {
     const td_drive_rows *r = td_drive_rows_at(block);
@@ -301,10 +332,11 @@ static double update_spring(const thud_world *w, const td_block *block, int lane
            damping = 2.0 * (double)r->damping[lane] * mass * omega;
     double resistance = 0.5 * time * stiffness + damping;
     row->weight = 0.5 * time * resistance;
-    bool capped = r->spring_most[lane] < THUD_JOINT_FORCE_MAX;
-    row->max_impulse = capped ? 0.5 * time * (double)r->spring_most[lane] : __builtin_inf();
-    return resistance > 0.0 ? -stiffness * ((double)block->point[1].base[lane] + moved) / resistance
-                            : 0.0;
+    bool capped = r->max_spring_force[lane] < THUD_JOINT_FORCE_MAX;
+    row->max_impulse = capped ? 0.5 * time * (double)r->max_spring_force[lane] : __builtin_inf();
+    return resistance > 0.0
+               ? -stiffness * ((double)block->point[1].start_separation[lane] + moved) / resistance
+               : 0.0;
 }
 
 /* The row of a spring, for the whole step. */
@@ -333,9 +365,9 @@ bool td_drive_take_rows(const thud_world *w, td_block *block, int lane, const fl
     td_direct_row along;
     td_row_set(&along, TD_ROW_FRICTION, f.x, f.y, f.a_u, f.b_u);
     c->row[1] = c->row[2] = along;
-    take_limit(w, block, lane, impulses, &c->row[0], &along);
+    take_limit(w, block, lane, impulses, &c->row[0], &along, td_gap_unit(w, turns));
     take_spring(w, block, lane, impulses, &c->row[1]);
-    c->bound = 0.5 * w->def.time_step * (double)r->motor_most[lane];
+    c->bound = 0.5 * w->def.time_step * (double)r->max_motor_force[lane];
     c->row[2].used = c->bound > 0.0;
     c->row[2].target_speed = (double)r->motor_speed[lane];
     c->row[2].impulse = 0.5 * (double)impulses[TD_DIRECT_TANGENT];
@@ -354,17 +386,19 @@ static td_joint_frame midpoint_drive(const thud_world *w, const td_block *block,
     }
     for (int i = 0; i < 2; i++) {
         value[i] = kind == TD_CONSTRAINT_DRIVE_TURN
-                       ? (double)r->value_base[lane] + sign * (s->b[i][2] - s->a[i][2])
+                       ? (double)r->start_value[lane] + sign * (s->b[i][2] - s->a[i][2])
                        : td_joint_frame_after(block, lane, u, v, true, s->a[i], s->b[i]).gap_u;
     }
     return kind == TD_CONSTRAINT_DRIVE_TURN ? (td_joint_frame){.a_u = sign, .b_u = sign}
                                             : midpoint_frame(block, lane, u, v, true, s);
 }
 
-/* td_turn_rows_fn of a driven direction. A limit that is open as the part begins gets the target
- * speed that just reaches it by the end. */
-void td_drive_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
-                        td_direct_constraint *c) {
+/* td_update_rows_fn of a driven direction. A limit that is open as the part begins gets the target
+ * speed that just reaches it by the end of the part; at an instant, within the time of a step.
+ * Drives have no geometric stiffness: the change of their directions is left out of the derivative
+ * of Newton's method. */
+void td_drive_update_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
+                          td_direct_constraint *c) {
     const td_drive_rows *r = td_drive_rows_at(block);
     double side = (double)r->limit_side[lane], value[2], gap[2];
     td_joint_frame f = midpoint_drive(w, block, lane, s, value);
@@ -374,14 +408,18 @@ void td_drive_turn_rows(const thud_world *w, const td_block *block, int lane, co
     for (int i = 0; i < 2; i++) {
         gap[i] = side * (value[i] - (double)r->limit[lane]);
     }
-    bool open = gap[0] > 0.0 && c->row[0].kind == TD_ROW_UNILATERAL;
-    c->row[0].target_speed = !open ? target_speed_for_gap(w, &c->row[0], s, gap[0], gap[1])
-                             : s->time > 0.0
-                                 ? (displacement_along(&c->row[0], s) - gap[1]) / s->time
-                                 : -gap[1] / w->def.time_step;
+    td_direct_row *limit = &c->row[0];
+    bool turns = td_constraint_at(w, block->constraint[lane])->kind == TD_CONSTRAINT_DRIVE_TURN;
+    if (!(gap[0] > 0.0 && limit->kind == TD_ROW_UNILATERAL)) {
+        limit->target_speed =
+            target_speed_for_gap(w, limit, s, gap[0], gap[1], td_gap_unit(w, turns));
+    } else {
+        limit->target_speed = s->time > 0.0 ? (displacement_along(limit, s) - gap[1]) / s->time
+                                            : -gap[1] / w->def.time_step;
+    }
     if (s->time > 0.0) {
-        c->bound = 0.5 * s->time * (double)r->motor_most[lane];
-        double moved = value[0] - (double)r->value_base[lane];
+        c->bound = 0.5 * s->time * (double)r->max_motor_force[lane];
+        double moved = value[0] - (double)r->start_value[lane];
         c->row[1].target_speed = update_spring(w, block, lane, &c->row[1], moved, s->time);
     }
 }

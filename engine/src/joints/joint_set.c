@@ -40,7 +40,7 @@ thud_result thud_joint_set_length(thud_world *w, thud_joint_id id, float length)
         return result;
     }
     td_joint *joint = td_joint_at(w, index);
-    if (joint->kind != THUD_DISTANCE) {
+    if (joint->kind != THUD_JOINT_DISTANCE) {
         return td_refuse(w, THUD_ERROR_INVALID, "joint set length: the joint is no distance");
     }
     result = td_check_above_0(w, "joint set length: length", (double)length,
@@ -64,7 +64,7 @@ thud_result thud_joint_set_enabled(thud_world *w, thud_joint_id id, bool enabled
         return THUD_OK;
     }
     joint->disabled = !enabled;
-    if (enabled && joint->kind == THUD_GEAR && td_gear_has_joints(w, joint)) {
+    if (enabled && joint->kind == THUD_JOINT_GEAR && td_gear_has_joints(w, joint)) {
         td_gear_set_rest(w, joint);
     }
     for (int i = 0; i < TD_JOINT_PARTS; i++) {
@@ -86,7 +86,7 @@ thud_result thud_joint_set_frame(thud_world *w, thud_joint_id id, int side,
         return result;
     }
     td_joint *joint = td_joint_at(w, index);
-    if (joint->kind >= THUD_FILTER || side < 0 || side > 1) {
+    if (joint->kind >= THUD_JOINT_FILTER || side < 0 || side > 1) {
         return td_refuse(w, THUD_ERROR_INVALID,
                          "joint set frame: the joint has none, or side is neither 0 nor 1");
     }

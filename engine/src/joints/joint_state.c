@@ -2,17 +2,17 @@
 #include "joints/gear.h"
 #include "state/handles.h"
 
-/* Whether a slot holds a joint. A gear of which a joint is gone is destroyed as the next step
- * begins, and counts as gone already. */
-static bool is_there(const thud_world *w, int index) {
+/* Whether a slot holds a joint that a caller may see. A gear of which a joint was destroyed is
+ * itself destroyed when the next step begins, and counts as destroyed already. */
+static bool slot_has_joint(const thud_world *w, int index) {
     const td_joint *joint = td_joint_at(w, index);
-    return joint->live && (joint->kind != THUD_GEAR || td_gear_has_joints(w, joint));
+    return joint->live && (joint->kind != THUD_JOINT_GEAR || td_gear_has_joints(w, joint));
 }
 
 /* Whether a handle names a joint of this world. */
-static bool is_live(const thud_world *w, thud_joint_id id) {
+static bool names_joint(const thud_world *w, thud_joint_id id) {
     return id.index1 > 0 && id.index1 <= (uint32_t)w->joints.count &&
-           is_there(w, (int)(id.index1 - 1)) &&
+           slot_has_joint(w, (int)(id.index1 - 1)) &&
            td_tag(w, td_joint_at(w, (int)(id.index1 - 1))->generation) == id.generation;
 }
 
@@ -20,7 +20,7 @@ thud_result td_find_joint(const thud_world *w, thud_joint_id id, bool edits, int
     if (!w) {
         return THUD_ERROR_NULL;
     }
-    if (!is_live(w, id)) {
+    if (!names_joint(w, id)) {
         return td_refuse(w, THUD_ERROR_STALE, "this joint is destroyed, or of another world");
     }
     if (edits && w->locked) {
@@ -31,11 +31,11 @@ thud_result td_find_joint(const thud_world *w, thud_joint_id id, bool edits, int
 }
 
 bool thud_joint_is_valid(const thud_world *w, thud_joint_id id) {
-    return w && is_live(w, id);
+    return w && names_joint(w, id);
 }
 
-thud_result thud_joint_get(const thud_world *w, thud_joint_id id, thud_joint_state *out) {
-    TD_IN_OWN_MODE;
+thud_result thud_joint_get_state(const thud_world *w, thud_joint_id id, thud_joint_state *out) {
+    TD_IN_OWN_FLOAT_MODE;
     int index = 0;
     thud_result result = td_find_joint(w, id, false, &index);
     if (result != THUD_OK || !out) {
@@ -44,6 +44,7 @@ thud_result thud_joint_get(const thud_world *w, thud_joint_id id, thud_joint_sta
     const td_joint *joint = td_joint_at(w, index);
     td_joint_reading r = td_joint_read(w, joint);
     td_joint_load load = td_joint_load_of(w, joint);
+    /* body[0] is the caller's b where the sides are swapped (joint.h). */
     *out = (thud_joint_state){.kind = (thud_joint_kind)joint->kind,
                               .body_a = td_body_handle(w, joint->body[joint->swapped]),
                               .body_b = td_body_handle(w, joint->body[!joint->swapped]),
@@ -66,9 +67,11 @@ thud_joint_id td_joint_handle(const thud_world *w, int index) {
     return (thud_joint_id){(uint32_t)index + 1, td_tag(w, td_joint_at(w, index)->generation)};
 }
 
-/* Appends a joint's handle to a list, if there is room; returns the new count. */
-static int list(const thud_world *w, int index, thud_joint_id *out, int capacity, int count) {
-    if (!is_there(w, index)) {
+/* Counts the joint of a slot, if there is one, and writes its handle if the list has room. Returns
+ * the number of joints so far, with those for which there was no room. */
+static int append_handle(const thud_world *w, int index, thud_joint_id *out, int capacity,
+                         int count) {
+    if (!slot_has_joint(w, index)) {
         return count;
     }
     if (count < capacity && out) {
@@ -77,15 +80,35 @@ static int list(const thud_world *w, int index, thud_joint_id *out, int capacity
     return count + 1;
 }
 
-int thud_world_joints(const thud_world *w, thud_joint_id *out, int capacity) {
-    int count = 0;
-    for (int i = 0; w && i < w->joints.count; i++) {
-        count = list(w, i, out, capacity, count);
+/* Refuses a null world (without a message, since there is no log), null outputs, and a negative
+ * capacity. */
+static thud_result check_list(const thud_world *w, const thud_joint_id *out, int capacity,
+                              const int *out_count) {
+    if (!w || !out_count || (!out && capacity > 0)) {
+        return THUD_ERROR_NULL;
     }
-    return count;
+    return capacity >= 0 ? THUD_OK
+                         : td_refuse(w, THUD_ERROR_INVALID, "list of joints: capacity is negative");
 }
 
-/* The first part of a joint: a body's list has each joint once, by this part. */
+thud_result thud_world_get_joints(const thud_world *w, thud_joint_id *out, int capacity,
+                                  int *out_count) {
+    thud_result result = check_list(w, out, capacity, out_count);
+    if (result != THUD_OK) {
+        return result;
+    }
+    int count = 0;
+    for (int i = 0; i < w->joints.count; i++) {
+        count = append_handle(w, i, out, capacity, count);
+    }
+    *out_count = count;
+    return THUD_OK;
+}
+
+/* The first part (constraint) of a joint. All parts of a joint, up to TD_JOINT_PARTS, are in the
+ * edge lists of both its bodies (of a gear: of the dynamic bodies of its two joints), also while it
+ * is disabled; counting only the first one lists each joint once. Elements that the joint does not
+ * need are TD_NONE; it has at least one. */
 static int first_part(const td_joint *joint) {
     for (int i = 0; i < TD_JOINT_PARTS; i++) {
         if (joint->part[i] != TD_NONE) {
@@ -95,17 +118,21 @@ static int first_part(const td_joint *joint) {
     return TD_NONE;
 }
 
-int thud_body_joints(const thud_world *w, thud_body_id body, thud_joint_id *out, int capacity) {
+thud_result thud_body_get_joints(const thud_world *w, thud_body_id body, thud_joint_id *out,
+                                 int capacity, int *out_count) {
     td_body_index index;
-    if (!w || td_find_body(w, body, &index) != THUD_OK) {
-        return 0;
+    thud_result result = check_list(w, out, capacity, out_count);
+    result = result != THUD_OK ? result : td_find_body(w, body, &index);
+    if (result != THUD_OK) {
+        return result;
     }
     int count = 0;
     for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *part = td_constraint_at(w, e / 2);
-        if (!td_is_contact(part) && first_part(td_joint_of(w, part)) == e / 2) {
-            count = list(w, part->joint, out, capacity, count);
+        const td_constraint *part = td_constraint_at(w, td_edge_constraint(e));
+        if (!td_is_contact(part) && first_part(td_joint_of(w, part)) == td_edge_constraint(e)) {
+            count = append_handle(w, part->joint, out, capacity, count);
         }
     }
-    return count;
+    *out_count = count;
+    return THUD_OK;
 }

@@ -24,7 +24,7 @@ static void join_groups(thud_world *w, td_awake_slot a, td_awake_slot b) {
  * stopping the dynamic body on its way, would open it. A rod locks one direction and does not
  * count; nor do locks of single axes (edits/locks.c). */
 static bool fixes_body(const thud_world *w, const td_joint *joint) {
-    return joint->kind != THUD_DISTANCE && !td_joint_is_lock(w, joint, joint->body[1]);
+    return joint->kind != THUD_JOINT_DISTANCE && !td_joint_is_lock(w, joint, joint->body[1]);
 }
 
 /* Marks a body that is alone in its group as fixed. Slot 0 is no body. */
@@ -37,7 +37,7 @@ static void mark_fixed(const thud_world *w, td_awake_slot slot) {
 /* The awake slot of a dynamic body; slot 0 for others, and where it sleeps. */
 static td_awake_slot moving_slot(const thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
-    return b->kind == THUD_DYNAMIC && b->awake.at > 0 ? b->awake : (td_awake_slot){0};
+    return b->kind == THUD_BODY_DYNAMIC && b->awake.at > 0 ? b->awake : (td_awake_slot){0};
 }
 
 /* Only locked directions tie: springs and motors may be displaced. td_joints_engage has reserved

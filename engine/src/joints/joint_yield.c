@@ -28,8 +28,8 @@
  * than gravity and forces explain (limit_energy).
  *
  * The next step begins without the impulses of the joints that yielded and of their static contacts
- * (td_joints_forget); kept, they would grow without bound. step.c calls td_joints_forget before the
- * solver and td_joints_yield after it.
+ * (td_joints_clear_yielded); kept, they would grow without bound. step.c calls
+ * td_joints_clear_yielded before the solver and td_joints_yield after it.
  *
  * The rule for motions is the projection of M. Mueller et al., "Position Based Dynamics" (2006). */
 #include "constraint/joint_hooks.h"
@@ -77,7 +77,7 @@ typedef struct tied_group {
     td_awake_slot first;   /* any of its bodies */
     bool on_velocities;    /* rows act on velocities; false: on the motions of the step */
     struct finding *found; /* out: what inspect_constraint found */
-    float core;            /* smallest half extent of its bodies, a length */
+    float min_half_extent; /* of its bodies, a length */
     float depth_share;     /* DEPTH_SHARE_DETECT, or DEPTH_SHARE_MAX after a step in which one of
                               its joints yielded */
 } tied_group;
@@ -93,8 +93,9 @@ static void for_each_constraint(const tied_group *g,
     do {
         int e = td_body_at(w, td_body_of(w, slot))->first_constraint;
         for (; e != TD_NONE; e = td_next_edge(w, e)) {
-            const td_constraint *constraint = td_constraint_at(w, e / 2);
-            bool first = !(e & 1) || !td_island_neighbour(w, constraint, e & 1).at;
+            const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
+            bool first =
+                !td_edge_side(e) || !td_island_neighbour(w, constraint, td_edge_side(e)).at;
             if (constraint->state == TD_TOUCHING && first) {
                 visit(g, constraint);
             }
@@ -139,8 +140,8 @@ static void change_row_value(const tied_group *g, const td_lane *at, const row_d
                              double change) {
     const td_block *block = at->block;
     uint32_t a = block->a[at->lane], b = block->b[at->lane];
-    double mass_a = (double)td_row(&g->w->velocity, td_slot_of_side(a))[3];
-    double mass_b = (double)td_row(&g->w->velocity, td_slot_of_side(b))[3];
+    double mass_a = (double)td_inv_mass_of(g->w, td_slot_of_side(a));
+    double mass_b = (double)td_inv_mass_of(g->w, td_slot_of_side(b));
     double inertia_a = (double)block->inv_inertia_a[at->lane];
     double inertia_b = (double)block->inv_inertia_b[at->lane];
     double k = (mass_a + mass_b) * (n->x * n->x + n->y * n->y) +
@@ -172,19 +173,20 @@ static row_direction contact_normal(const td_lane *at, int k) {
  * the extent; where the step began below that, what it began with plus the recovery of a step. */
 static double min_separation(const thud_world *w, const td_lane *at, int k, float share) {
     const td_block *block = at->block;
-    float core = td_row(&w->reach, td_slot_of_side(block->b[at->lane]))[0];
+    float min_half_extent = td_row(&w->reach, td_slot_of_side(block->b[at->lane]))[0];
     const td_shape *shape = td_shape_at(w, block->shape_a[at->lane]);
-    float half_thickness = td_kind_is_line(shape->kind) ? core : td_half_thickness(shape);
-    double limit = -(double)(share * td_min_float(core, half_thickness));
+    float half_thickness =
+        td_kind_is_line(shape->kind) ? min_half_extent : td_half_thickness(shape);
+    double limit = -(double)(share * td_min_float(min_half_extent, half_thickness));
     double recovery = RECOVERY_SHARE * (double)(w->def.push_speed * w->unit) * w->def.time_step;
-    return td_min_double(limit, (double)block->point[k].base[at->lane] + recovery);
+    return td_min_double(limit, (double)block->point[k].start_separation[at->lane] + recovery);
 }
 
 /* Whether a contact point overlaps more than at the start of the step, and more than it may. */
 static bool sank_too_deep(const thud_world *w, const td_lane *at, int k, float share) {
     const td_point *p = &at->block->point[k];
     double now = (double)p->separation[at->lane];
-    return p->normal_mass[at->lane] > 0.0f && now < (double)p->base[at->lane] &&
+    return p->normal_mass[at->lane] > 0.0f && now < (double)p->start_separation[at->lane] &&
            now < min_separation(w, at, k, share);
 }
 
@@ -204,7 +206,7 @@ static void correct_contact(const tied_group *g, const td_constraint *constraint
             continue;
         }
         if (!g->on_velocities) {
-            double now = (double)p->base[at.lane] + speed;
+            double now = (double)p->start_separation[at.lane] + speed;
             change_row_value(g, &at, &n,
                              td_max_double(min_separation(g->w, &at, k, DEPTH_SHARE_MAX) - now,
                                            0.0));
@@ -216,29 +218,30 @@ static void correct_contact(const tied_group *g, const td_constraint *constraint
 
 /* ---- locked directions ---- */
 
-/* The part of a gap `now` (a length or an angle) that has to be closed, with its sign. A gap that
- * was open `before` the step may stay as wide as TD_JOINT_CLOSING leaves it in a step. */
-static double excess_gap(const thud_world *w, double before, double now) {
-    double left =
-        td_max_double(td_abs(before) - (double)(TD_JOINT_CLOSING * w->unit) * w->def.time_step,
-                      0.0);
+/* The part of a gap `now` that has to be closed, with its sign. A gap that was open `before` the
+ * step may stay as wide as TD_JOINT_CLOSING_SPEED leaves it in a step. `unit`: td_gap_unit. */
+static double excess_gap(const thud_world *w, double before, double now, double unit) {
+    double closed = (double)TD_JOINT_CLOSING_SPEED * unit * w->def.time_step;
+    double left = td_max_double(td_abs(before) - closed, 0.0);
     return now > left ? now - left : now < -left ? now + left : 0.0;
 }
 
-/* Corrects a locked row with gaps `before` the step and `now`: its gap, or its speed to 0. */
+/* Corrects a locked row with gaps `before` the step and `now`: its gap, or its speed to 0. `unit`:
+ * td_gap_unit of the row. */
 static void correct_row(const tied_group *g, const td_lane *at, const row_direction *n,
-                        double before, double now) {
-    change_row_value(g, at, n,
-                     g->on_velocities ? -row_value(g, at, n) : -excess_gap(g->w, before, now));
+                        double before, double now, double unit) {
+    double change = g->on_velocities ? -row_value(g, at, n) : -excess_gap(g->w, before, now, unit);
+    change_row_value(g, at, n, change);
 }
 
 /* A locked distance: one row along the line between the anchors as it is after the motion. */
 static void correct_rod(const tied_group *g, const td_lane *at) {
-    double a[3], b[3], target = (double)td_lock_rows_at(at->block)->turn_base[at->lane];
-    double before = (double)at->block->point[0].base[at->lane];
+    double a[3], b[3], target = (double)td_lock_rows_at(at->block)->rest_length[at->lane];
+    double before = (double)at->block->point[0].start_separation[at->lane];
     td_joint_motion(g->w, at->block, at->lane, a, b);
     td_joint_frame f = td_joint_line_after(at->block, at->lane, before + target, 0.0, a, b);
-    correct_row(g, at, &(row_direction){f.x, f.y, f.a_u, f.b_u}, before, f.gap_u - target);
+    correct_row(g, at, &(row_direction){f.x, f.y, f.a_u, f.b_u}, before, f.gap_u - target,
+                td_gap_unit(g->w, false));
 }
 
 /* The frame of a lock lane after the motion of the step, as it is now. */
@@ -246,9 +249,9 @@ static td_joint_frame frame_of(const tied_group *g, const td_lane *at) {
     double a[3], b[3];
     const td_point *p = at->block->point;
     td_joint_motion(g->w, at->block, at->lane, a, b);
-    return td_joint_frame_after(at->block, at->lane, (double)p[0].base[at->lane],
-                                (double)p[1].base[at->lane],
-                                td_lock_rows_at(at->block)->frame[at->lane] > 0.0f, a, b);
+    return td_joint_frame_after(at->block, at->lane, (double)p[0].start_separation[at->lane],
+                                (double)p[1].start_separation[at->lane],
+                                td_lock_rows_at(at->block)->frame_turns[at->lane] > 0.0f, a, b);
 }
 
 /* The locked directions of a lane: turn, along, across. Each sees the motion that the one before
@@ -259,17 +262,17 @@ static void correct_lock(const tied_group *g, const td_lane *at) {
     const td_lock_rows *rows = td_lock_rows_at(block);
     if (block->tangent_mass[at->lane] > 0.0f) {
         double a[3], b[3], sign = (double)rows->turn_sign[at->lane];
-        double before = (double)rows->turn_base[at->lane];
+        double before = (double)rows->start_turn_gap[at->lane];
         td_joint_motion(g->w, block, at->lane, a, b);
         correct_row(g, at, &(row_direction){0.0, 0.0, sign, sign}, before,
-                    before + sign * (b[2] - a[2]));
+                    before + sign * (b[2] - a[2]), td_gap_unit(g->w, true));
     }
     for (int k = 0; k < 2; k++) {
         if (p[k].normal_mass[at->lane] > 0.0f) {
             td_joint_frame f = frame_of(g, at);
             row_direction along = {f.x, f.y, f.a_u, f.b_u}, across = {-f.y, f.x, f.a_v, f.b_v};
-            correct_row(g, at, k ? &across : &along, (double)p[k].base[at->lane],
-                        k ? f.gap_v : f.gap_u);
+            correct_row(g, at, k ? &across : &along, (double)p[k].start_separation[at->lane],
+                        k ? f.gap_v : f.gap_u, td_gap_unit(g->w, false));
         }
     }
 }
@@ -309,7 +312,7 @@ static row_direction drive_direction(const td_lane *at, int kind) {
 /* Whether a motor's impulse in the last substep was below its maximum force. False for drives
  * without a motor. */
 static bool motor_below_max_force(const thud_world *w, const td_lane *at) {
-    float max_force = td_drive_rows_at(at->block)->motor_most[at->lane];
+    float max_force = td_drive_rows_at(at->block)->max_motor_force[at->lane];
     return td_joint_abs(at->block->tangent_impulse[at->lane]) <
            max_force * (float)(w->def.time_step / w->substeps);
 }
@@ -339,7 +342,7 @@ static void update_separations(const tied_group *g, const td_constraint *constra
     for (int k = 0; k < points && is_static_contact(constraint, &at); k++) {
         row_direction n = contact_normal(&at, k);
         at.block->point[k].separation[at.lane] =
-            at.block->point[k].base[at.lane] + (float)row_value(g, &at, &n);
+            at.block->point[k].start_separation[at.lane] + (float)row_value(g, &at, &n);
     }
 }
 
@@ -364,7 +367,7 @@ static void mark_yielded(const tied_group *g, const td_constraint *constraint) {
 /* Sets the impulses of a body's contacts with static shapes to 0. */
 static void clear_static_contacts(const thud_world *w, td_body_index body) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
         if (constraint->state == TD_TOUCHING && td_is_contact(constraint)) {
             td_lane at = td_lane_of(w, constraint);
             if (is_static_contact(constraint, &at)) {
@@ -389,7 +392,7 @@ static void clear_yielded_lanes(const thud_world *w, td_block *block) {
     }
 }
 
-void td_joints_forget(thud_world *w) {
+void td_joints_clear_yielded(thud_world *w) {
     memcpy(w->scratch.before.data, w->velocity.data, (size_t)w->body_of.count * sizeof(float[4]));
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, i);
@@ -439,9 +442,10 @@ static void limit_energy(const tied_group *g) {
     double before = 0.0, after = 0.0;
     td_awake_slot slot = g->first;
     do {
-        const float *push = td_row(&w->push, slot);
-        before += twice_energy(w, slot, td_row(&w->scratch.before, slot), push, (float)w->substeps);
-        after += twice_energy(w, slot, td_row(&w->velocity, slot), push, 0.0f);
+        const float *substep_gain = td_row(&w->substep_gain, slot);
+        before += twice_energy(w, slot, td_row(&w->scratch.before, slot), substep_gain,
+                               (float)w->substeps);
+        after += twice_energy(w, slot, td_row(&w->velocity, slot), substep_gain, 0.0f);
         slot = td_next_tied(w, slot);
     } while (slot.at != g->first.at);
     float scale = after > before ? (float)__builtin_sqrt(before / after) : 1.0f;
@@ -495,14 +499,15 @@ static void mark_body(thud_world *w, td_awake_slot slot, int mark) {
 }
 
 /* Whether a drive has a limit of length, and no spring, and the limit was exceeded, as the step
- * began, by more than TD_JOINT_CLOSING takes back in a substep: a rope that is much too short. The
- * soft solver closes such a limit slowly (max_limit_bias in wide_drive.c). Without limits the base
- * of point 0 is 0. */
+ * began, by more than TD_JOINT_CLOSING_SPEED takes back in a substep: a rope that is much too
+ * short. The soft solver closes such a limit slowly (max_limit_bias in wide_drive.c). Without
+ * limits the start_separation of point 0 is 0. */
 static bool limit_far_exceeded(const thud_world *w, const td_lane *at, int kind) {
     const td_drive_rows *rows = td_drive_rows_at(at->block);
-    float far =
-        TD_JOINT_CLOSING / TD_JOINT_PULL * w->unit * (float)(w->def.time_step / w->substeps);
-    return kind != TD_CONSTRAINT_DRIVE_TURN && at->block->point[0].base[at->lane] < -far &&
+    float far = TD_JOINT_CLOSING_SPEED / TD_JOINT_GAP_SHARE * w->unit *
+                (float)(w->def.time_step / w->substeps);
+    return kind != TD_CONSTRAINT_DRIVE_TURN &&
+           at->block->point[0].start_separation[at->lane] < -far &&
            rows->frequency[at->lane] == 0.0f;
 }
 
@@ -512,7 +517,7 @@ static bool has_joints(const thud_world *w, td_awake_slot slot, bool *yielded) {
     *yielded = false;
     int e = td_body_at(w, td_body_of(w, slot))->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
         if (constraint->state == TD_TOUCHING && !td_is_contact(constraint)) {
             td_lane at = td_lane_of(w, constraint);
             any = true;
@@ -556,7 +561,7 @@ static bool mark_bodies(thud_world *w) {
     bool any = false;
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, i);
-        bool contacts = run->kind < TD_PAIR_COUNT && run->kind != TD_PAIR_SENSOR && run->fixed;
+        bool contacts = run->kind < TD_PAIR_COUNT && run->kind != TD_PAIR_SENSOR && run->a_static;
         for (int k = 0; k < run->count * TD_LANES && (contacts || is_drive(run->kind)); k++) {
             td_block *block = *TD_AT(td_block *, &w->scratch.blocks, run->first + k / TD_LANES);
             td_lane at = {block, k % TD_LANES};
@@ -607,9 +612,9 @@ static void inspect_constraint(const tied_group *g, const td_constraint *constra
     }
     for (int k = 0; k < points && locks; k++) {
         const td_point *p = &block->point[k];
-        found->locks_open |=
-            p->normal_mass[lane] > 0.0f &&
-            opened_wider(p->separation[lane], p->base[lane], g->depth_share * g->core);
+        found->locks_open |= p->normal_mass[lane] > 0.0f &&
+                             opened_wider(p->separation[lane], p->start_separation[lane],
+                                          g->depth_share * g->min_half_extent);
     }
 }
 
@@ -617,14 +622,17 @@ static void inspect_constraint(const tied_group *g, const td_constraint *constra
 static bool group_must_yield(thud_world *w, td_awake_slot slot) {
     const td_awake_slot *marks = w->scratch.parents.data;
     finding found = {false, false, false};
-    tied_group g = {
-        .w = w, .first = slot, .found = &found, .core = 3e38f, .depth_share = DEPTH_SHARE_DETECT};
+    tied_group g = {.w = w,
+                    .first = slot,
+                    .found = &found,
+                    .min_half_extent = 3e38f,
+                    .depth_share = DEPTH_SHARE_DETECT};
     int mark = 0;
     td_awake_slot i = slot;
     do {
         bool yielded;
         mark |= marks[i.at].at;
-        g.core = td_min_float(g.core, td_row(&w->reach, i)[0]);
+        g.min_half_extent = td_min_float(g.min_half_extent, td_row(&w->reach, i)[0]);
         g.depth_share = has_joints(w, i, &yielded) && yielded ? DEPTH_SHARE_MAX : g.depth_share;
         i = td_next_tied(w, i);
     } while (i.at != slot.at);
@@ -656,6 +664,6 @@ void td_joints_yield(thud_world *w) {
         } while (i.at != slot.at);
     }
     if (any) {
-        td_error_recount(w);
+        td_errors_recount(w);
     }
 }

@@ -13,7 +13,7 @@ static float load(const thud_world *w, const td_block *block, int lane, float si
         td_joint_abs(p[0].normal_impulse[lane]) + td_joint_abs(p[1].normal_impulse[lane]);
     float gap = td_joint_abs(p[0].separation[lane]) + td_joint_abs(p[1].separation[lane]);
     float apart =
-        block->tangent_mass[lane] > 0.0f ? td_joint_abs(rows->turn_apart[lane]) * size : 0.0f;
+        block->tangent_mass[lane] > 0.0f ? td_joint_abs(rows->turn_gap[lane]) * size : 0.0f;
     *off = td_max_float(gap, apart);
     return linear * td_joint_max_inverse_mass(w, block, lane) +
            td_joint_abs(block->tangent_impulse[lane]) * turn * size;
@@ -27,9 +27,9 @@ static void count(thud_world *w, const td_block *block) {
     for (int lane = 0; lane < block->used; lane++) {
         double a[3], b[3], sign = (double)rows->turn_sign[lane];
         td_joint_motion(w, block, lane, a, b);
-        td_joint_frame f =
-            td_joint_frame_after(block, lane, (double)p[0].base[lane], (double)p[1].base[lane],
-                                 rows->frame[lane] > 0.0f, a, b);
+        td_joint_frame f = td_joint_frame_after(block, lane, (double)p[0].start_separation[lane],
+                                                (double)p[1].start_separation[lane],
+                                                rows->frame_turns[lane] > 0.0f, a, b);
         float missed[] = {td_joint_speed(w, block, lane, f.x, f.y, f.a_u, f.b_u),
                           td_joint_speed(w, block, lane, -f.y, f.x, f.a_v, f.b_v),
                           td_joint_speed(w, block, lane, 0.0, 0.0, sign, sign)};
@@ -41,7 +41,7 @@ static void count(thud_world *w, const td_block *block) {
     }
 }
 
-TD_DEFINE_JOINT_LANES(td_lock_take_rows, td_lock_turn_rows)
+TD_DEFINE_JOINT_LANES(td_lock_take_rows, td_lock_update_rows)
 TD_DEFINE_JOINT_OPS(ops, TD_FORM_LOCK, td_place_joints, td_solve_lock)
 
 const td_constraint_ops *td_lock_ops(const thud_world *w) {

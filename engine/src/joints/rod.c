@@ -18,7 +18,8 @@ static void count(thud_world *w, const td_block *block) {
     const td_point *p = &block->point[0];
     for (int lane = 0; lane < block->used; lane++) {
         double a[3], b[3];
-        double length = (double)(p->base[lane] + td_lock_rows_at(block)->turn_base[lane]);
+        double length =
+            (double)(p->start_separation[lane] + td_lock_rows_at(block)->rest_length[lane]);
         td_joint_motion(w, block, lane, a, b);
         td_joint_frame f = td_joint_line_after(block, lane, length, 0.0, a, b);
         float speed = td_joint_speed(w, block, lane, f.x, f.y, f.a_u, f.b_u);
@@ -26,7 +27,7 @@ static void count(thud_world *w, const td_block *block) {
     }
 }
 
-TD_DEFINE_JOINT_LANES(td_rod_take_rows, td_rod_turn_rows)
+TD_DEFINE_JOINT_LANES(td_rod_take_rows, td_rod_update_rows)
 TD_DEFINE_JOINT_OPS(ops, TD_FORM_LOCK, td_place_joints, td_solve_rod)
 
 const td_constraint_ops *td_rod_ops(const thud_world *w) {

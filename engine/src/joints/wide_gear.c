@@ -36,11 +36,12 @@ TD_INLINE void solve_gear(td_block *const *blocks, int count, const td_solve_con
         td_block *block = blocks[i];
         td_point *p = &block->point[0];
         sides v = read_sides(c->velocity, block, false), d = read_sides(c->delta, block, false);
-        p->separation = f8_keep(p->normal_mass > zero, p->base + row_speed(block, &d));
+        p->separation = f8_keep(p->normal_mass > zero, p->start_separation + row_speed(block, &d));
         f8 bias = zero, scale = f8_all(1.0f), impulse_share = zero;
         if (soft) {
-            f8 max = max_bias(c->joint_closing, inverse_or_zero(p->normal_mass), p->normal_impulse);
-            bias = f8_clamp(p->separation * f8_all(GAP_SHARE * c->inv_h), -max, max);
+            f8 max = max_bias(c->joint_closing_speed, inverse_or_zero(p->normal_mass),
+                              p->normal_impulse);
+            bias = f8_clamp(p->separation * f8_all(TD_JOINT_GAP_SHARE * c->inv_h), -max, max);
             scale = f8_all(1.0f - IMPULSE_SCALE);
             impulse_share = f8_all(IMPULSE_SCALE);
         }
@@ -49,8 +50,8 @@ TD_INLINE void solve_gear(td_block *const *blocks, int count, const td_solve_con
         apply_row(block, &v, p->normal_impulse - old);
         write_sides(c, block, false, &v);
         if (c->last) {
-            f8 slowest = f8_keep(p->normal_mass > zero, -f8_abs(speed));
-            c->tally->slowest = f8_min(slowest, c->tally->slowest);
+            f8 min_speed = f8_keep(p->normal_mass > zero, -f8_abs(speed));
+            c->tally->min_speed = f8_min(min_speed, c->tally->min_speed);
         }
     }
 }
@@ -79,5 +80,7 @@ static void no_bounce(td_block *const *blocks, int count, const td_solve_context
 
 /* Both entries of a pair are the same, since neither side of a gear is static. */
 extern const td_solve_ops TD_WIDE(td_solve_gear);
-const td_solve_ops TD_WIDE(td_solve_gear) = {
-    {warm_start, warm_start}, {solve, solve}, {relax, relax}, no_bounce, {NULL, NULL}};
+const td_solve_ops TD_WIDE(td_solve_gear) = {.warm_start = {warm_start, warm_start},
+                                             .solve = {solve, solve},
+                                             .relax = {relax, relax},
+                                             .bounce = no_bounce};

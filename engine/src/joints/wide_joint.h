@@ -9,7 +9,7 @@
  * them back and applies them along those of now (replace_impulse).
  *
  * A row with effective mass m, gap C and speed v changes its impulse p in a solve pass by
- *     -mass_scale m (v + bias) - impulse_scale p,  bias = clamp(GAP_SHARE C / h),
+ *     -mass_scale m (v + bias) - impulse_scale p,  bias = clamp(TD_JOINT_GAP_SHARE C / h),
  * and in a relax pass by -m v. */
 #ifndef TD_WIDE_JOINT_H
 #define TD_WIDE_JOINT_H
@@ -17,23 +17,23 @@
 #include "base/rotation.h"
 #include "solver/wide_solve.h"
 
-/* The scales of a soft constraint that goes on by the angle TD_JOINT_ANGLE = omega h in a substep,
- * at damping ratio 1 (block.h): the share GAP_SHARE = 1/2 of a gap closes in a substep, and an
- * impulse loses the share IMPULSE_SCALE = 1/9; the mass scale is 1 - IMPULSE_SCALE. */
-#define ANGLE TD_JOINT_ANGLE
-#define GAP_SHARE TD_JOINT_PULL
-#define IMPULSE_SCALE (1.0f / (1.0f + ANGLE * (2.0f + ANGLE)))
+/* The scales of a soft constraint that goes on by the angle TD_JOINT_PHASE = omega h in a substep,
+ * at damping ratio 1 (block.h): the share TD_JOINT_GAP_SHARE = 1/2 of a gap closes in a substep,
+ * and an impulse loses the share IMPULSE_SCALE = 1/9; the mass scale is 1 - IMPULSE_SCALE. */
+#define IMPULSE_SCALE (1.0f / (1.0f + TD_JOINT_PHASE * (2.0f + TD_JOINT_PHASE)))
 
-/* The share of a gap that closes in groups that would add energy (haste <= 1, joint_brace.c). A
- * slow mode of many rows, of which each moves little, oscillates with growing amplitude unless
+/* The share of a gap that closes in groups that would add energy (closing_factor <= 1,
+ * joint_brace.c). A slow mode of many rows, of which each moves little, oscillates with growing
+ * amplitude unless
  *     IMPULSE_SCALE (1 + s) > s g
  * for the mass scale s = 1 - IMPULSE_SCALE and the share g: what both passes of a substep take from
  * an impulse must exceed what its gap adds. The g of equality, less 5 %: 0.22. */
-#define GAP_SHARE_TORN (0.95f * IMPULSE_SCALE * (2.0f - IMPULSE_SCALE) / (1.0f - IMPULSE_SCALE))
+#define GAP_SHARE_BRACED (0.95f * IMPULSE_SCALE * (2.0f - IMPULSE_SCALE) / (1.0f - IMPULSE_SCALE))
 
 /* The share of a gap that closes in a substep. */
-TD_INLINE f8 gap_share(f8 haste) {
-    return f8_pick(haste > f8_all(1.0f), f8_all(GAP_SHARE), f8_all(GAP_SHARE_TORN));
+TD_INLINE f8 gap_share(f8 closing_factor) {
+    return f8_pick(closing_factor > f8_all(1.0f), f8_all(TD_JOINT_GAP_SHARE),
+                   f8_all(GAP_SHARE_BRACED));
 }
 
 /* A soft row bears a load of impulse L a substep at rest by a bias of LOAD_BIAS K L, where K is the
@@ -41,22 +41,23 @@ TD_INLINE f8 gap_share(f8 haste) {
 #define LOAD_BIAS (IMPULSE_SCALE / (1.0f - IMPULSE_SCALE))
 
 /* Limit of the bias of a joint's limit or a gear, a speed: that of its present impulse, on top of
- * TD_JOINT_HASTE times `closing`, so that no load is too great for it. */
+ * TD_JOINT_CLOSING_FACTOR times `closing`, so that no load is too great for it. */
 TD_INLINE f8 max_bias(float closing, f8 k, f8 impulse) {
-    return f8_all(TD_JOINT_HASTE * closing) + f8_all(LOAD_BIAS) * k * f8_abs(impulse);
+    return f8_all(TD_JOINT_CLOSING_FACTOR * closing) + f8_all(LOAD_BIAS) * k * f8_abs(impulse);
 }
 
 /* Adding and then subtracting 1.5 * 2^23 rounds a float to a whole number. */
-#define ROUNDING 12582912.0f
+#define ROUNDING_SHIFT 12582912.0f
 /* Rotations in a step are clamped to this, rad: a float has errors of 0.004 rad there, and rounding
  * to whole turns still works. */
-#define TURN_MAX 1e5f
+#define STEP_TURN_MAX 1e5f
 
 /* Cosine and sine of a rotation within a step, by their Taylor polynomials of degree 8 and 9:
  * errors are below 3e-7 up to a radian, 0.024 and 0.007 at half a turn. */
 TD_INLINE void cosine_and_sine(f8 x, f8 *c, f8 *s) {
-    f8 turns = f8_clamp(x, f8_all(-TURN_MAX), f8_all(TURN_MAX));
-    f8 whole = turns * f8_all((float)(0.5 / TD_PI)) + f8_all(ROUNDING) - f8_all(ROUNDING);
+    f8 turns = f8_clamp(x, f8_all(-STEP_TURN_MAX), f8_all(STEP_TURN_MAX));
+    f8 whole =
+        turns * f8_all((float)(0.5 / TD_PI)) + f8_all(ROUNDING_SHIFT) - f8_all(ROUNDING_SHIFT);
     x = turns - whole * f8_all((float)(2.0 * TD_PI));
     f8 xx = x * x;
     *s = x + x * xx * (TD_SIN3 + xx * (TD_SIN5 + xx * (TD_SIN7 + xx * TD_SIN9)));
@@ -81,15 +82,15 @@ TD_INLINE void rotate_arms(f8 angle, f8 *u, f8 *v) {
 
 /* The frames now, from those at the start of the step (block->nx, ny and the crosses of its points;
  * gap_u, gap_v) and the motions d since. Where `turns` is 1, the frame turns with a, whose arm then
- * ends at b's anchor; where 0, u and v stay. `fixed`: side a is static. */
-TD_INLINE frame8 frame_now(const td_block *block, const sides *d, bool fixed, f8 gap_u, f8 gap_v,
+ * ends at b's anchor; where 0, u and v stay. `a_static`: side a is static. */
+TD_INLINE frame8 frame_now(const td_block *block, const sides *d, bool a_static, f8 gap_u, f8 gap_v,
                            f8 turns) {
     const td_point *p = &block->point[0], *q = &block->point[1];
     frame8 f = {block->nx, block->ny, p->cross_a, q->cross_a, p->cross_b, q->cross_b, gap_u, gap_v};
     rotate_arms(d->b.z, &f.b_u, &f.b_v);
-    f.gap_u += centres_along(d, fixed, f.x, f.y) + (f.b_v - q->cross_b);
-    f.gap_v += centres_along(d, fixed, -f.y, f.x) - (f.b_u - p->cross_b);
-    if (fixed) {
+    f.gap_u += centres_along(d, a_static, f.x, f.y) + (f.b_v - q->cross_b);
+    f.gap_v += centres_along(d, a_static, -f.y, f.x) - (f.b_u - p->cross_b);
+    if (a_static) {
         return f;
     }
     rotate_arms(d->a.z, &f.a_u, &f.a_v);
@@ -115,10 +116,10 @@ TD_INLINE frame8 frame_now(const td_block *block, const sides *d, bool fixed, f8
 
 /* The same with u along the gap. *length: that of the gap. gap_u, gap_v and the crosses with v are
  * not set. */
-TD_INLINE frame8 line_now(const td_block *block, const sides *d, bool fixed, f8 gap_u, f8 gap_v,
+TD_INLINE frame8 line_now(const td_block *block, const sides *d, bool a_static, f8 gap_u, f8 gap_v,
                           f8 *length) {
     f8 zero = f8_all(0.0f), one = f8_all(1.0f);
-    frame8 f = frame_now(block, d, fixed, gap_u, gap_v, zero);
+    frame8 f = frame_now(block, d, a_static, gap_u, gap_v, zero);
     *length = f8_sqrt(f.gap_u * f.gap_u + f.gap_v * f.gap_v);
     /* Where the anchors coincide, u stays as it is: any direction will do. */
     i8 apart = *length > zero;
@@ -133,27 +134,27 @@ TD_INLINE frame8 line_now(const td_block *block, const sides *d, bool fixed, f8 
 }
 
 /* Speed of b's anchor relative to a's along (x, y). */
-TD_INLINE f8 speed_now(const sides *v, bool fixed, f8 x, f8 y, f8 cross_a, f8 cross_b) {
-    return at_arms(centres_along(v, fixed, x, y), v, fixed, cross_a, cross_b);
+TD_INLINE f8 speed_now(const sides *v, bool a_static, f8 x, f8 y, f8 cross_a, f8 cross_b) {
+    return at_arms(centres_along(v, a_static, x, y), v, a_static, cross_a, cross_b);
 }
 
 /* An entry of K = J M^-1 J': the speed along one direction that a unit of impulse along another one
  * brings. `linear`: the scalar product of both directions. */
-TD_INLINE f8 inverse_mass_entry(const td_block *block, const sides *v, bool fixed, f8 linear,
+TD_INLINE f8 inverse_mass_entry(const td_block *block, const sides *v, bool a_static, f8 linear,
                                 f8 from_a, f8 from_b, f8 to_a, f8 to_b) {
-    f8 mass = fixed ? v->b.w : v->a.w + v->b.w;
-    return mass * linear + coupling(block, fixed, from_a, from_b, to_a, to_b);
+    f8 mass = a_static ? v->b.w : v->a.w + v->b.w;
+    return mass * linear + coupling(block, a_static, from_a, from_b, to_a, to_b);
 }
 
 /* Applies an impulse (x, y) and its moments to the velocities of both sides, and adds it to what
  * the joint applied in this substep. */
-TD_INLINE void apply_impulse(const td_block *block, bool fixed, sides *v,
+TD_INLINE void apply_impulse(const td_block *block, bool a_static, sides *v,
                              td_applied_impulse *applied, f8 x, f8 y, f8 moment_a, f8 moment_b) {
     applied->x += x;
     applied->y += y;
     applied->moment_a += moment_a;
     applied->moment_b += moment_b;
-    if (!fixed) {
+    if (!a_static) {
         v->a.x -= v->a.w * x;
         v->a.y -= v->a.w * y;
         v->a.z -= block->inv_inertia_a * moment_a;
@@ -165,16 +166,16 @@ TD_INLINE void apply_impulse(const td_block *block, bool fixed, sides *v,
 
 /* Applies the difference to what the joint applied in this substep, so that this impulse takes its
  * place. */
-TD_INLINE void replace_impulse(const td_block *block, bool fixed, sides *v,
+TD_INLINE void replace_impulse(const td_block *block, bool a_static, sides *v,
                                td_applied_impulse *applied, f8 x, f8 y, f8 moment_a, f8 moment_b) {
-    apply_impulse(block, fixed, v, applied, x - applied->x, y - applied->y,
+    apply_impulse(block, a_static, v, applied, x - applied->x, y - applied->y,
                   moment_a - applied->moment_a, moment_b - applied->moment_b);
 }
 
 /* Writes the velocities of both sides back. */
-TD_INLINE void write_sides(const td_solve_context *c, const td_block *block, bool fixed,
+TD_INLINE void write_sides(const td_solve_context *c, const td_block *block, bool a_static,
                            const sides *v) {
-    if (!fixed) {
+    if (!a_static) {
         td_scatter(c->velocity, block->a, v->a);
     }
     td_scatter(c->velocity, block->b, v->b);
@@ -186,17 +187,17 @@ TD_INLINE void clear_applied(td_applied_impulse *applied) {
 }
 
 /* wide_rod.c: a stage of bracing (joint_brace.c) on what the lanes of a rod's or lock's block
- * applied, by c->brace: measures p.u or p.u' into td_point_history.total, takes the impulses back,
+ * applied, by c->brace: measures p.u or p.u' into td_brace_rows, takes the impulses back,
  * or applies the share to keep. */
-typedef void td_brace_fn(td_block *block, const td_solve_context *c, bool fixed);
+typedef void td_brace_fn(td_block *block, const td_solve_context *c, bool a_static);
 td_brace_fn TD_WIDE(td_brace_applied);
 
 /* Sets c->torn where a gap (lengths) or an angle (rad) at the start of the step is wider than
- * TD_JOINT_CLOSING closes in a substep, so that the step braces its joints. */
+ * TD_JOINT_CLOSING_SPEED closes in a substep, so that the step braces its joints. */
 TD_INLINE void flag_torn(const td_solve_context *c, f8 gap, f8 turn) {
-    f8 rate = f8_all(GAP_SHARE * c->inv_h);
-    i8 torn = (f8_abs(gap) * rate > f8_all(c->joint_closing)) |
-              (f8_abs(turn) * rate > f8_all(TD_JOINT_CLOSING));
+    f8 rate = f8_all(TD_JOINT_GAP_SHARE * c->inv_h);
+    i8 torn = (f8_abs(gap) * rate > f8_all(c->joint_closing_speed)) |
+              (f8_abs(turn) * rate > f8_all(TD_JOINT_CLOSING_SPEED));
     if (i8_bits(torn)) {
         atomic_store_explicit(c->torn, true, memory_order_relaxed);
     }

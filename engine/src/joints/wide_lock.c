@@ -4,7 +4,7 @@
 #include "joints/wide_joint.h"
 
 /* The scales of a pass (wide_joint.h): those of a soft constraint in a solve pass; no bias, and a
- * mass scale of 1, in a relax pass. inv_h: substeps per second. closing: TD_JOINT_CLOSING in
+ * mass scale of 1, in a relax pass. inv_h: substeps per second. closing: TD_JOINT_CLOSING_SPEED in
  * lengths/s. */
 typedef struct softness {
     f8 inv_h, mass_scale, impulse_scale, closing;
@@ -12,7 +12,7 @@ typedef struct softness {
 
 TD_INLINE softness soft_of(const td_solve_context *c) {
     return (softness){f8_all(c->inv_h), f8_all(1.0f - IMPULSE_SCALE), f8_all(IMPULSE_SCALE),
-                      f8_all(c->joint_closing)};
+                      f8_all(c->joint_closing_speed)};
 }
 
 TD_INLINE softness rigid(void) {
@@ -41,14 +41,14 @@ typedef struct lock_matrix {
  *                   det = m^2 + m i_a i_b / (i_a + i_b) |d|^2
  *     turn free:    det = m^2 + m (i_a |a|^2 + i_b |b|^2) + i_a i_b (a x b)^2
  * Rows that a lane does not have are decoupled, with 1 on the diagonal. */
-TD_INLINE lock_matrix lock_matrix_of(const td_block *block, const sides *v, bool fixed,
+TD_INLINE lock_matrix lock_matrix_of(const td_block *block, const sides *v, bool a_static,
                                      const frame8 *f) {
     f8 zero = f8_all(0.0f), one = f8_all(1.0f);
     lock_matrix k = {.has_u = block->point[0].normal_mass > zero,
                      .has_v = block->point[1].normal_mass > zero,
                      .has_turn = block->tangent_mass > zero};
-    f8 m = fixed ? v->b.w : v->a.w + v->b.w, i_b = block->inv_inertia_b;
-    f8 i_a = fixed ? zero : block->inv_inertia_a;
+    f8 m = a_static ? v->b.w : v->a.w + v->b.w, i_b = block->inv_inertia_b;
+    f8 i_a = a_static ? zero : block->inv_inertia_a;
     k.turn = f8_pick(k.has_turn, i_a + i_b, one);
     f8 per_turn = f8_keep(k.has_turn, one / k.turn);
     k.lever_u = per_turn * (i_a * f->a_u + i_b * f->b_u);
@@ -71,30 +71,32 @@ TD_INLINE lock_matrix lock_matrix_of(const td_block *block, const sides *v, bool
  *     x_u, x_v by Cramer's rule, x_t = -turn / K_tt - lever_u x_u - lever_v x_v.
  * `replace`: first applies the old impulses along the present directions. In the last relax pass
  * the greatest speeds go to the tally, with a minus sign. */
-TD_INLINE void solve_lock(td_block *block, const softness *s, const td_solve_context *c, bool fixed,
-                          bool replace) {
+TD_INLINE void solve_lock(td_block *block, const softness *s, const td_solve_context *c,
+                          bool a_static, bool replace) {
     td_point *p = &block->point[0], *q = &block->point[1];
     td_lock_rows *h = td_lock_rows_of(block);
-    sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
-    frame8 f = frame_now(block, &d, fixed, p->base, q->base, h->frame);
-    lock_matrix k = lock_matrix_of(block, &v, fixed, &f);
-    h->turn_apart = h->turn_base + h->turn_sign * (fixed ? d.b.z : d.b.z - d.a.z);
+    sides v = read_sides(c->velocity, block, a_static), d = read_sides(c->delta, block, a_static);
+    frame8 f =
+        frame_now(block, &d, a_static, p->start_separation, q->start_separation, h->frame_turns);
+    lock_matrix k = lock_matrix_of(block, &v, a_static, &f);
+    h->turn_gap = h->start_turn_gap + h->turn_sign * (a_static ? d.b.z : d.b.z - d.a.z);
     p->separation = f8_keep(k.has_u, f.gap_u);
     q->separation = f8_keep(k.has_v, f.gap_v);
     f8 old_u = p->normal_impulse, old_v = q->normal_impulse;
     f8 old_turn = h->turn_sign * block->tangent_impulse;
 
     if (replace) {
-        replace_impulse(block, fixed, &v, &h->applied, f.x * old_u - f.y * old_v,
+        replace_impulse(block, a_static, &v, &h->applied, f.x * old_u - f.y * old_v,
                         f.y * old_u + f.x * old_v, old_turn + f.a_u * old_u + f.a_v * old_v,
                         old_turn + f.b_u * old_u + f.b_v * old_v);
     }
-    f8 speed_u = speed_now(&v, fixed, f.x, f.y, f.a_u, f.b_u);
-    f8 speed_v = speed_now(&v, fixed, -f.y, f.x, f.a_v, f.b_v);
-    f8 spin = fixed ? v.b.z : v.b.z - v.a.z;
-    f8 rate = gap_share(h->haste) * s->inv_h;
-    f8 max = h->haste * s->closing, turn_max = h->haste * f8_all(TD_JOINT_CLOSING);
-    f8 turn = f8_keep(k.has_turn, spin + h->turn_sign * bias_of(h->turn_apart, rate, turn_max));
+    f8 speed_u = speed_now(&v, a_static, f.x, f.y, f.a_u, f.b_u);
+    f8 speed_v = speed_now(&v, a_static, -f.y, f.x, f.a_v, f.b_v);
+    f8 spin = a_static ? v.b.z : v.b.z - v.a.z;
+    f8 rate = gap_share(h->closing_factor) * s->inv_h;
+    f8 max = h->closing_factor * s->closing,
+       turn_max = h->closing_factor * f8_all(TD_JOINT_CLOSING_SPEED);
+    f8 turn = f8_keep(k.has_turn, spin + h->turn_sign * bias_of(h->turn_gap, rate, turn_max));
     f8 rhs_u = speed_u + bias_of(p->separation, rate, max) - k.lever_u * turn;
     f8 rhs_v = speed_v + bias_of(q->separation, rate, max) - k.lever_v * turn;
     rhs_u = f8_keep(k.has_u, rhs_u);
@@ -109,71 +111,76 @@ TD_INLINE void solve_lock(td_block *block, const softness *s, const td_solve_con
     p->normal_impulse = old_u + change_u;
     q->normal_impulse = old_v + change_v;
     block->tangent_impulse = h->turn_sign * (old_turn + change_turn);
-    apply_impulse(block, fixed, &v, &h->applied, f.x * change_u - f.y * change_v,
+    apply_impulse(block, a_static, &v, &h->applied, f.x * change_u - f.y * change_v,
                   f.y * change_u + f.x * change_v,
                   change_turn + f.a_u * change_u + f.a_v * change_v,
                   change_turn + f.b_u * change_u + f.b_v * change_v);
-    write_sides(c, block, fixed, &v);
+    write_sides(c, block, a_static, &v);
     if (c->last) {
-        f8 slowest = f8_min(f8_keep(k.has_u, -f8_abs(speed_u)), f8_keep(k.has_v, -f8_abs(speed_v)));
-        c->tally->slowest = f8_min(slowest, c->tally->slowest);
+        f8 min_speed =
+            f8_min(f8_keep(k.has_u, -f8_abs(speed_u)), f8_keep(k.has_v, -f8_abs(speed_v)));
+        c->tally->min_speed = f8_min(min_speed, c->tally->min_speed);
     }
 }
 
 /* Applies the impulses of the last step, and looks for gaps that make the step brace its joints. */
 TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_context *c,
-                          bool fixed) {
+                          bool a_static) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         const td_point *p = &block->point[0], *q = &block->point[1];
         f8 u = p->normal_impulse, v = q->normal_impulse, x = block->nx, y = block->ny;
         f8 moment = td_lock_rows_of(block)->turn_sign * block->tangent_impulse;
         /* In a frame that turns with a, a's arm ends at b's anchor: a_u - gap_v, a_v + gap_u. */
-        f8 turns = td_lock_rows_of(block)->frame;
+        f8 turns = td_lock_rows_of(block)->frame_turns;
         td_applied_impulse *applied = &td_lock_rows_of(block)->applied;
-        f8 a_u = p->cross_a - turns * q->base, a_v = q->cross_a + turns * p->base;
-        sides s = read_sides(c->velocity, block, fixed);
+        f8 a_u = p->cross_a - turns * q->start_separation,
+           a_v = q->cross_a + turns * p->start_separation;
+        sides s = read_sides(c->velocity, block, a_static);
         f8 gap = f8_max(f8_abs(p->separation), f8_abs(q->separation)), zero = f8_all(0.0f);
-        flag_torn(c, gap, f8_keep(block->tangent_mass > zero, td_lock_rows_of(block)->turn_base));
+        flag_torn(c, gap,
+                  f8_keep(block->tangent_mass > zero, td_lock_rows_of(block)->start_turn_gap));
         clear_applied(applied);
-        apply_impulse(block, fixed, &s, applied, x * u - y * v, y * u + x * v,
+        apply_impulse(block, a_static, &s, applied, x * u - y * v, y * u + x * v,
                       moment + a_u * u + a_v * v, moment + p->cross_b * u + q->cross_b * v);
-        write_sides(c, block, fixed, &s);
+        write_sides(c, block, a_static, &s);
     }
 }
 
-TD_INLINE void solve(td_block *const *blocks, int count, const td_solve_context *c, bool fixed) {
+TD_INLINE void solve(td_block *const *blocks, int count, const td_solve_context *c, bool a_static) {
     softness s = soft_of(c);
     for (int i = 0; i < count; i++) {
-        solve_lock(blocks[i], &s, c, fixed, !c->first);
+        solve_lock(blocks[i], &s, c, a_static, !c->first);
     }
 }
 
-TD_INLINE void relax(td_block *const *blocks, int count, const td_solve_context *c, bool fixed) {
+TD_INLINE void relax(td_block *const *blocks, int count, const td_solve_context *c, bool a_static) {
     softness s = rigid();
     for (int i = 0; i < count; i++) {
-        solve_lock(blocks[i], &s, c, fixed, false);
+        solve_lock(blocks[i], &s, c, a_static, false);
     }
 }
 
-/* A stage of bracing, joint_brace.c. TD_BRACE_GIVE applies the warm start along the directions of
- * the present substep. */
-TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool fixed) {
+/* A stage of bracing, joint_brace.c. TD_BRACE_WARM_START applies the warm start along the
+ * directions of the present substep. */
+TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool a_static) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
-        if (c->brace != TD_BRACE_GIVE) {
-            TD_WIDE(td_brace_applied)(block, c, fixed);
+        if (c->brace != TD_BRACE_WARM_START) {
+            TD_WIDE(td_brace_applied)(block, c, a_static);
             continue;
         }
         td_point *p = &block->point[0], *q = &block->point[1];
         td_lock_rows *h = td_lock_rows_of(block);
-        sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
-        frame8 f = frame_now(block, &d, fixed, p->base, q->base, h->frame);
+        sides v = read_sides(c->velocity, block, a_static),
+              d = read_sides(c->delta, block, a_static);
+        frame8 f = frame_now(block, &d, a_static, p->start_separation, q->start_separation,
+                             h->frame_turns);
         f8 u = p->normal_impulse, w = q->normal_impulse;
         f8 turn = h->turn_sign * block->tangent_impulse;
-        replace_impulse(block, fixed, &v, &h->applied, f.x * u - f.y * w, f.y * u + f.x * w,
+        replace_impulse(block, a_static, &v, &h->applied, f.x * u - f.y * w, f.y * u + f.x * w,
                         turn + f.a_u * u + f.a_v * w, turn + f.b_u * u + f.b_v * w);
-        write_sides(c, block, fixed, &v);
+        write_sides(c, block, a_static, &v);
     }
 }
 
@@ -183,17 +190,17 @@ static void no_bounce(td_block *const *blocks, int count, const td_solve_context
 }
 
 TD_PASS(warm_start_moving, warm_start, false)
-TD_PASS(warm_start_fixed, warm_start, true)
+TD_PASS(warm_start_static, warm_start, true)
 TD_PASS(solve_moving, solve, false)
-TD_PASS(solve_fixed, solve, true)
+TD_PASS(solve_static, solve, true)
 TD_PASS(relax_moving, relax, false)
-TD_PASS(relax_fixed, relax, true)
+TD_PASS(relax_static, relax, true)
 TD_PASS(brace_moving, brace, false)
-TD_PASS(brace_fixed, brace, true)
+TD_PASS(brace_static, brace, true)
 
 extern const td_solve_ops TD_WIDE(td_solve_lock);
-const td_solve_ops TD_WIDE(td_solve_lock) = {{warm_start_moving, warm_start_fixed},
-                                             {solve_moving, solve_fixed},
-                                             {relax_moving, relax_fixed},
-                                             no_bounce,
-                                             {brace_moving, brace_fixed}};
+const td_solve_ops TD_WIDE(td_solve_lock) = {.warm_start = {warm_start_moving, warm_start_static},
+                                             .solve = {solve_moving, solve_static},
+                                             .relax = {relax_moving, relax_static},
+                                             .bounce = no_bounce,
+                                             .brace = {brace_moving, brace_static}};

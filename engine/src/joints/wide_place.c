@@ -40,7 +40,8 @@ TD_INLINE td_rows rotations_of(const td_pose *const *pose) {
     for (int i = 0; i < TD_LANES; i++) {
         r[i] = (const float *)((const char *)pose[i] + offsetof(td_pose, angle));
     }
-    return td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
+    return td_transpose(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]),
+                        f8_two(r[3], r[7]));
 }
 
 /* td_angle_radians of eight angles: radians in (-pi, pi]. */
@@ -138,40 +139,41 @@ TD_INLINE i8 is_locked(i8 locked, int direction) {
 TD_INLINE void place_lock(const thud_world *w, td_block *block) {
     td_lock_rows *rows = td_lock_rows_of(block);
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), mass = inverse_masses(w, block);
-    rows->haste = f8_all(TD_JOINT_HASTE);
+    rows->closing_factor = f8_all(TD_JOINT_CLOSING_FACTOR);
     place8 p = place_of(w, &rows->anchor, used_lanes(block));
-    i8 stays = is_locked(rows->locked, THUD_ALONG) & is_locked(rows->locked, THUD_ACROSS);
+    i8 stays = is_locked(rows->locked, THUD_DIRECTION_ALONG) &
+               is_locked(rows->locked, THUD_DIRECTION_ACROSS);
     f8 x = f8_pick(stays, one, p.axis_x), y = f8_pick(stays, zero, p.axis_y);
     set_frame(block, &p, x, y);
     f8 gap[2] = {p.x * x + p.y * y, p.y * x - p.x * y};
     for (int k = 0; k < 2; k++) {
         td_point *q = &block->point[k];
         i8 here = is_locked(rows->locked, k);
-        q->base = gap[k];
+        q->start_separation = gap[k];
         q->separation = f8_keep(here, gap[k]);
         q->normal_mass =
             f8_keep(here, inverse_or_zero(inverse_mass(block, mass, q->cross_a, q->cross_b)));
         q->normal_impulse = f8_keep(here, q->normal_impulse);
     }
-    i8 here = is_locked(rows->locked, THUD_TURN);
+    i8 here = is_locked(rows->locked, THUD_DIRECTION_TURN);
     f8 sign = rows->turn_sign;
-    rows->turn_base = rows->turn_apart = turn_of(&p, sign);
+    rows->start_turn_gap = rows->turn_gap = turn_of(&p, sign);
     block->tangent_mass = f8_keep(here, inverse_or_zero(inverse_mass(block, zero, sign, sign)));
     block->tangent_impulse = f8_keep(here, block->tangent_impulse);
 }
 
-/* The row of a locked distance; rows->turn_base is its length. */
+/* The row of a locked distance; rows->rest_length is its length. */
 TD_INLINE void place_rod(const thud_world *w, td_block *block) {
     td_lock_rows *rows = td_lock_rows_of(block);
     td_point *q = &block->point[0];
-    rows->haste = f8_all(TD_JOINT_HASTE);
+    rows->closing_factor = f8_all(TD_JOINT_CLOSING_FACTOR);
     f8 x, y, mass = inverse_masses(w, block);
     i8 used = used_lanes(block);
     place8 p = place_of(w, &rows->anchor, used);
     f8 length = line_of(&p, used, &x, &y);
     set_frame(block, &p, x, y);
     q->normal_mass = inverse_or_zero(inverse_mass(block, mass, q->cross_a, q->cross_b));
-    q->base = q->separation = length - rows->turn_base;
+    q->start_separation = q->separation = length - rows->rest_length;
 }
 
 /* The rows of a driven direction with coordinate `value`: the limit that is nearer, which the
@@ -185,11 +187,11 @@ TD_INLINE void set_values(td_block *block, td_drive_rows *rows, f8 value) {
     p->normal_impulse = f8_keep(side == rows->limit_side, p->normal_impulse);
     rows->limit_side = side;
     rows->limit = f8_pick(lower, rows->lower, rows->upper);
-    p->base = p->separation = side * (value - rows->limit);
-    rows->value_base = value;
-    q->base = q->separation = f8_keep(springs, value - rows->target);
+    p->start_separation = p->separation = side * (value - rows->limit);
+    rows->start_value = value;
+    q->start_separation = q->separation = f8_keep(springs, value - rows->target);
     q->normal_impulse = f8_keep(springs, q->normal_impulse);
-    block->tangent_impulse = f8_keep(rows->motor_most > zero, block->tangent_impulse);
+    block->tangent_impulse = f8_keep(rows->max_motor_force > zero, block->tangent_impulse);
 }
 
 /* The rows of a driven direction. */
@@ -214,7 +216,7 @@ void TD_WIDE(td_place_joints)(thud_world *w, td_block *const *blocks, int count,
     (void)context;
     int kind = td_constraint_at(w, blocks[0]->constraint[0])->kind;
     for (int i = 0; i < count; i++) {
-        if (blocks[i]->armed) {
+        if (blocks[i]->anchors_stale) {
             td_joint_update_anchors(w, blocks[i]);
         }
         if (kind == TD_CONSTRAINT_LOCK) {

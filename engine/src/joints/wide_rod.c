@@ -1,135 +1,151 @@
-/* wide_rod.c: solver passes for locked distances: one equality row along the line between the
- * anchors as it is in the substep, with gap = distance - length; and the bracing of rods and locks.
- */
+/* wide_rod.c: solver passes for locked distances (rods): one equality row along the line between
+ * the anchors as it is in the substep, with gap = distance - rest length; and, for rods and locks,
+ * the passes of bracing, which bounds the energy that widely open joints add (joint_brace.c). */
 #include "joints/wide_joint.h"
 
-/* A solve pass (`soft`) or relax pass over a block. The last relax pass notes the greatest speed as
- * the residual, with a minus sign. */
-TD_INLINE void solve_rod(td_block *block, const td_solve_context *c, bool fixed, bool soft) {
+/* A solve pass (`soft`) or relax pass over a block; `a_static`: side a is static. The equations are
+ * those of wide_joint.h, with the gap C = separation and the bias clamped to closing_factor times
+ * joint_closing_speed. c->last is set in relax passes alone: the tally gets -|speed|, the residual.
+ */
+TD_INLINE void solve_rod(td_block *block, const td_solve_context *c, bool a_static, bool soft) {
     td_point *p = &block->point[0];
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), length;
-    f8 rest_length = td_lock_rows_of(block)->turn_base;
-    sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
-    frame8 f = line_now(block, &d, fixed, p->base + rest_length, zero, &length);
-    p->separation = f8_keep(p->normal_mass > zero, length - rest_length);
+    f8 rest_length = td_lock_rows_of(block)->rest_length;
+    sides v = read_sides(c->velocity, block, a_static), d = read_sides(c->delta, block, a_static);
+    f8 start_length = p->start_separation + rest_length; /* distance as the step began */
+    frame8 f = line_now(block, &d, a_static, start_length, zero, &length);
+    p->separation = f8_keep(p->normal_mass > zero, length - rest_length); /* 0 in empty lanes */
     td_applied_impulse *applied = &td_lock_rows_of(block)->applied;
+    f8 old = p->normal_impulse;
+    /* The velocities of a later substep have the impulse along the line of the substep before, by
+     * td_integrate_velocity: it is turned to the present line. In the first substep no body has
+     * moved since the warm start. */
     if (soft && !c->first) {
-        f8 old = p->normal_impulse;
-        replace_impulse(block, fixed, &v, applied, f.x * old, f.y * old, f.a_u * old, f.b_u * old);
+        replace_impulse(block, a_static, &v, applied, f.x * old, f.y * old, f.a_u * old,
+                        f.b_u * old);
     }
+    /* Effective mass along the present line; 0 in empty lanes. */
     f8 mass =
-        inverse_or_zero(inverse_mass_entry(block, &v, fixed, one, f.a_u, f.b_u, f.a_u, f.b_u));
+        inverse_or_zero(inverse_mass_entry(block, &v, a_static, one, f.a_u, f.b_u, f.a_u, f.b_u));
     f8 bias = zero, scale = one, impulse_share = zero;
     if (soft) {
-        f8 max = td_lock_rows_of(block)->haste * f8_all(c->joint_closing);
-        bias = f8_clamp(p->separation * gap_share(td_lock_rows_of(block)->haste) * f8_all(c->inv_h),
-                        -max, max);
+        f8 factor = td_lock_rows_of(block)->closing_factor;
+        f8 max = factor * f8_all(c->joint_closing_speed);
+        bias = f8_clamp(p->separation * gap_share(factor) * f8_all(c->inv_h), -max, max);
         scale = f8_all(1.0f - IMPULSE_SCALE);
         impulse_share = f8_all(IMPULSE_SCALE);
     }
-    f8 speed = speed_now(&v, fixed, f.x, f.y, f.a_u, f.b_u), old = p->normal_impulse;
+    f8 speed = speed_now(&v, a_static, f.x, f.y, f.a_u, f.b_u);
     f8 now = old - scale * mass * (speed + bias) - impulse_share * old;
     p->normal_impulse = now;
     f8 change = now - old;
-    apply_impulse(block, fixed, &v, applied, f.x * change, f.y * change, f.a_u * change,
+    apply_impulse(block, a_static, &v, applied, f.x * change, f.y * change, f.a_u * change,
                   f.b_u * change);
-    write_sides(c, block, fixed, &v);
+    write_sides(c, block, a_static, &v);
     if (c->last) {
-        c->tally->slowest = f8_min(f8_keep(mass > zero, -f8_abs(speed)), c->tally->slowest);
+        c->tally->min_speed = f8_min(f8_keep(mass > zero, -f8_abs(speed)), c->tally->min_speed);
     }
 }
 
-/* Applies the impulses of the last step, and looks for gaps that make the step brace its joints. */
+/* In the first substep: applies the impulses of the last step along the line as the step begins,
+ * and sets c->torn if a gap is so wide that the step braces its joints (flag_torn). */
 TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_context *c,
-                          bool fixed) {
+                          bool a_static) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         const td_point *p = &block->point[0];
         f8 impulse = p->normal_impulse;
         td_applied_impulse *applied = &td_lock_rows_of(block)->applied;
-        sides v = read_sides(c->velocity, block, fixed);
-        flag_torn(c, p->separation, f8_all(0.0f));
+        sides v = read_sides(c->velocity, block, a_static);
+        f8 angle_gap = f8_all(0.0f); /* a rod locks no rotation */
+        flag_torn(c, p->separation, angle_gap);
         clear_applied(applied);
-        apply_impulse(block, fixed, &v, applied, block->nx * impulse, block->ny * impulse,
+        apply_impulse(block, a_static, &v, applied, block->nx * impulse, block->ny * impulse,
                       p->cross_a * impulse, p->cross_b * impulse);
-        write_sides(c, block, fixed, &v);
+        write_sides(c, block, a_static, &v);
     }
 }
 
-TD_INLINE void solve(td_block *const *blocks, int count, const td_solve_context *c, bool fixed,
+TD_INLINE void solve(td_block *const *blocks, int count, const td_solve_context *c, bool a_static,
                      bool soft) {
     for (int i = 0; i < count; i++) {
-        solve_rod(blocks[i], c, fixed, soft);
+        solve_rod(blocks[i], c, a_static, soft);
     }
 }
 
-/* See wide_joint.h. The "powers" are products of the impulses that a lane applied in this substep
- * and the speeds along them, p.u and p.u'. TD_BRACE_KEEP scales both the lane's impulses and the
- * record of what it applied. */
-void TD_WIDE(td_brace_applied)(td_block *block, const td_solve_context *c, bool fixed) {
-    td_applied_impulse *g = &td_lock_rows_of(block)->applied;
-    td_point_history *powers = td_history_of(block, 2);
-    sides v = read_sides(c->velocity, block, fixed);
-    if (c->brace == TD_BRACE_BEFORE || c->brace == TD_BRACE_AFTER) {
-        f8 power = g->x * v.b.x + g->y * v.b.y + g->moment_b * v.b.z;
-        if (!fixed) {
-            power -= g->x * v.a.x + g->y * v.a.y + g->moment_a * v.a.z;
+/* A pass of bracing (td_brace, block.h) on the impulses p that the lanes of a rod's or lock's block
+ * applied in this substep (td_lock_rows.applied). TD_BRACE_WORK_WITH and TD_BRACE_WORK_WITHOUT
+ * store p times the relative speed along it, an energy: p.u', by the speeds u' with the impulses of
+ * all locks, and p.u, by the speeds u without them. TD_BRACE_REMOVE takes p back, and leaves the
+ * record of it. TD_BRACE_APPLY_SHARE applies the share of p that joint_brace.c has computed from
+ * the two (kept_share), and scales the lane's impulses and the record by it. */
+void TD_WIDE(td_brace_applied)(td_block *block, const td_solve_context *c, bool a_static) {
+    td_applied_impulse *applied = &td_lock_rows_of(block)->applied;
+    td_brace_rows *rows = td_brace_rows_of(block);
+    sides v = read_sides(c->velocity, block, a_static);
+    if (c->brace == TD_BRACE_WORK_WITHOUT || c->brace == TD_BRACE_WORK_WITH) {
+        f8 work = applied->x * v.b.x + applied->y * v.b.y + applied->moment_b * v.b.z;
+        if (!a_static) {
+            work -= applied->x * v.a.x + applied->y * v.a.y + applied->moment_a * v.a.z;
         }
-        powers[c->brace == TD_BRACE_AFTER].total = power;
+        *(c->brace == TD_BRACE_WORK_WITH ? &rows->work_with : &rows->work_without) = work;
         return;
     }
-    td_applied_impulse sum;
-    clear_applied(&sum);
-    if (c->brace == TD_BRACE_TAKE) {
-        apply_impulse(block, fixed, &v, &sum, -g->x, -g->y, -g->moment_a, -g->moment_b);
-    } else {
-        f8 kept = powers[0].total;
-        block->point[0].normal_impulse *= kept;
-        block->point[1].normal_impulse *= kept;
-        block->tangent_impulse *= kept;
-        apply_impulse(block, fixed, &v, &sum, kept * g->x, kept * g->y, kept * g->moment_a,
-                      kept * g->moment_b);
-        *g = sum;
+    td_applied_impulse change; /* what this pass applies */
+    clear_applied(&change);
+    if (c->brace == TD_BRACE_REMOVE) {
+        apply_impulse(block, a_static, &v, &change, -applied->x, -applied->y, -applied->moment_a,
+                      -applied->moment_b);
+    } else { /* TD_BRACE_APPLY_SHARE */
+        f8 share = rows->kept_share;
+        block->point[0].normal_impulse *= share;
+        block->point[1].normal_impulse *= share;
+        block->tangent_impulse *= share;
+        apply_impulse(block, a_static, &v, &change, share * applied->x, share * applied->y,
+                      share * applied->moment_a, share * applied->moment_b);
+        *applied = change;
     }
-    write_sides(c, block, fixed, &v);
+    write_sides(c, block, a_static, &v);
 }
 
-/* A stage of bracing, joint_brace.c. TD_BRACE_GIVE applies the warm start along the lines of the
- * present substep. */
-TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool fixed) {
+/* A pass of bracing of rods. TD_BRACE_WARM_START turns the impulses that the velocities have from
+ * the substep before to the present line; the others are td_brace_applied. */
+TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool a_static) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
-        if (c->brace != TD_BRACE_GIVE) {
-            TD_WIDE(td_brace_applied)(block, c, fixed);
+        if (c->brace != TD_BRACE_WARM_START) {
+            TD_WIDE(td_brace_applied)(block, c, a_static);
             continue;
         }
-        td_lock_rows *h = td_lock_rows_of(block);
-        f8 length, u = block->point[0].normal_impulse;
-        sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
-        frame8 f =
-            line_now(block, &d, fixed, block->point[0].base + h->turn_base, f8_all(0.0f), &length);
-        replace_impulse(block, fixed, &v, &h->applied, f.x * u, f.y * u, f.a_u * u, f.b_u * u);
-        write_sides(c, block, fixed, &v);
+        td_lock_rows *rows = td_lock_rows_of(block);
+        f8 length, impulse = block->point[0].normal_impulse;
+        sides v = read_sides(c->velocity, block, a_static),
+              d = read_sides(c->delta, block, a_static);
+        f8 start_length = block->point[0].start_separation + rows->rest_length;
+        frame8 f = line_now(block, &d, a_static, start_length, f8_all(0.0f), &length);
+        replace_impulse(block, a_static, &v, &rows->applied, f.x * impulse, f.y * impulse,
+                        f.a_u * impulse, f.b_u * impulse);
+        write_sides(c, block, a_static, &v);
     }
 }
 
-/* The restitution pass: joints have none. */
+/* The restitution pass: joints do not bounce. */
 static void no_bounce(td_block *const *blocks, int count, const td_solve_context *c) {
     (void)blocks, (void)count, (void)c;
 }
 
 TD_PASS(warm_start_moving, warm_start, false)
-TD_PASS(warm_start_fixed, warm_start, true)
+TD_PASS(warm_start_static, warm_start, true)
 TD_PASS(solve_moving, solve, false, true)
-TD_PASS(solve_fixed, solve, true, true)
+TD_PASS(solve_static, solve, true, true)
 TD_PASS(relax_moving, solve, false, false)
-TD_PASS(relax_fixed, solve, true, false)
+TD_PASS(relax_static, solve, true, false)
 TD_PASS(brace_moving, brace, false)
-TD_PASS(brace_fixed, brace, true)
+TD_PASS(brace_static, brace, true)
 
 extern const td_solve_ops TD_WIDE(td_solve_rod);
-const td_solve_ops TD_WIDE(td_solve_rod) = {{warm_start_moving, warm_start_fixed},
-                                            {solve_moving, solve_fixed},
-                                            {relax_moving, relax_fixed},
-                                            no_bounce,
-                                            {brace_moving, brace_fixed}};
+const td_solve_ops TD_WIDE(td_solve_rod) = {.warm_start = {warm_start_moving, warm_start_static},
+                                            .solve = {solve_moving, solve_static},
+                                            .relax = {relax_moving, relax_static},
+                                            .bounce = no_bounce,
+                                            .brace = {brace_moving, brace_static}};

@@ -34,7 +34,7 @@ static bool settings_valid(const thud_world *w, td_reason *why, const thud_conta
     double max_speed = (double)(THUD_SURFACE_SPEED_MAX * w->unit);
     return td_in(why, "prologue: friction", (double)s->friction, 0.0, (double)THUD_FRICTION_MAX) &&
            td_in(why, "prologue: restitution", (double)s->restitution, 0.0,
-                 (double)THUD_BOUNCE_MAX) &&
+                 (double)THUD_PAIR_RESTITUTION_MAX) &&
            td_in(why, "prologue: surface_speed", (double)s->surface_speed, -max_speed, max_speed);
 }
 
@@ -115,12 +115,12 @@ TD_INLINE thud_contact_settings pair_settings(const thud_world *w, const lane *l
                : td_surface_get(l->block, l->points, l->index);
 }
 
-/* Stores the approach velocity of the lane's points, which the restitution pass needs and which is
+/* Stores the normal velocity of the lane's points, which the restitution pass needs and which is
  * only kept in lanes that had restitution before. */
-static void store_approach(const thud_world *w, const lane *l) {
+static void store_normal_velocity(const thud_world *w, const lane *l) {
     for (int k = 0; k < l->points; k++) {
-        td_history_of(l->block, l->points)[k].approach[l->index] =
-            -td_contact_closing(w, l->block, &l->block->point[k], l->index);
+        td_history_of(l->block, l->points)[k].normal_velocity[l->index] =
+            -td_contact_closing_speed(w, l->block, &l->block->point[k], l->index);
     }
 }
 
@@ -135,7 +135,7 @@ static void apply_answer(thud_world *w, lane one, const thud_contact_settings *o
     l->block->mark[l->index].rule = (uint16_t)mark;
     td_surface_set(w, l->block, l->points, l->index, settings);
     if (settings->restitution != own->restitution) {
-        store_approach(w, l);
+        store_normal_velocity(w, l);
     }
     td_contact *contact = td_contact_at(w, l->block->constraint[l->index]);
     contact->vetoed = (uint8_t)((contact->vetoed & TD_HELD) | (yes ? 0 : TD_VETOED));
@@ -313,7 +313,7 @@ static void reset_answers(thud_world *w) {
 }
 
 thud_result thud_world_set_listeners(thud_world *w, const thud_listeners *listeners) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     const thud_listeners none = {0}, *calls = listeners ? listeners : &none;
     if (!w) {
         return THUD_ERROR_NULL;

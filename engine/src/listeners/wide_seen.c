@@ -17,7 +17,7 @@ TD_INLINE void both_quanta(f8 length, double to_fixed, l4 quanta[2]) {
 /* Computes td_seen_block for a number of points that is known at compile time. */
 TD_INLINE void see(td_block *block, int points, const td_seeing *how, td_seen_block *seen) {
     const td_point_history *history = td_history_of(block, points);
-    f8 zero = f8_all(0.0f), separation = f8_all(3.0e38f), along = zero, impulse = zero;
+    f8 zero = f8_all(0.0f), separation = f8_all(FLT_MAX), along = zero, impulse = zero;
     i8 count = i8_all(0);
     for (int k = 0; k < points; k++) {
         const td_point *p = &block->point[k];

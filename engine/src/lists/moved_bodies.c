@@ -1,5 +1,5 @@
-/* moved_bodies.c: thud_world_moved_bodies: compares the pose of every body, bit by bit, with the
- * one that the caller was last given. The caller keeps these poses, so that the world stores
+/* moved_bodies.c: thud_world_get_moved_bodies: compares the pose of every body, bit by bit, with
+ * the one that the caller was last given. The caller keeps these poses, so that the world stores
  * nothing for the list, and steps, edits and restores need not maintain it. */
 #include "lists/lists.h"
 #include "state/body.h"
@@ -19,10 +19,10 @@ static bool same(const thud_body_seen *a, const thud_body_seen *b) {
            a->x == b->x && a->y == b->y && a->angle == b->angle;
 }
 
-thud_result thud_world_moved_bodies(const thud_world *w, thud_body_seen *seen, int slots,
-                                    thud_body_id *out, int capacity, int *count) {
-    TD_IN_OWN_MODE;
-    thud_result result = td_list_check(w, out, capacity, count);
+thud_result thud_world_get_moved_bodies(const thud_world *w, thud_body_seen *seen, int slots,
+                                        thud_body_id *out, int capacity, int *out_count) {
+    TD_IN_OWN_FLOAT_MODE;
+    thud_result result = td_list_check(w, out, capacity, out_count);
     if (result != THUD_OK) {
         return result;
     }
@@ -47,6 +47,6 @@ thud_result thud_world_moved_bodies(const thud_world *w, thud_body_seen *seen, i
         }
         n++;
     }
-    *count = n;
+    *out_count = n;
     return THUD_OK;
 }

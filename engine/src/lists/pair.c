@@ -1,5 +1,5 @@
-/* pair.c: thud_pair_get: the bodies, user data and sensor flags of the two shapes of a contact or
- * event. */
+/* pair.c: thud_world_get_pair: the bodies, user data and sensor flags of the two shapes of a
+ * contact or event. */
 #include "lists/lists.h"
 
 #include "thud/thud_lists.h"
@@ -19,8 +19,8 @@ static thud_pair_side side_of(const thud_world *w, thud_shape_id id) {
     };
 }
 
-thud_result thud_pair_get(const thud_world *w, thud_shape_id shape_a, thud_shape_id shape_b,
-                          thud_pair *out) {
+thud_result thud_world_get_pair(const thud_world *w, thud_shape_id shape_a, thud_shape_id shape_b,
+                                thud_pair *out) {
     if (!w || !out) {
         return td_refuse(w, THUD_ERROR_NULL, "pair: world or out is null");
     }

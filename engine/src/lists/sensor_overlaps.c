@@ -1,7 +1,7 @@
-/* sensor_overlaps.c: thud_sensor_overlaps: the shapes of a sensor's open contacts, in the order of
- * slots. Contacts are in no order; so the lowest `capacity` slots are kept in a binary max-heap in
- * the caller's array, which heapsort (J. W. J. Williams, Algorithm 232, 1964) then puts in
- * ascending order. */
+/* sensor_overlaps.c: thud_shape_get_sensor_overlaps: the shapes of a sensor's open contacts, in the
+ * order of slots. Contacts are in no order; so the lowest `capacity` slots are kept in a binary
+ * max-heap in the caller's array, which heapsort (J. W. J. Williams, Algorithm 232, 1964) then puts
+ * in ascending order. */
 #include "constraint/constraint.h"
 #include "lists/lists.h"
 
@@ -10,7 +10,7 @@
 /* The other shape's slot, if this edge of the sensor's body is an open contact of the sensor and
  * the other body is enabled; else TD_NONE. */
 static int overlapped_by(const thud_world *w, int edge, int sensor) {
-    const td_constraint *contact = td_constraint_at(w, edge / 2);
+    const td_constraint *contact = td_constraint_at(w, td_edge_constraint(edge));
     if (contact->kind != TD_PAIR_SENSOR || !contact->open ||
         (contact->shape_a != sensor && contact->shape_b != sensor)) {
         return TD_NONE;
@@ -71,10 +71,10 @@ static void keep(thud_shape_id *heap, int capacity, int kept, thud_shape_id shap
     }
 }
 
-thud_result thud_sensor_overlaps(const thud_world *w, thud_shape_id id, thud_shape_id *out,
-                                 int capacity, int *count) {
+thud_result thud_shape_get_sensor_overlaps(const thud_world *w, thud_shape_id id,
+                                           thud_shape_id *out, int capacity, int *out_count) {
     int sensor, n = 0;
-    thud_result result = td_list_check(w, out, capacity, count);
+    thud_result result = td_list_check(w, out, capacity, out_count);
     if (result == THUD_OK) {
         result = td_find_shape(w, id, &sensor);
     }
@@ -97,6 +97,6 @@ thud_result thud_sensor_overlaps(const thud_world *w, thud_shape_id id, thud_sha
         swap(&out[0], &out[end]);
         sift_down(out, end, 0);
     }
-    *count = n;
+    *out_count = n;
     return THUD_OK;
 }

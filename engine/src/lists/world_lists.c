@@ -34,17 +34,19 @@ static thud_result list_bodies(const thud_world *w, body_filter_fn *contains, th
     return THUD_OK;
 }
 
-thud_result thud_world_bodies(const thud_world *w, thud_body_id *out, int capacity, int *count) {
-    return list_bodies(w, td_body_lives, out, capacity, count);
+thud_result thud_world_get_bodies(const thud_world *w, thud_body_id *out, int capacity,
+                                  int *out_count) {
+    return list_bodies(w, td_body_lives, out, capacity, out_count);
 }
 
-thud_result thud_world_awake_bodies(const thud_world *w, thud_body_id *out, int capacity,
-                                    int *count) {
-    return list_bodies(w, is_awake, out, capacity, count);
+thud_result thud_world_get_awake_bodies(const thud_world *w, thud_body_id *out, int capacity,
+                                        int *out_count) {
+    return list_bodies(w, is_awake, out, capacity, out_count);
 }
 
-thud_result thud_world_shapes(const thud_world *w, thud_shape_id *out, int capacity, int *count) {
-    thud_result result = td_list_check(w, out, capacity, count);
+thud_result thud_world_get_shapes(const thud_world *w, thud_shape_id *out, int capacity,
+                                  int *out_count) {
+    thud_result result = td_list_check(w, out, capacity, out_count);
     if (result != THUD_OK) {
         return result;
     }
@@ -58,21 +60,21 @@ thud_result thud_world_shapes(const thud_world *w, thud_shape_id *out, int capac
         }
         n++;
     }
-    *count = n;
+    *out_count = n;
     return THUD_OK;
 }
 
 /* ---- slots ---- */
 
-thud_result thud_world_slots(const thud_world *w, int *bodies, int *shapes) {
+thud_result thud_world_get_slot_counts(const thud_world *w, int *out_bodies, int *out_shapes) {
     if (!w) {
         return THUD_ERROR_NULL;
     }
-    if (bodies) {
-        *bodies = w->bodies.count;
+    if (out_bodies) {
+        *out_bodies = w->bodies.count;
     }
-    if (shapes) {
-        *shapes = w->shapes.count;
+    if (out_shapes) {
+        *out_shapes = w->shapes.count;
     }
     return THUD_OK;
 }
@@ -88,7 +90,7 @@ static thud_result check_slot(const thud_world *w, const td_slots *slots, int sl
                : td_refuse(w, THUD_ERROR_INVALID, "slot: negative, or never used");
 }
 
-thud_result thud_world_body_at(const thud_world *w, int slot, thud_body_id *out) {
+thud_result thud_world_get_body_at(const thud_world *w, int slot, thud_body_id *out) {
     thud_result result = w ? check_slot(w, &w->bodies, slot, out) : THUD_ERROR_NULL;
     if (result == THUD_OK) {
         td_body_index index = {slot};
@@ -97,7 +99,7 @@ thud_result thud_world_body_at(const thud_world *w, int slot, thud_body_id *out)
     return result;
 }
 
-thud_result thud_world_shape_at(const thud_world *w, int slot, thud_shape_id *out) {
+thud_result thud_world_get_shape_at(const thud_world *w, int slot, thud_shape_id *out) {
     thud_result result = w ? check_slot(w, &w->shapes, slot, out) : THUD_ERROR_NULL;
     if (result == THUD_OK) {
         *out = td_shape_lives(w, slot) ? td_shape_handle(w, slot) : (thud_shape_id){0, 0};

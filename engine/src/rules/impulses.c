@@ -1,5 +1,5 @@
-/* impulses.c: events of contacts whose normal impulse, summed over the step, exceeds most_impulse
- * of their rule; see thud_world_impulses in thud_rules.h. */
+/* impulses.c: events of contacts whose normal impulse, summed over the step, exceeds event_impulse
+ * of their rule; see thud_world_get_impulse_events in thud_rules.h. */
 #include "detection/collide.h"
 #include "constraint/lanes.h"
 #include "contact/contact.h"
@@ -27,7 +27,7 @@ static void add_events_of_block(thud_world *w, td_block *block, int points) {
         float impulse = history[0].total[lane] + (points == 2 ? history[1].total[lane] : 0.0f);
         if (impulse > w->rules->min_bound) {
             const td_rule *rule = td_rule_of_lane(w, block, lane, TD_RULE_IMPULSE);
-            if (rule && impulse > rule->rule.most_impulse) {
+            if (rule && impulse > rule->rule.event_impulse) {
                 thud_contact seen = td_contact_view(w, block, lane);
                 add_event(w, &seen);
             }
@@ -48,18 +48,21 @@ void td_rules_tell(thud_world *w) {
         const thud_contact *seen = &TD_AT(td_impact, &w->scratch.impacts, i)->seen;
         const td_rule *rule =
             td_rule_of_pair(w, (int)seen->shape_a.index1 - 1, (int)seen->shape_b.index1 - 1);
-        if (rule && seen->normal_impulse > rule->rule.most_impulse) {
+        if (rule && seen->normal_impulse > rule->rule.event_impulse) {
             add_event(w, seen);
         }
     }
 }
 
-const thud_impulse_event *thud_world_impulses(const thud_world *w, int *count) {
-    const td_array *events = !w || !w->rules ? NULL
-                             : w->gathers    ? &w->gathered.impulses
-                                             : &w->rules->impulses;
-    if (count) {
-        *count = events ? events->count : 0;
+thud_result thud_world_get_impulse_events(const thud_world *w, const thud_impulse_event **out,
+                                          int *out_count) {
+    if (!w || !out || !out_count) {
+        return THUD_ERROR_NULL;
     }
-    return events ? events->data : NULL;
+    const td_array *events = !w->rules    ? NULL
+                             : w->gathers ? &w->gathered.impulses
+                                          : &w->rules->impulses;
+    *out = events ? events->data : NULL;
+    *out_count = events ? events->count : 0;
+    return THUD_OK;
 }

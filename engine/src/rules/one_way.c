@@ -38,7 +38,7 @@ static void decide_lane(thud_world *w, td_block *block, int lane, const td_rule 
             const td_point *p = &block->point[k];
             if (p->normal_mass[lane] != 0.0f && p->separation[lane] + w->skin < separation) {
                 separation = p->separation[lane] + w->skin;
-                closing = td_contact_closing(w, block, p, lane);
+                closing = td_contact_closing_speed(w, block, p, lane);
             }
         }
         if (!(contact->vetoed & TD_PASSING) && closing > 0.0f) {
@@ -78,7 +78,7 @@ bool td_rules_let_through(const thud_world *w, const thud_contact *seen) {
     int a = (int)seen->shape_a.index1 - 1, b = (int)seen->shape_b.index1 - 1;
     const td_rule *rule = td_rule_of_pair(w, a, b);
     td_body_index body[2] = {td_shape_at(w, a)->body, td_shape_at(w, b)->body};
-    return rule && rule->rule.meeting == THUD_ONE_WAY &&
+    return rule && rule->rule.kind == THUD_RULE_ONE_WAY &&
            solid_side_cosine(w, rule, body, seen->normal.x, seen->normal.y) <= SOLID_COSINE_MIN;
 }
 
@@ -86,12 +86,12 @@ bool td_rules_let_through(const thud_world *w, const thud_contact *seen) {
  * a plank that lets a body pass must not take away the face of the wall beside it. */
 bool td_rules_hide(const thud_world *w, int shape, int other) {
     const td_rule *rule = td_rule_of_pair(w, shape, other);
-    if (!rule || rule->rule.meeting != THUD_ONE_WAY) {
+    if (!rule || rule->rule.kind != THUD_RULE_ONE_WAY) {
         return true;
     }
     int e = td_body_at(w, td_shape_at(w, other)->body)->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *c = td_constraint_at(w, e / 2);
+        const td_constraint *c = td_constraint_at(w, td_edge_constraint(e));
         if (c->vetoed & TD_HELD && ((c->shape_a == shape && c->shape_b == other) ||
                                     (c->shape_a == other && c->shape_b == shape))) {
             return true;

@@ -22,7 +22,7 @@ typedef struct td_kept_rule {
 
 /* Kinds of shapes: one for each bit of thud_filter.category; and rules between each two of them, a
  * kind and itself included. */
-enum { TD_RULE_KINDS = 32, TD_RULES_MOST = TD_RULE_KINDS * (TD_RULE_KINDS + 1) / 2 };
+enum { TD_RULE_KINDS = 32, TD_RULES_MAX = TD_RULE_KINDS * (TD_RULE_KINDS + 1) / 2 };
 
 /* The bytes of both in a snapshot. */
 static inline uint64_t td_ruled_bytes(td_ruled ruled) {

@@ -12,12 +12,12 @@
 #define OF_SHAPES __builtin_nanf("")
 
 thud_rule thud_default_rule(void) {
-    return (thud_rule){.meeting = THUD_COLLIDE,
+    return (thud_rule){.kind = THUD_RULE_COLLIDE,
                        .solid_side = {0.0f, 1.0f},
                        .friction = OF_SHAPES,
                        .restitution = OF_SHAPES,
                        .surface_speed = OF_SHAPES,
-                       .most_impulse = __builtin_inff()};
+                       .event_impulse = __builtin_inff()};
 }
 
 /* ---- the hooks ---- */
@@ -26,7 +26,7 @@ thud_rule thud_default_rule(void) {
 static bool allows(const thud_world *world, int shape_a, int shape_b) {
     const td_rules *rules = world->rules;
     const td_rule *rule = td_rule_of_pair(world, shape_a, shape_b);
-    if (rule && rule->rule.meeting == THUD_IGNORE) {
+    if (rule && rule->rule.kind == THUD_RULE_IGNORE) {
         return false;
     }
     if (!rules->filter) {
@@ -56,7 +56,7 @@ static uint16_t settle(const thud_world *w, int shape_a, int shape_b,
     override(&settings->friction, rule->rule.friction);
     override(&settings->restitution, rule->rule.restitution);
     override(&settings->surface_speed, rule->rule.surface_speed);
-    unsigned marks = (rule->rule.meeting == THUD_ONE_WAY ? TD_RULE_ONE_WAY : 0u) |
+    unsigned marks = (rule->rule.kind == THUD_RULE_ONE_WAY ? TD_RULE_ONE_WAY : 0u) |
                      (td_rule_counts_impulses(rule) ? TD_RULE_IMPULSE : 0u);
     return (uint16_t)(marks ? marks | (unsigned)(rule - w->rules->table[0]) : 0u);
 }
@@ -128,7 +128,7 @@ static void update_shapes_of(thud_world *w, uint32_t kinds) {
 
 thud_result thud_world_set_rule(thud_world *w, uint32_t first, uint32_t second,
                                 const thud_rule *rule) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     thud_result result = check_unlocked(w);
     if (result != THUD_OK) {
         return result;
@@ -156,8 +156,8 @@ thud_result thud_world_use_rules(thud_world *w) {
     return make_rules(w) ? THUD_OK : td_refuse(w, THUD_ERROR_MEMORY, "use rules: out of memory");
 }
 
-thud_result thud_world_rule(const thud_world *w, uint32_t first, uint32_t second, thud_rule *out,
-                            bool *is_set, bool *reversed) {
+thud_result thud_world_get_rule(const thud_world *w, uint32_t first, uint32_t second,
+                                thud_rule *out, bool *out_is_set, bool *out_reversed) {
     if (!w) {
         return THUD_ERROR_NULL;
     }
@@ -174,17 +174,17 @@ thud_result thud_world_rule(const thud_world *w, uint32_t first, uint32_t second
     if (out) {
         *out = rule.rule;
     }
-    if (is_set) {
-        *is_set = rule.is_set;
+    if (out_is_set) {
+        *out_is_set = rule.is_set;
     }
-    if (reversed) {
-        *reversed = rule.is_set && rule.reversed;
+    if (out_reversed) {
+        *out_reversed = rule.is_set && rule.reversed;
     }
     return THUD_OK;
 }
 
 thud_result thud_world_set_filter(thud_world *w, thud_filter_fn *filter, void *context) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     thud_result result = check_unlocked(w);
     if (result != THUD_OK) {
         return result;

@@ -25,7 +25,7 @@ typedef struct td_rules {
     thud_filter_fn *filter;                      /* the caller's filter; null: none */
     void *filter_context;
     bool one_way;      /* there is a one-way rule */
-    float min_bound;   /* least most_impulse of all rules; infinite: no rule has a bound */
+    float min_bound;   /* least event_impulse of all rules; infinite: no rule has a bound */
     td_array impulses; /* thud_impulse_event, of the last step */
 } td_rules;
 
@@ -56,7 +56,7 @@ static inline const td_rule *td_rule_of_lane(const thud_world *w, const td_block
 
 /* Whether the rule has a bound of the impulse. */
 static inline bool td_rule_counts_impulses(const td_rule *rule) {
-    return rule->rule.most_impulse < __builtin_inff();
+    return rule->rule.event_impulse < __builtin_inff();
 }
 
 /* table.c */

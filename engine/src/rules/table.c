@@ -10,19 +10,19 @@ const char *td_rule_error(const thud_world *w, uint32_t first, uint32_t second,
                           const thud_rule *rule) {
     float max_speed = THUD_SURFACE_SPEED_MAX * w->unit;
     float x = rule->solid_side.x, y = rule->solid_side.y;
-    if ((unsigned)rule->meeting >= THUD_MEETING_COUNT) {
-        return "rule: meeting is none";
+    if ((unsigned)rule->kind >= THUD_RULE_KIND_COUNT) {
+        return "rule: kind is none";
     }
-    if (rule->meeting == THUD_ONE_WAY && (first & second)) {
+    if (rule->kind == THUD_RULE_ONE_WAY && (first & second)) {
         return "rule: a kind is one-way to itself";
     }
     if (!td_finite((double)x + (double)y) || (x == 0.0f && y == 0.0f)) {
         return "rule: solid_side is zero or not finite";
     }
     if (!in_range(rule->friction, 0.0f, THUD_FRICTION_MAX) ||
-        !in_range(rule->restitution, 0.0f, THUD_BOUNCE_MAX) ||
-        !in_range(rule->surface_speed, -max_speed, max_speed) || !(rule->most_impulse >= 0.0f)) {
-        return "rule: friction, restitution, surface_speed or most_impulse is out of range";
+        !in_range(rule->restitution, 0.0f, THUD_PAIR_RESTITUTION_MAX) ||
+        !in_range(rule->surface_speed, -max_speed, max_speed) || !(rule->event_impulse >= 0.0f)) {
+        return "rule: friction, restitution, surface_speed or event_impulse is out of range";
     }
     return NULL;
 }
@@ -50,8 +50,8 @@ void td_rules_look_through(thud_world *w) {
         for (int b = a; b < TD_RULE_KINDS; b++) {
             const td_rule *rule = &w->rules->table[a][b];
             if (rule->is_set) {
-                w->rules->one_way |= rule->rule.meeting == THUD_ONE_WAY;
-                w->rules->min_bound = td_min_float(w->rules->min_bound, rule->rule.most_impulse);
+                w->rules->one_way |= rule->rule.kind == THUD_RULE_ONE_WAY;
+                w->rules->min_bound = td_min_float(w->rules->min_bound, rule->rule.event_impulse);
             }
         }
     }

@@ -23,7 +23,7 @@ static const int64_t NO_STEP = INT64_MAX;
 typedef struct saved_step {
     char *image;        /* the world's snapshot, followed by the caller's state */
     size_t room, bytes; /* size of the memory at image; of the snapshot in it */
-    uint64_t hash;      /* thud_world_hash before the step */
+    uint64_t hash;      /* thud_hash_of before the step */
     uint64_t *inputs;   /* by player */
 } saved_step;
 
@@ -162,7 +162,7 @@ thud_result thud_rollback_create(thud_world *w, const thud_rollback_options *opt
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }
     size_t image;
-    thud_result result = thud_world_snapshot_size(w, &image);
+    thud_result result = thud_world_get_snapshot_size(w, &image);
     if (result != THUD_OK) {
         return result;
     }
@@ -188,16 +188,17 @@ thud_result thud_rollback_create(thud_world *w, const thud_rollback_options *opt
 
 /* ---- inputs ---- */
 
-thud_rollback_progress thud_rollback_get(const thud_rollback *r) {
-    if (!r) {
-        return (thud_rollback_progress){0};
+thud_result thud_rollback_get_progress(const thud_rollback *r, thud_rollback_progress *out) {
+    if (!r || !out) {
+        return THUD_ERROR_NULL;
     }
     int64_t confirmed = r->steps;
     for (int i = 0; i < r->options.players; i++) {
         int64_t known_before = r->players[i].known_before;
         confirmed = known_before < confirmed ? known_before : confirmed;
     }
-    return (thud_rollback_progress){r->steps, confirmed, r->replayed};
+    *out = (thud_rollback_progress){r->steps, confirmed, r->replayed};
+    return THUD_OK;
 }
 
 thud_result thud_rollback_input(thud_rollback *r, int player, int64_t step, uint64_t input) {
@@ -258,7 +259,7 @@ static thud_result restore_step(thud_rollback *r, int64_t step) {
 /* Saves world and state, as they are before a step. */
 static thud_result save_step(thud_rollback *r, saved_step *m) {
     size_t bytes;
-    thud_result result = thud_world_snapshot_size(r->world, &bytes);
+    thud_result result = thud_world_get_snapshot_size(r->world, &bytes);
     if (result != THUD_OK) {
         return result;
     }
@@ -266,7 +267,7 @@ static thud_result save_step(thud_rollback *r, saved_step *m) {
         return td_refuse(r->world, THUD_ERROR_MEMORY, "rollback: out of memory");
     }
     result = thud_world_snapshot(r->world, m->image, bytes, &m->bytes);
-    m->hash = thud_world_hash(r->world);
+    m->hash = thud_hash_of(r->world);
     if (r->options.state) {
         memcpy(m->image + m->bytes, r->options.state, r->options.state_bytes);
     }
@@ -309,12 +310,12 @@ thud_result thud_rollback_settle(thud_rollback *r) {
     return result;
 }
 
-thud_result thud_rollback_advance(thud_rollback *r, bool *made) {
+thud_result thud_rollback_advance(thud_rollback *r, bool *out_made) {
     thud_result result = thud_rollback_settle(r);
     if (result != THUD_OK) {
         return result;
     }
-    bool waits = r->steps - thud_rollback_get(r).confirmed >= r->options.depth;
+    bool waits = r->steps - thud_progress_of(r).confirmed >= r->options.depth;
     result = waits ? THUD_OK : play_step(r, r->steps);
     if (result != THUD_OK) {
         return result;
@@ -326,13 +327,14 @@ thud_result thud_rollback_advance(thud_rollback *r, bool *made) {
             r->players[i].is_known[(r->steps + r->options.depth) % input_count(r)] = false;
         }
     }
-    if (made) {
-        *made = !waits;
+    if (out_made) {
+        *out_made = !waits;
     }
     return THUD_OK;
 }
 
-thud_result thud_rollback_at(thud_rollback *r, int64_t step, uint64_t *hash, void *state) {
+thud_result thud_rollback_get_state(thud_rollback *r, int64_t step, uint64_t *out_hash,
+                                    void *out_state) {
     thud_result result = thud_rollback_settle(r);
     if (result != THUD_OK) {
         return result;
@@ -342,11 +344,11 @@ thud_result thud_rollback_at(thud_rollback *r, int64_t step, uint64_t *hash, voi
         return td_refuse(r->world, THUD_ERROR_INVALID, "rollback: that step is not kept");
     }
     const saved_step *m = now ? NULL : saved_step_of(r, step);
-    if (hash) {
-        *hash = now ? thud_world_hash(r->world) : m->hash;
+    if (out_hash) {
+        *out_hash = now ? thud_hash_of(r->world) : m->hash;
     }
-    if (state && r->options.state) {
-        memcpy(state, now ? r->options.state : m->image + m->bytes, r->options.state_bytes);
+    if (out_state && r->options.state) {
+        memcpy(out_state, now ? r->options.state : m->image + m->bytes, r->options.state_bytes);
     }
     return THUD_OK;
 }

@@ -54,7 +54,7 @@ thud_result thud_world_save(thud_world *w, const char *path, const void *own, si
         return result;
     }
     size_t world_bytes = 0, path_length = strlen(path);
-    thud_world_snapshot_size(w, &world_bytes);
+    thud_world_get_snapshot_size(w, &world_bytes);
     size_t size = sizeof(save_head) + world_bytes + bytes, total = size + path_length + 2;
     char *image = total > bytes ? td_memory_get(&w->memory, total) : NULL;
     if (!image) {
@@ -138,8 +138,8 @@ static thud_result load(thud_world *w, FILE *file, void *own, size_t bytes) {
     return result;
 }
 
-thud_result thud_world_load(thud_world *w, const char *path, void *own, size_t bytes) {
-    thud_result result = check(w, path, own, bytes);
+thud_result thud_world_load(thud_world *w, const char *path, void *out_own, size_t bytes) {
+    thud_result result = check(w, path, out_own, bytes);
     if (result != THUD_OK) {
         return result;
     }
@@ -147,7 +147,7 @@ thud_result thud_world_load(thud_world *w, const char *path, void *own, size_t b
     if (!file) {
         return td_refuse(w, THUD_ERROR_INVALID, "load: the file is not there, or cannot be read");
     }
-    result = load(w, file, own, bytes);
+    result = load(w, file, out_own, bytes);
     fclose(file);
     return result;
 }

@@ -14,15 +14,15 @@
 /* A lane is loaded if its impulse is more than this share of what carries the effective mass's
  * weight. Less may be rounding. Chosen. */
 #define LOAD_SHARE 0.01f
-/* An unloaded contact that overlaps by less than this share of TD_MEET is not pushed apart:
- * impacts.c leaves touching shapes with nearly as much overlap. */
+/* An unloaded contact that overlaps by less than this share of TD_IMPACT_DISTANCE is not pushed
+ * apart: impacts.c leaves touching shapes with nearly as much overlap. */
 #define OVERLAP_SHARE 0.25f
 
 /* The gravity of one side along the normal, length/s^2; *max: the greatest magnitude so far. */
 static double gravity_of(const thud_world *w, uint32_t side, double nx, double ny, double *max) {
     td_awake_slot slot = td_slot_of_side(side);
     const td_body *body = slot.at ? td_body_at(w, td_body_of(w, slot)) : NULL;
-    if (!body || body->kind != THUD_DYNAMIC) {
+    if (!body || body->kind != THUD_BODY_DYNAMIC) {
         return 0.0;
     }
     double x = (double)(w->def.gravity.x * body->gravity_scale);
@@ -77,39 +77,39 @@ static void note_borne(const thud_world *w, td_block *block) {
     }
 }
 
-/* Whether a pair with restitution below 1 bounces by detection: it is apart by more than TD_MEET,
- * and closes faster than the restitution threshold. Pairs that touch already, as in a heap that is
- * hit, are left to the soft solver, which solves them together. */
+/* Whether a pair with restitution below 1 bounces by detection: it is apart by more than
+ * TD_IMPACT_DISTANCE, and closes faster than the restitution threshold. Pairs that touch already,
+ * as in a heap that is hit, are left to the soft solver, which solves them together. */
 static bool bounces_lossily(const thud_world *w, const lane *l) {
     float slow = w->def.restitution_threshold * w->unit;
     bool apart = true, closes = false;
     for (int k = 0; k < l->points; k++) {
         const td_point *p = &l->block->point[k];
         bool here = p->normal_mass[l->index] > 0.0f;
-        apart &= !here || p->separation[l->index] + w->skin > TD_MEET * w->unit;
-        closes |= here && td_history_of(l->block, l->points)[k].approach[l->index] < -slow;
+        apart &= !here || p->separation[l->index] + w->skin > TD_IMPACT_DISTANCE * w->unit;
+        closes |= here && td_history_of(l->block, l->points)[k].normal_velocity[l->index] < -slow;
     }
     return apart && closes;
 }
 
 /* Whether a pair with restitution 1 or more bounces: its speed where it meets is above the
  * threshold. By energy, speed^2 = closing^2 + 2 gravity distance. A loaded pair rests a skin apart,
- * and meets there; any other meets at TD_MEET. */
+ * and meets there; any other meets at TD_IMPACT_DISTANCE. */
 static bool bounces_elastically(const thud_world *w, const lane *l) {
     double nx = (double)l->block->nx[l->index], ny = (double)l->block->ny[l->index], max = 0.0;
     double pull = gravity_of(w, l->block->a[l->index], nx, ny, &max);
     pull = td_max_double(pull - gravity_of(w, l->block->b[l->index], nx, ny, &max), 0.0);
     double rest = (is_borne(w, l) ? TD_BOUNCE_BORNE : FLIGHT_REST) * max * w->def.time_step;
     double slow = td_min_double(rest, (double)(w->def.restitution_threshold * w->unit));
-    double meets_at = (double)((l->loaded ? TD_SKIN : TD_MEET) * w->unit);
+    double meets_at = (double)((l->loaded ? TD_SKIN : TD_IMPACT_DISTANCE) * w->unit);
     bool apart = true, fast = false;
     for (int k = 0; k < l->points; k++) {
         const td_point *p = &l->block->point[k];
-        double closing = (double)td_history_of(l->block, l->points)[k].approach[l->index];
+        double closing = (double)td_history_of(l->block, l->points)[k].normal_velocity[l->index];
         double distance = (double)(p->separation[l->index] + w->skin);
         double speed2 = closing * closing + 2.0 * pull * td_max_double(distance - meets_at, 0.0);
         bool here = p->normal_mass[l->index] > 0.0f;
-        apart &= !here || distance > -(double)(TD_MEET * w->unit);
+        apart &= !here || distance > -(double)(TD_IMPACT_DISTANCE * w->unit);
         fast |= here && speed2 >= slow * slow;
     }
     return apart && fast;
@@ -120,9 +120,10 @@ static bool bounces_elastically(const thud_world *w, const lane *l) {
 static void clear_overlap(const thud_world *w, const lane *l) {
     for (int k = 0; k < l->points; k++) {
         td_point *p = &l->block->point[k];
-        float distance = p->base[l->index] + w->skin;
-        if (p->base[l->index] < 0.0f && distance > -OVERLAP_SHARE * TD_MEET * w->unit) {
-            p->separation[l->index] = p->base[l->index] = 0.0f;
+        float distance = p->start_separation[l->index] + w->skin;
+        if (p->start_separation[l->index] < 0.0f &&
+            distance > -OVERLAP_SHARE * TD_IMPACT_DISTANCE * w->unit) {
+            p->separation[l->index] = p->start_separation[l->index] = 0.0f;
         }
     }
 }
@@ -133,7 +134,7 @@ static void mute_if_bouncing(thud_world *w, td_block *block, int index) {
     const thud_detection *detection = td_detection_of(w, contact->body[0], contact->body[1]);
     /* Bodies of joints are held back where they meet (detection/impacts.c), and bounce by the soft
      * solver. */
-    if (!detection->meet || td_is_tied(w, td_body_at(w, contact->body[0])->awake) ||
+    if (!detection->time_of_impact || td_is_tied(w, td_body_at(w, contact->body[0])->awake) ||
         td_is_tied(w, td_body_at(w, contact->body[1])->awake)) {
         return;
     }

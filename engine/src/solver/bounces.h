@@ -14,9 +14,9 @@
  * the pair must not begin to bounce from that alone. Chosen. */
 #define TD_BOUNCE_BORNE 4.0
 
-/* Mutes the lanes of the pairs that bounce within this step. Needs the narrowphase's approach
- * speeds, the settings of this step, and the trajectories, whose `borne` it sets for bodies that
- * contacts carry. */
+/* Mutes the lanes of the pairs that bounce within this step. Needs the narrowphase's normal
+ * velocities, the settings of this step, and the trajectories, whose `borne` it sets for bodies
+ * that contacts carry. */
 void td_bounces_take(thud_world *w);
 
 #endif

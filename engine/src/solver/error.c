@@ -4,7 +4,7 @@
 #include "state/kinds.h"
 #include "constraint/lanes.h"
 
-void td_error_settle(thud_world *w) {
+void td_errors_resum_kinetic(thud_world *w) {
     double kinetic = TD_PICK_WIDE(w, td_kinetic_energy)(w);
     w->errors.energy_change += kinetic - w->kinetic;
     w->kinetic = kinetic;
@@ -12,25 +12,25 @@ void td_error_settle(thud_world *w) {
 
 /* The kinetic energy at the end of the last step is stale where a body has woken, fallen asleep or
  * been edited since. */
-void td_error_begin(thud_world *w) {
+void td_errors_begin(thud_world *w) {
     if (w->kinetic_stale) {
-        td_error_settle(w);
+        td_errors_resum_kinetic(w);
     }
     w->errors = (td_errors){.energy_change = -w->kinetic};
 }
 
-void td_error_add(thud_world *w, const td_tally *found) {
+void td_errors_add_tally(thud_world *w, const td_tally *tally) {
     td_errors *e = &w->errors;
     for (int i = 0; i < TD_LANES; i++) {
-        e->points += found->points[i];
-        e->overlaps += found->overlaps[i];
-        e->deepest = td_max_float(e->deepest, -found->min_distance[i]);
-        e->residual = td_max_float(e->residual, -found->slowest[i]);
+        e->points += tally->points[i];
+        e->overlaps += tally->overlaps[i];
+        e->deepest = td_max_float(e->deepest, -tally->min_distance[i]);
+        e->residual = td_max_float(e->residual, -tally->min_speed[i]);
     }
-    e->depth += found->depth[0] + found->depth[1] + found->depth[2] + found->depth[3];
+    e->depth += tally->depth[0] + tally->depth[1] + tally->depth[2] + tally->depth[3];
 }
 
-float td_error_overlap(const thud_world *w) {
+float td_overlap_depth_min(const thud_world *w) {
     return w->def.max_error > 0.0 ? (float)w->def.max_error : TD_SLOP * w->unit;
 }
 
@@ -56,7 +56,7 @@ static void count_block(thud_world *w, const td_block *block, int points) {
             float depth = td_max_float(-(separation + w->skin), 0.0f);
             float speed = speed_of(w, block, p, lane) + td_max_float(separation, 0.0f) * inv_h;
             e->points++;
-            e->overlaps += depth > td_error_overlap(w);
+            e->overlaps += depth > td_overlap_depth_min(w);
             e->depth += (double)depth * w->to_fixed;
             e->deepest = td_max_float(e->deepest, depth);
             /* The order of operands leaves out not-a-number, as of a body that will be quarantined.
@@ -66,7 +66,7 @@ static void count_block(thud_world *w, const td_block *block, int points) {
     }
 }
 
-void td_error_recount(thud_world *w) {
+void td_errors_recount(thud_world *w) {
     w->errors = (td_errors){.energy_change = w->errors.energy_change};
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, i);

@@ -1,53 +1,72 @@
-/* error.h: the error statistics of a step, summed up by the solver, td_finalize and detection, and
- * read by thud_world_error. */
+/* error.h: the error statistics of a step (td_errors, which thud_world_get_step_error returns):
+ * overlaps of contacts, the speeds that rows miss (residual), the change of energy, and the longest
+ * motion that detection cut off (shortfall).
+ *
+ * The solver counts contact points in its last relax pass, and td_finalize sums up energies.
+ * Detection (continuous.c, impacts.c), which runs after both, corrects the energy change and sets
+ * the shortfall; the contact points are then out of date, and counted anew when the caller reads
+ * the statistics (step_error.c). */
 #ifndef TD_ERROR_H
 #define TD_ERROR_H
 
+#include "solver/motion.h"
 #include "state/world.h"
 
-/* Before the solver: resets the statistics, and takes the kinetic energy as it is for the start. */
-void td_error_begin(thud_world *w);
+/* Before the solver: resets the statistics. The energy change begins at minus the kinetic energy
+ * that bodies have now; td_finalize adds that at the end of the step. */
+void td_errors_begin(thud_world *w);
 
-/* Adds the statistics of the contact points that one worker has solved. */
-void td_error_add(thud_world *w, const td_tally *found);
+/* Adds the statistics of the contact points and joints that one worker has solved. */
+void td_errors_add_tally(thud_world *w, const td_tally *tally);
 
-/* Corrects the energy change after detection has shortened the motion of a body by (x, y): gravity
- * did no work on that part. */
-static inline void td_error_follow(thud_world *w, td_awake_slot slot, float x, float y) {
-    float fall = w->def.gravity.x * x + w->def.gravity.y * y;
-    float taken = *TD_AT(float, &w->weight, slot.at) * fall, max = 1e37f; /* TD_ENERGY_MAX */
-    w->errors.energy_change += (double)td_max_float(td_min_float(taken, max), -max);
+/* The energy change is the gain of kinetic energy less the work of gravity along the whole motion
+ * of the step. (x, y) is the part of a body's motion that detection has cut off, in world axes:
+ * adds the work of gravity along it, which was not done. */
+static inline void td_errors_undo_gravity_work(thud_world *w, td_awake_slot slot, float x,
+                                               float y) {
+    float work_per_mass = w->def.gravity.x * x + w->def.gravity.y * y;
+    float undone_work = *TD_AT(float, &w->gravity_mass, slot.at) * work_per_mass;
+    w->errors.energy_change +=
+        (double)td_max_float(td_min_float(undone_work, TD_ENERGY_MAX), -TD_ENERGY_MAX);
 }
 
-/* After detection has changed velocities: sums up the kinetic energy anew. Contact points are
- * counted anew by td_error_of_step, on request. */
-void td_error_settle(thud_world *w);
+/* After detection has changed velocities: sums up the kinetic energy anew, and adds its change to
+ * the energy change. The corrections of td_errors_undo_gravity_work stay, whichever is called
+ * first. */
+void td_errors_resum_kinetic(thud_world *w);
 
-/* Detection stopped a body (x, y) before the end of its motion: keeps the longest, squared. */
-static inline void td_error_fall_short(thud_world *w, float x, float y) {
-    float lacks = x * x + y * y;
-    if (lacks > w->errors.shortfall) {
-        w->errors.shortfall = lacks;
+/* Detection stopped a body (x, y) before the end of its motion: keeps the longest such distance,
+ * squared. */
+static inline void td_errors_note_shortfall(thud_world *w, float x, float y) {
+    float missed_squared = x * x + y * y;
+    if (missed_squared > w->errors.shortfall_squared) {
+        w->errors.shortfall_squared = missed_squared;
     }
 }
 
-/* Whether detection changed motions after points were counted: projections, held bodies or impacts.
- */
-static inline bool td_error_has_moved(const thud_world *w) {
-    return w->errors.moved || w->stats.held_bodies > 0 || w->stats.impacts > 0;
+/* Whether detection changed motions after the solver counted contact points, so that their
+ * statistics and the separations of lanes are out of date: gaps.c projected the motions so that
+ * touching shapes do not overlap (errors.projected), a body was held back (held_bodies), or an
+ * impact changed velocities within the step (impacts). */
+static inline bool td_errors_points_stale(const thud_world *w) {
+    return w->errors.projected || w->stats.held_bodies > 0 || w->stats.impacts > 0;
 }
 
-/* step_error.c: the separation of a touching contact's point for the poses at the end of the step,
- * where td_error_has_moved. */
-float td_error_separation(const thud_world *w, const td_constraint *contact, int point);
-/* The statistics of the step, with points counted anew where detection moved bodies. */
-td_errors td_error_of_step(const thud_world *w);
+/* step_error.c: the separation of a point of a touching contact for the poses at the end of the
+ * step. Unless td_errors_points_stale, the lane's separation is that already. */
+float td_errors_separation(const thud_world *w, const td_constraint *contact, int point);
+/* step_error.c: the statistics of the step; if td_errors_points_stale, with contact points counted
+ * anew, which is a pass over all contacts. */
+td_errors td_errors_of_step(const thud_world *w);
 
-/* Counts all contact points anew from their present separations and velocities, after a stage has
- * solved some of them again. It is a pass over all contacts. */
-void td_error_recount(thud_world *w);
+/* Counts all contact points and joints anew from the present separations of their lanes and the
+ * present velocities: after the direct solver, or yielding joints (joint_yield.c), have replaced
+ * results of the soft solver. It is a pass over all blocks. The residual is final then:
+ * td_errors_of_step does not count it anew. */
+void td_errors_recount(thud_world *w);
 
-/* The penetration depth from which on a point counts as an overlap. */
-float td_error_overlap(const thud_world *w);
+/* The penetration depth above which a contact point counts as an overlap, length: max_error, or
+ * TD_SLOP length scales where that is 0. */
+float td_overlap_depth_min(const thud_world *w);
 
 #endif

@@ -34,10 +34,10 @@ static void quarantine(thud_world *w, td_body_index index) {
     for (int e = body->first_constraint; e != TD_NONE;) {
         int next = td_next_edge(w, e);
         if (!td_contact_end_reserve(w, 1)) {
-            td_constraint_at(w, e / 2)->open =
+            td_constraint_at(w, td_edge_constraint(e))->open =
                 0; /* without memory for its end event the contact ends without one */
         }
-        td_contact_destroy(w, e / 2);
+        td_contact_destroy(w, td_edge_constraint(e));
         e = next;
     }
     td_tied_leave(w, slot);
@@ -84,7 +84,7 @@ void td_finalize(thud_world *w) {
         }
         move(w, index, delta);
         td_body_place_shapes(w, index);
-        if (w->detections[TD_RANK_CONTINUOUS] && td_row(&w->velocity, slot)[3] > 0.0f &&
+        if (w->detections[TD_RANK_CONTINUOUS] && td_inv_mass_of(w, slot) > 0.0f &&
             delta[0] * delta[0] + delta[1] * delta[1] > 0.25f * reach[0] * reach[0]) {
             td_push_slot(&w->scratch.fast, slot);
         }

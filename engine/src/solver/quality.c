@@ -1,4 +1,6 @@
-/* quality.c: checks and applies qualities, and the public calls that set them; see quality.h. */
+/* quality.c: checks a quality (thud_quality.h: substeps, contact softness, detection, island
+ * solver) and makes the world use it; and the public calls that set the quality and max_error. See
+ * quality.h. */
 #include "solver/quality.h"
 
 #include "constraint/joint_hooks.h"
@@ -16,14 +18,15 @@ const char *td_quality_error(const thud_quality *q, td_reason *why) {
                     THUD_CONTACT_STIFFNESS_MIN, THUD_CONTACT_STIFFNESS_MAX) &&
         td_float_in(why, "quality: contact_damping", q->contact_damping, 0.0f,
                     THUD_CONTACT_DAMPING_MAX) &&
-        td_float_in(why, "quality: sag_limit", q->sag_limit, 0.0f, __builtin_inff()) &&
+        td_float_in(why, "quality: overlap_limit", q->overlap_limit, 0.0f, __builtin_inff()) &&
         td_in(why, "quality: island_limit", q->island_limit, 1.0, THUD_ISLAND_LIMIT_MAX) &&
         td_in(why, "quality: island_work", (double)q->island_work, 0.0, (double)INT64_MAX) &&
-        td_in(why, "quality: island_patience", q->island_patience, 0.0, THUD_ISLAND_PATIENCE_MAX);
+        td_in(why, "quality: island_slow_steps", q->island_slow_steps, 0.0,
+              THUD_ISLAND_SLOW_STEPS_MAX);
     return in ? NULL : why->text;
 }
 
-const char *td_max_error_error(double max_error, const thud_quality *quality, td_reason *why) {
+const char *td_check_max_error(double max_error, const thud_quality *quality, td_reason *why) {
     if (!td_in(why, "max_error", max_error, 0.0, THUD_MAX_ERROR_MAX)) {
         return why->text;
     }
@@ -32,30 +35,36 @@ const char *td_max_error_error(double max_error, const thud_quality *quality, td
 }
 
 /* Sets the detection of the world, and of all bodies that have none of their own, and the skin: the
- * distance at which contacts rest, so that swept shapes begin a step apart. Overlap and continuous
- * have none. */
+ * gap that the solver leaves between resting shapes, so that shapes do not touch yet when `bisect`
+ * or `swept` moves them on from there. `overlap` and `continuous` leave none. w->quality is set
+ * already. */
 static void set_detection(thud_world *w, const thud_detection *detection) {
-    /* Contacts of directly solved islands do not sink in under load, so that a thin skin is enough.
-     */
-    bool direct = w->quality.islands && w->quality.sag_limit == 0.0f;
-    float skin = detection->rank < TD_RANK_BISECT ? 0.0f : (direct ? TD_MEET : TD_SKIN) * w->unit;
+    /* At overlap_limit 0 the island solver solves every island. Contacts do not give way under a
+     * load then, so that a thinner gap is enough. */
+    bool direct = w->quality.islands && w->quality.overlap_limit == 0.0f;
+    float gap = direct ? TD_IMPACT_DISTANCE : TD_SKIN; /* length scales */
+    float skin = detection->rank >= TD_RANK_BISECT ? gap * w->unit : 0.0f;
     w->detections[detection->rank] = detection;
     for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         td_body *body = td_body_at(w, i);
-        if (!(body->flags & TD_BODY_CHOSE)) {
+        if (!(body->flags & TD_BODY_OWN_DETECTION)) {
             body->detection = detection;
         }
     }
-    for (int i = 0; i < w->constraints.count && skin != w->skin; i++) {
+    if (skin == w->skin) {
+        return;
+    }
+    w->skin = skin;
+    /* Lanes hold separations less the skin: the next narrowphase computes all of them again. */
+    for (int i = 0; i < w->constraints.count; i++) {
         const td_constraint *constraint = td_constraint_at(w, i);
         if (constraint->live && constraint->state == TD_TOUCHING) {
             td_lane_renew(w, i);
         }
     }
-    w->skin = skin;
 }
 
-/* Multiplies the warm-start impulses of all acting constraints. */
+/* Multiplies the warm-start impulses of all constraints that act, contacts and joints. */
 static void scale_impulses(thud_world *w, float scale) {
     for (int i = 0; i < w->constraints.count; i++) {
         const td_constraint *constraint = td_constraint_at(w, i);
@@ -76,14 +85,16 @@ int td_substeps_asked(const thud_world *w) {
 
 void td_substeps_set(thud_world *w, int substeps) {
     if (substeps != w->substeps) {
+        /* An impulse of one substep is a force times the length of a substep. */
         scale_impulses(w, (float)w->substeps / (float)substeps);
         w->substeps = substeps;
-        w->push_stale = true;
+        w->substep_gain_stale = true;
     }
 }
 
-void td_quality_take(thud_world *w, const thud_quality *quality) {
+void td_quality_apply(thud_world *w, const thud_quality *quality) {
     w->quality = *quality;
+    /* A value of 0 in the def is not set, and leaves that of the quality. */
     if (w->def.contact_stiffness != 0.0f) {
         w->quality.contact_stiffness = w->def.contact_stiffness;
     }
@@ -93,6 +104,7 @@ void td_quality_take(thud_world *w, const thud_quality *quality) {
     if (w->def.detection) {
         w->quality.detection = w->def.detection;
     }
+    /* In a world with joints the direct solver is the one that knows joints: joint_hooks.h. */
     if (w->joint_hooks && w->quality.islands) {
         w->quality.islands = w->joint_hooks->islands;
     }
@@ -101,20 +113,20 @@ void td_quality_take(thud_world *w, const thud_quality *quality) {
 }
 
 thud_result thud_world_set_quality(thud_world *w, const thud_quality *quality) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w || !quality) {
         return td_refuse(w, THUD_ERROR_NULL, "set quality: world or quality is null");
     }
     td_reason why;
     const char *error = td_quality_error(quality, &why);
-    error = error ? error : td_max_error_error(w->def.max_error, quality, &why);
+    error = error ? error : td_check_max_error(w->def.max_error, quality, &why);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }
     if (w->locked) {
         return td_refuse(w, THUD_ERROR_LOCKED, "set quality: not inside a callback");
     }
-    td_quality_take(w, quality);
+    td_quality_apply(w, quality);
     td_wake_all(w);
     return THUD_OK;
 }
@@ -124,7 +136,7 @@ thud_result thud_world_set_max_error(thud_world *w, double max_error) {
         return THUD_ERROR_NULL;
     }
     td_reason why;
-    const char *error = td_max_error_error(max_error, &w->quality, &why);
+    const char *error = td_check_max_error(max_error, &w->quality, &why);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }

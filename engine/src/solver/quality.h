@@ -5,14 +5,15 @@
 #include "base/reason.h"
 #include "state/world.h"
 
-/* The reason why a quality is invalid, or null; `why` is where its text is put together. */
+/* The reason why a quality is invalid, or null; the text may be in `why`. */
 const char *td_quality_error(const thud_quality *quality, td_reason *why);
 
-/* The reason why a world's max_error is invalid at this quality, or null. */
-const char *td_max_error_error(double max_error, const thud_quality *quality, td_reason *why);
+/* The reason why a max_error (thud_world_def: a depth, 0: none) is invalid at this quality, or
+ * null; the text may be in `why`. Only an island solver can keep to one. */
+const char *td_check_max_error(double max_error, const thud_quality *quality, td_reason *why);
 
 /* Applies a quality's settings, except for those that the world's def sets itself. */
-void td_quality_take(thud_world *w, const thud_quality *quality);
+void td_quality_apply(thud_world *w, const thud_quality *quality);
 
 /* The number of substeps that the def sets, or else the quality. */
 int td_substeps_asked(const thud_world *w);

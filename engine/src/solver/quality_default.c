@@ -13,8 +13,8 @@ const thud_quality thud_quality_default = {
     .contact_damping = 10.0f,
     .detection = &thud_detection_continuous,
     .islands = &thud_islands_direct,
-    .sag_limit = 0.01f,
+    .overlap_limit = 0.01f,
     .island_limit = 512,
     .island_work = 15000,
-    .island_patience = 5,
+    .island_slow_steps = 5,
 };

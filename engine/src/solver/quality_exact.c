@@ -12,8 +12,8 @@ const thud_quality thud_quality_exact = {
     .contact_damping = 10.0f,
     .detection = &thud_detection_swept,
     .islands = &thud_islands_direct,
-    .sag_limit = 0.0f,
+    .overlap_limit = 0.0f,
     .island_limit = 4096,
     .island_work = 1000000000,
-    .island_patience = 0,
+    .island_slow_steps = 0,
 };

@@ -13,8 +13,8 @@ const thud_quality thud_quality_high = {
     .contact_damping = 10.0f,
     .detection = &thud_detection_continuous,
     .islands = &thud_islands_direct,
-    .sag_limit = 0.0f,
+    .overlap_limit = 0.0f,
     .island_limit = 2048,
     .island_work = 2000000,
-    .island_patience = 5,
+    .island_slow_steps = 5,
 };

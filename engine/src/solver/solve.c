@@ -63,12 +63,12 @@ static td_solve_context solve_context(const thud_world *w, float h) {
     td_solve_context c = {
         .velocity = w->velocity.data,
         .delta = w->delta.data,
-        .push = w->push.data,
+        .substep_gain = w->substep_gain.data,
         .inv_h = 1.0f / h,
         .substeps = (float)w->substeps,
         .time_step = time,
         .push_speed = w->def.push_speed * w->unit,
-        .joint_closing = TD_JOINT_CLOSING * w->unit,
+        .joint_closing_speed = TD_JOINT_CLOSING_SPEED * w->unit,
         .bounce_speed = -w->def.restitution_threshold * w->unit,
         .fall = gravity_speed * time,
     };
@@ -95,22 +95,23 @@ static float infinity_to_nan(float x) {
  * may have changed. Forces act for one step: they are cleared, and the next step computes it again.
  */
 static void refresh_push(thud_world *w, float h) {
-    if (!w->push_stale) {
+    if (!w->substep_gain_stale) {
         return;
     }
-    w->push_stale = false;
+    w->substep_gain_stale = false;
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         td_body *body = td_body_at(w, td_body_of(w, slot));
-        float *push = td_row(&w->push, slot);
-        memset(push, 0, sizeof(float[4]));
-        if (body->kind == THUD_DYNAMIC) {
+        float *substep_gain = td_row(&w->substep_gain, slot);
+        memset(substep_gain, 0, sizeof(float[4]));
+        if (body->kind == THUD_BODY_DYNAMIC) {
             const float *force = body->force;
             float scale = body->gravity_scale, inv_mass = body->inv_mass;
-            push[0] = infinity_to_nan(h * (w->def.gravity.x * scale + force[0] * inv_mass));
-            push[1] = infinity_to_nan(h * (w->def.gravity.y * scale + force[1] * inv_mass));
-            push[2] = infinity_to_nan(h * force[2] * body->inv_inertia);
+            substep_gain[0] = infinity_to_nan(h * (w->def.gravity.x * scale + force[0] * inv_mass));
+            substep_gain[1] = infinity_to_nan(h * (w->def.gravity.y * scale + force[1] * inv_mass));
+            substep_gain[2] = infinity_to_nan(h * force[2] * body->inv_inertia);
         }
-        w->push_stale |= body->force[0] != 0.0f || body->force[1] != 0.0f || body->force[2] != 0.0f;
+        w->substep_gain_stale |=
+            body->force[0] != 0.0f || body->force[1] != 0.0f || body->force[2] != 0.0f;
         memset(body->force, 0, sizeof body->force);
     }
 }
@@ -181,13 +182,13 @@ static void solve_chunk(void *work, int index) {
     const td_chunk *chunk = TD_AT(td_chunk, &w->scratch.chunks, s->first_chunk + index);
     const td_run *run = TD_AT(td_run, &w->scratch.runs, chunk->run);
     const td_constraint_ops *pair = w->kinds[run->kind];
-    const td_solve_ops *ops = run->armed ? pair->solve : pair->solve_unarmed;
+    const td_solve_ops *ops = run->has_offsets ? pair->solve : pair->solve_centered;
     td_block *const *blocks = (td_block **)w->scratch.blocks.data + chunk->first;
     td_solve_fn *const *fns = s->which == WARM_START ? ops->warm_start
                               : s->which == BRACE    ? ops->brace
                               : s->which == SOLVE    ? ops->solve
                                                      : ops->relax;
-    td_solve_fn *solve = s->which == BOUNCE ? ops->bounce : fns[run->fixed];
+    td_solve_fn *solve = s->which == BOUNCE ? ops->bounce : fns[run->a_static];
     if (!solve) {
         return;
     }
@@ -242,7 +243,7 @@ static td_motion_context part_of(const solving *s, int chunk) {
     part.velocity += first;
     part.delta += first;
     part.start += first;
-    part.push += first;
+    part.substep_gain += first;
     part.damping = m->damping ? m->damping + first : NULL;
     part.count = td_min_int(m->count - first, size);
     return part;
@@ -283,20 +284,20 @@ static bool bounce(solving *s) {
     return passes > 1;
 }
 
-/* One chunk, for one worker: sums up the powers of torn joints, and sets td_solve_context.adds
+/* One chunk, for one worker: sums up the work of torn joints, and sets td_solve_context.adds
  * where their impulses may have added energy. */
 static void judge_energy(void *work, int chunk) {
     const solving *s = work;
     (void)chunk;
-    bool adds = s->w->joint_hooks->adds_energy(s->w, s->relaxed);
+    bool adds = s->w->joint_hooks->may_add_energy(s->w, s->relaxed);
     atomic_store_explicit(s->contacts.adds, adds, memory_order_relaxed);
 }
 
 /* One chunk, for one worker: computes the share of their impulses that torn joints keep. */
-static void weigh_impulses(void *work, int chunk) {
+static void set_kept_shares(void *work, int chunk) {
     const solving *s = work;
     (void)chunk;
-    s->w->joint_hooks->weigh(s->w, s->relaxed);
+    s->w->joint_hooks->set_shares(s->w, s->relaxed);
 }
 
 static void brace_pass(solving *s, td_brace stage) {
@@ -308,22 +309,22 @@ static void brace_pass(solving *s, td_brace stage) {
  * (bracing, joints/joint_brace.c). Torn: open by more than one substep's bias closes. False where
  * they added none, and nothing was done. */
 static bool brace(solving *s) {
-    brace_pass(s, TD_BRACE_AFTER);
+    brace_pass(s, TD_BRACE_WORK_WITH);
     td_worker_walk(&s->worker, 1, judge_energy, s);
     /* A worker that is late may still read this flag, so that each bracing has its own. */
     bool adds = atomic_load_explicit(s->contacts.adds, memory_order_relaxed);
     s->contacts.adds++;
     if (adds) {
-        brace_pass(s, TD_BRACE_TAKE);
-        brace_pass(s, TD_BRACE_BEFORE);
-        td_worker_walk(&s->worker, 1, weigh_impulses, s);
-        brace_pass(s, TD_BRACE_KEEP);
+        brace_pass(s, TD_BRACE_REMOVE);
+        brace_pass(s, TD_BRACE_WORK_WITHOUT);
+        td_worker_walk(&s->worker, 1, set_kept_shares, s);
+        brace_pass(s, TD_BRACE_APPLY_SHARE);
     }
     return adds;
 }
 
-/* Whether the warm start of this step found a joint that is torn. */
-static bool is_torn(const solving *s) {
+/* Whether the warm start of this step found a torn joint (flag_torn, joints/wide_joint.h). */
+static bool has_torn_joint(const solving *s) {
     return atomic_load_explicit(s->contacts.torn, memory_order_relaxed);
 }
 
@@ -350,9 +351,9 @@ static void run_passes(void *argument) {
         if (i == 0) {
             walk(s, WARM_START);
         }
-        if (is_torn(s)) {
+        if (has_torn_joint(s)) {
             if (i > 0) {
-                brace_pass(s, TD_BRACE_GIVE);
+                brace_pass(s, TD_BRACE_WARM_START);
             }
             brace(s);
         }
@@ -361,7 +362,7 @@ static void run_passes(void *argument) {
         s->contacts.last = i == last;
         walk(s, RELAX);
         s->relaxed = true;
-        if (is_torn(s) && s->w->joint_hooks->gape(s->w) && brace(s)) {
+        if (has_torn_joint(s) && s->w->joint_hooks->wide_open(s->w) && brace(s)) {
             relax_again(s);
         }
         s->relaxed = false;
@@ -389,12 +390,12 @@ void td_solve(thud_world *w) {
         .motion = {.velocity = w->velocity.data,
                    .delta = w->delta.data,
                    .start = w->start.data,
-                   .push = w->push.data,
+                   .substep_gain = w->substep_gain.data,
                    .damping = w->damped ? w->damping.data : NULL,
                    .count = w->body_of.count,
                    .h = h,
                    .max_speed = w->def.maximum_speed * w->unit},
-        .tally = {.skin = w->skin, .overlap = td_error_overlap(w), .to_fixed = w->to_fixed},
+        .tally = {.skin = w->skin, .overlap = td_overlap_depth_min(w), .to_fixed = w->to_fixed},
         .tallies = tallies,
         .task = &task,
         .bounced = bounced,
@@ -403,9 +404,9 @@ void td_solve(thud_world *w) {
     s.contacts.torn = &torn;
     s.contacts.adds = adds;
     memset(tallies, 0, (size_t)task.workers * sizeof *tallies);
-    td_error_begin(w);
+    td_errors_begin(w);
     td_job_run(w, &task, run_passes, &s);
     for (int i = 0; i < task.workers; i++) {
-        td_error_add(w, &tallies[i]);
+        td_errors_add_tally(w, &tallies[i]);
     }
 }

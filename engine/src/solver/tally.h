@@ -10,9 +10,10 @@
 
 /* What a worker has found, in eight parts, one a lane. All zeros: nothing. */
 typedef struct td_tally {
-    d4 depth;            /* sum of penetration depths, in whole position quanta */
-    f8 min_distance;     /* least distance of the shapes at a point, <= 0: overlap */
-    f8 slowest;          /* least normal speed before the last relax pass corrects it, <= 0 */
+    d4 depth;        /* sum of penetration depths, in whole position quanta */
+    f8 min_distance; /* of the shapes at a point; negative: they overlap. Never above 0 */
+    f8 min_speed;    /* normal speed of a point before the last relax pass corrects it, length/s;
+                        negative: closing. Of an equality row -|speed|. Never above 0 */
     i8 points, overlaps; /* number of points, and of those deeper than td_tally_context.overlap */
 } td_tally;
 

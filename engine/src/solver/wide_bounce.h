@@ -26,9 +26,9 @@ TD_INLINE f8 energy_of(const td_block *block, const sides *v) {
 }
 
 /* Velocities without what gravity and forces have added in the substeps. */
-TD_INLINE td_rows without_forces(td_rows v, td_rows push, f8 substeps) {
-    return (td_rows){v.x - substeps * push.x, v.y - substeps * push.y, v.z - substeps * push.z,
-                     v.w};
+TD_INLINE td_rows without_forces(td_rows v, td_rows substep_gain, f8 substeps) {
+    return (td_rows){v.x - substeps * substep_gain.x, v.y - substeps * substep_gain.y,
+                     v.z - substeps * substep_gain.z, v.w};
 }
 
 /* The normal impulses of the points that are hit; `lacks` is their speed less the target speed,
@@ -83,8 +83,8 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
     bool last = c->bounce == TD_BOUNCE_LAST, any = false;
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
-        bool fixed = block->a[0] == 0;
-        if (!block->bouncy || (fixed && last)) {
+        bool a_static = block->a[0] == 0;
+        if (!block->bouncy || (a_static && last)) {
             continue;
         }
         td_surface *surface = td_surface_at(block, points);
@@ -96,7 +96,8 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
                 history[k].total = zero;
             }
         }
-        sides v = read_sides(c->velocity, block, fixed), g = read_sides(c->push, block, fixed);
+        sides v = read_sides(c->velocity, block, a_static),
+              g = read_sides(c->substep_gain, block, a_static);
         f8 closing = centres_along(&v, false, block->nx, block->ny);
         f8 falling = centres_along(&g, false, block->nx, block->ny);
         f8 e = block->restitution, speed[2], target[2], lacks[2];
@@ -108,7 +109,7 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
             const td_point *p = &block->point[k];
             speed[k] = at_point(closing, &v, false, ARMS_ALL, p);
             if (last) {
-                target[k] = -e * history[k].approach;
+                target[k] = -e * history[k].normal_velocity;
                 hit[k] = bounced & (speed[k] < target[k]);
             } else {
                 /* A substep adds gravity to velocities before it moves bodies, so that velocities
@@ -117,7 +118,7 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
                 f8 behind = half * at_point(falling, &g, false, ARMS_ALL, p);
                 target[k] = -share * (speed[k] + behind) - behind;
                 hit[k] = (speed[k] < slow) & (e > zero) &
-                         (p->base + speed[k] * f8_all(c->time_step) < f8_all(c->fall));
+                         (p->start_separation + speed[k] * f8_all(c->time_step) < f8_all(c->fall));
             }
             lacks[k] = speed[k] - target[k];
             hits |= hit[k];
@@ -151,7 +152,7 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
             change.tangent = impact_friction(c, block, points, &v, change.normal);
             surface->total += change.tangent;
         }
-        apply_impulses(c, block, points, ARMS_ALL, fixed, true, v, change);
+        apply_impulses(c, block, points, ARMS_ALL, a_static, true, v, change);
     }
     if (any) {
         atomic_store_explicit(c->bounced, true, memory_order_relaxed);

@@ -6,11 +6,7 @@
 #ifndef TD_WIDE_ENERGY_H
 #define TD_WIDE_ENERGY_H
 
-#include "base/simd.h"
-
-/* Bound of a single body's energy, a tenth of the greatest float, so that sums of a few stay
- * finite. */
-#define TD_ENERGY_MAX 1e37f
+#include "solver/motion.h"
 
 /* (m v^2 + I w^2) / 2, or TD_ENERGY_MAX where that is not finite. */
 TD_INLINE f8 td_kinetic_of(const td_rows *v, const float *mass, const float *inertia) {

@@ -80,7 +80,7 @@ TD_INLINE void renew_bounds(thud_world *w, int shape, f4 fat) {
     td_bounds *bounds = td_fat_at(w, shape);
     uint8_t *marks = td_marks_at(w, shape);
     if (!(*marks & TD_MARK_MOVED)) {
-        *td_was_at(w, shape) = *bounds;
+        *td_previous_fat_at(w, shape) = *bounds;
         *marks |= TD_MARK_MOVED;
         td_push_int(&w->moved, shape);
     }
@@ -93,12 +93,13 @@ TD_INLINE td_rows load_eight(const void *const records[TD_LANES], size_t offset)
     for (int i = 0; i < TD_LANES; i++) {
         r[i] = (const float *)(const void *)((const char *)records[i] + offset);
     }
-    return td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
+    return td_transpose(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]),
+                        f8_two(r[3], r[7]));
 }
 
 TD_INLINE void store_eight(void *const records[TD_LANES], size_t offset, td_rows v) {
     f4 r[TD_LANES];
-    td_turn_back(v, r);
+    td_transpose_back(v, r);
     for (int i = 0; i < TD_LANES; i++) {
         __builtin_memcpy((char *)records[i] + offset, &r[i], sizeof r[i]);
     }
@@ -133,7 +134,7 @@ TD_INLINE td_rows move_eight(const thud_world *w, td_awake_slot first, void *con
     for (int i = 0; i < 4; i++) {
         r[i] = __builtin_shufflevector(coarse[i], coarse[i + 4], 0, 1, 2, 3, 4, 5, 6, 7);
     }
-    return td_turn(r[0], r[1], r[2], r[3]);
+    return td_transpose(r[0], r[1], r[2], r[3]);
 }
 
 /* Updates poses, shapes and bounds of the bodies in slots first + i for the bits i that are set.
@@ -171,11 +172,11 @@ TD_INLINE void place_lanes(thud_world *w, td_awake_slot first, f8 turn, unsigned
     if (left) {
         i8 margin = (i8)rest.w;
         f4 grown[TD_LANES];
-        td_turn_back((td_rows){(f8)i8_wrap_sub(tight.min_x, margin),
-                               (f8)i8_wrap_sub(tight.min_y, margin),
-                               (f8)wrap_add(tight.max_x, margin),
-                               (f8)wrap_add(tight.max_y, margin)},
-                     grown);
+        td_transpose_back((td_rows){(f8)i8_wrap_sub(tight.min_x, margin),
+                                    (f8)i8_wrap_sub(tight.min_y, margin),
+                                    (f8)wrap_add(tight.max_x, margin),
+                                    (f8)wrap_add(tight.max_y, margin)},
+                          grown);
         w->awake_shapes.valid = false;
         for (; left; left &= left - 1) {
             int i = __builtin_ctz(left);
@@ -212,12 +213,14 @@ td_finalize_bodies_fn TD_WIDE(td_finalize_bodies);
 void TD_WIDE(td_finalize_bodies)(thud_world *w) {
     float(*velocity)[4] = w->velocity.data;
     const float(*delta)[4] = w->delta.data;
-    const float *mass = w->mass.data, *inertia = w->inertia.data, *weight = w->weight.data;
+    const float *mass = w->mass.data, *inertia = w->inertia.data,
+                *gravity_mass = w->gravity_mass.data;
     i8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
     f8 zero = f8_all(0.0f), far = f8_all((float)(0x1p50 / w->to_fixed));
     f8 gx = f8_all(w->def.gravity.x), gy = f8_all(w->def.gravity.y);
     d4 kinetic = {0}, gained = {0};
-    float linear = w->def.maximum_speed * w->unit, max_speed[3] = {linear, linear, THUD_SPIN_MAX};
+    float linear = w->def.maximum_speed * w->unit,
+          max_speed[3] = {linear, linear, THUD_ANGULAR_SPEED_MAX};
     int count = w->body_of.count;
     for (td_awake_slot first = {0}; first.at < count; first.at += TD_LANES) {
         int at = first.at;
@@ -236,7 +239,7 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w) {
         f8 sum = v.x + v.y + v.z + (d.x + d.y + d.z);
         i8 finite = sum - sum == zero;
         f8 max = f8_all(TD_ENERGY_MAX);
-        f8 fallen = f8_clamp(f8_load(weight + at) * (gx * d.x + gy * d.y), -max, max);
+        f8 fallen = f8_clamp(f8_load(gravity_mass + at) * (gx * d.x + gy * d.y), -max, max);
         f8 moving = td_kinetic_of(&v, mass + at, inertia + at);
         kinetic += d4_folded(f8_keep(here & finite, moving));
         gained += d4_folded(f8_keep(here & finite, fallen));

@@ -23,11 +23,11 @@ TD_INLINE f8 damping_of(const td_motion_context *c, int i) {
     return (f8){l0, l0, a0, 1.0f, l1, l1, a1, 1.0f};
 }
 
-/* Clamps velocities to max_speed and THUD_SPIN_MAX. All passes use the same bound: otherwise the
- * difference would look like an impulse of the last substep and be added again. The order of
- * operands keeps not-a-number, which finalize.c looks for. */
+/* Clamps velocities to max_speed and THUD_ANGULAR_SPEED_MAX. All passes use the same bound:
+ * otherwise the difference would look like an impulse of the last substep and be added again. The
+ * order of operands keeps not-a-number, which finalize.c looks for. */
 TD_INLINE f8 clamp_velocity(const td_motion_context *c, f8 v) {
-    float s = c->max_speed, t = THUD_SPIN_MAX, m = 3.0e38f;
+    float s = c->max_speed, t = THUD_ANGULAR_SPEED_MAX, m = 3.0e38f;
     f8 max = {s, s, t, m, s, s, t, m};
     return f8_min(max, f8_max(-max, v));
 }
@@ -37,7 +37,7 @@ void TD_WIDE(td_integrate_velocity)(const td_motion_context *c, bool first) {
     for (int i = 0; i < c->count; i += 2) {
         /* A caller may have set any velocity. */
         f8 v = clamp_velocity(c, load((const float(*)[4])c->velocity, i));
-        f8 gained = load(c->push, i);
+        f8 gained = load(c->substep_gain, i);
         if (!first) {
             gained = v - load((const float(*)[4])c->start, i);
         }

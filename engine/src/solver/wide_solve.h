@@ -13,7 +13,7 @@
  *     v              normal speed  n . (v_b - v_a) + w_b cross_b - w_a cross_a; negative: it closes
  *     m              effective mass (normal_mass): 1 / m = 1/m_a + 1/m_b + cross_a^2 / I_a
  *                    + cross_b^2 / I_b; 0 where there is no point
- *     s              separation: s_base + n . (d_b - d_a) + q_b cross_b - q_a cross_a, with the
+ *     s              separation: s_start + n . (d_b - d_a) + q_b cross_b - q_a cross_a, with the
  *                    motions d and rotations q since the start of the step (to first order)
  *     p              impulse of the substep (normal_impulse). The velocities have it already, by
  *                    the warm start in the first substep, by td_integrate_velocity in later ones
@@ -46,11 +46,11 @@ typedef struct sides {
     td_rows a, b;
 } sides;
 
-/* Reads the records (velocities or motions) of a block's lanes. `fixed`: side a is static. */
-TD_INLINE sides read_sides(const float (*records)[4], const td_block *block, bool fixed) {
+/* Reads the records (velocities or motions) of a block's lanes. `a_static`: side a is static. */
+TD_INLINE sides read_sides(const float (*records)[4], const td_block *block, bool a_static) {
     f8 zero = f8_all(0.0f);
     sides v = {{zero, zero, zero, zero}, td_gather(records, block->b)};
-    if (!fixed) {
+    if (!a_static) {
         v.a = td_gather(records, block->a);
     }
     return v;
@@ -71,7 +71,7 @@ typedef enum td_arms {
 /* Adds impulses to the velocities `v` of both sides (v -= or += inverse mass * impulse, w likewise)
  * and writes them back. `friction`: whether there is a tangential impulse. */
 TD_INLINE void apply_impulses(const td_solve_context *c, const td_block *block, int points,
-                              td_arms arms, bool fixed, bool friction, sides v, impulses p) {
+                              td_arms arms, bool a_static, bool friction, sides v, impulses p) {
     const td_point *point = block->point;
     f8 nx = block->nx, ny = block->ny, normal = p.normal[0];
     f8 moment_a = f8_all(0.0f), moment_b = moment_a;
@@ -97,7 +97,7 @@ TD_INLINE void apply_impulses(const td_solve_context *c, const td_block *block, 
         moment_b += block->tangent_cross_b * p.tangent;
     }
     bool turns = arms == ARMS_ALL || (friction && arms == ARMS_TANGENT);
-    if (!fixed) {
+    if (!a_static) {
         v.a.x -= v.a.w * x;
         v.a.y -= v.a.w * y;
         if (turns) {
@@ -115,50 +115,50 @@ TD_INLINE void apply_impulses(const td_solve_context *c, const td_block *block, 
 
 /* The relative speed of two points along a direction, from that of the centres along it (`centres`)
  * and the lever arms crossed with it. */
-TD_INLINE f8 at_arms(f8 centres, const sides *v, bool fixed, f8 cross_a, f8 cross_b) {
+TD_INLINE f8 at_arms(f8 centres, const sides *v, bool a_static, f8 cross_a, f8 cross_b) {
     f8 speed = centres + v->b.z * cross_b;
-    return fixed ? speed : speed - v->a.z * cross_a;
+    return a_static ? speed : speed - v->a.z * cross_a;
 }
 
 /* The same along the normal, at a point. */
-TD_INLINE f8 at_point(f8 centres, const sides *v, bool fixed, td_arms arms, const td_point *p) {
-    return arms == ARMS_ALL ? at_arms(centres, v, fixed, p->cross_a, p->cross_b) : centres;
+TD_INLINE f8 at_point(f8 centres, const sides *v, bool a_static, td_arms arms, const td_point *p) {
+    return arms == ARMS_ALL ? at_arms(centres, v, a_static, p->cross_a, p->cross_b) : centres;
 }
 
 /* The speed of b's centre of mass relative to a's along (x, y). */
-TD_INLINE f8 centres_along(const sides *v, bool fixed, f8 x, f8 y) {
-    return fixed ? v->b.x * x + v->b.y * y : (v->b.x - v->a.x) * x + (v->b.y - v->a.y) * y;
+TD_INLINE f8 centres_along(const sides *v, bool a_static, f8 x, f8 y) {
+    return a_static ? v->b.x * x + v->b.y * y : (v->b.x - v->a.x) * x + (v->b.y - v->a.y) * y;
 }
 
 /* The part of J M^-1 J' between two rows that comes from rotation: the speed along one row that a
  * unit of impulse along the other gives by turning the bodies. `from_` and `to_` are the rows'
  * lever arms crossed with their directions. */
-TD_INLINE_SMALL f8 coupling(const td_block *block, bool fixed, f8 from_a, f8 from_b, f8 to_a,
+TD_INLINE_SMALL f8 coupling(const td_block *block, bool a_static, f8 from_a, f8 from_b, f8 to_a,
                             f8 to_b) {
     f8 k = block->inv_inertia_b * from_b * to_b;
-    return fixed ? k : k + block->inv_inertia_a * from_a * to_a;
+    return a_static ? k : k + block->inv_inertia_a * from_a * to_a;
 }
 
 /* J M^-1 J' between a block's two points: the normal speed at the second point that a unit of
  * impulse at the first one gives. */
-TD_INLINE f8 by_first(const td_block *block, const sides *v, bool fixed) {
+TD_INLINE f8 by_first(const td_block *block, const sides *v, bool a_static) {
     const td_point *p = &block->point[0], *q = &block->point[1];
-    f8 mass = fixed ? v->b.w : v->a.w + v->b.w;
-    return mass + coupling(block, fixed, p->cross_a, p->cross_b, q->cross_a, q->cross_b);
+    f8 mass = a_static ? v->b.w : v->a.w + v->b.w;
+    return mass + coupling(block, a_static, p->cross_a, p->cross_b, q->cross_a, q->cross_b);
 }
 
 /* The warm start of the first substep: adds the stored impulses, which are those of one substep, to
  * the velocities. */
 TD_INLINE void warm_start_blocks(td_block *const *blocks, int count, const td_solve_context *c,
-                                 int points, td_arms arms, bool fixed) {
+                                 int points, td_arms arms, bool a_static) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         impulses p = {.tangent = block->tangent_impulse};
         for (int k = 0; k < points; k++) {
             p.normal[k] = block->point[k].normal_impulse;
         }
-        apply_impulses(c, block, points, arms, fixed, true, read_sides(c->velocity, block, fixed),
-                       p);
+        apply_impulses(c, block, points, arms, a_static, true,
+                       read_sides(c->velocity, block, a_static), p);
     }
 }
 
@@ -166,15 +166,16 @@ TD_INLINE void warm_start_blocks(td_block *const *blocks, int count, const td_so
  * and the change by the first point's impulse is added to the second one's speed (by_first): the
  * same as Gauss-Seidel, to rounding, with a shorter chain of dependent operations. */
 TD_INLINE void solve_blocks(td_block *const *blocks, int count, const td_solve_context *c,
-                            int points, td_arms arms, bool fixed) {
+                            int points, td_arms arms, bool a_static) {
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), inv_h = f8_all(c->inv_h);
-    f8 bias_rate = f8_all(c->bias_rate[fixed]), bias_min = f8_all(-c->push_speed);
-    f8 mass_scale = f8_all(c->mass_scale[fixed]), impulse_scale = f8_all(c->impulse_scale[fixed]);
+    f8 bias_rate = f8_all(c->bias_rate[a_static]), bias_min = f8_all(-c->push_speed);
+    f8 mass_scale = f8_all(c->mass_scale[a_static]),
+       impulse_scale = f8_all(c->impulse_scale[a_static]);
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         td_fetch_early(blocks, i, count, points);
-        sides v = read_sides(c->velocity, block, fixed);
-        f8 closing = centres_along(&v, fixed, block->nx, block->ny);
+        sides v = read_sides(c->velocity, block, a_static);
+        f8 closing = centres_along(&v, a_static, block->nx, block->ny);
         impulses change = {{zero, zero}, zero};
         for (int k = 0; k < points; k++) {
             td_point *p = &block->point[k];
@@ -183,30 +184,30 @@ TD_INLINE void solve_blocks(td_block *const *blocks, int count, const td_solve_c
                 f8_pick(apart, p->separation * inv_h, f8_max(p->separation * bias_rate, bias_min));
             f8 scale = p->normal_mass * f8_pick(apart, one, mass_scale);
             f8 keep = f8_keep(~apart, impulse_scale);
-            f8 speed = at_point(closing, &v, fixed, arms, p) + bias;
+            f8 speed = at_point(closing, &v, a_static, arms, p) + bias;
             if (k) {
-                speed += by_first(block, &v, fixed) * change.normal[0];
+                speed += by_first(block, &v, a_static) * change.normal[0];
             }
             f8 old = p->normal_impulse;
             f8 now = f8_max(old - scale * speed - keep * old, zero);
             p->normal_impulse = now;
             change.normal[k] = now - old;
         }
-        apply_impulses(c, block, points, arms, fixed, false, v, change);
+        apply_impulses(c, block, points, arms, a_static, false, v, change);
     }
 }
 
 /* Updates the friction impulse of a block, bounded by the present normal impulses. Returns the
  * change of the impulse along t. */
 TD_INLINE f8 update_friction(const td_solve_context *c, td_block *block, int points, td_arms arms,
-                             bool fixed, const sides *v) {
+                             bool a_static, const sides *v) {
     f8 normal = block->point[0].normal_impulse;
     if (points == 2) {
         normal += block->point[1].normal_impulse;
     }
-    f8 slip = centres_along(v, fixed, block->ny, -block->nx);
+    f8 slip = centres_along(v, a_static, block->ny, -block->nx);
     if (arms != ARMS_NONE) {
-        slip = at_arms(slip, v, fixed, block->tangent_cross_a, block->tangent_cross_b);
+        slip = at_arms(slip, v, a_static, block->tangent_cross_a, block->tangent_cross_b);
     }
     if (c->surface_speeds) {
         slip -= td_surface_at(block, points)->speed;
@@ -223,38 +224,40 @@ TD_INLINE f8 update_friction(const td_solve_context *c, td_block *block, int poi
  * pass of the same substep (c->again) adds only what it changes. The last relax pass of a step
  * notes the greatest closing speed that it finds, for the error statistics. */
 TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_context *c,
-                            int points, td_arms arms, bool fixed) {
-    f8 zero = f8_all(0.0f), inv_h = f8_all(c->inv_h), slowest = zero;
+                            int points, td_arms arms, bool a_static) {
+    f8 zero = f8_all(0.0f), inv_h = f8_all(c->inv_h), min_speed = zero;
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         td_fetch_early(blocks, i, count, points);
         bool restarts = c->first && !c->again && !(c->bounces && block->bouncy);
-        sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
+        sides v = read_sides(c->velocity, block, a_static),
+              d = read_sides(c->delta, block, a_static);
         f8 nx = block->nx, ny = block->ny;
         impulses change = {.tangent = zero};
         if (i8_bits(block->friction > zero)) { /* skipped where no lane has friction */
-            change.tangent = update_friction(c, block, points, arms, fixed, &v);
+            change.tangent = update_friction(c, block, points, arms, a_static, &v);
         }
         if (c->keep_tangents) {
             td_surface *surface = td_surface_at(block, points);
             f8 more = c->again ? change.tangent : block->tangent_impulse;
             surface->total = more + (restarts ? zero : surface->total);
         }
-        f8 closing = centres_along(&v, fixed, nx, ny), opened = centres_along(&d, fixed, nx, ny);
+        f8 closing = centres_along(&v, a_static, nx, ny),
+           opened = centres_along(&d, a_static, nx, ny);
         for (int k = 0; k < points; k++) {
             td_point *p = &block->point[k];
-            f8 separation = p->base + at_point(opened, &d, fixed, arms, p);
+            f8 separation = p->start_separation + at_point(opened, &d, a_static, arms, p);
             p->separation = separation;
-            f8 speed = at_point(closing, &v, fixed, arms, p) + f8_max(separation, zero) * inv_h;
+            f8 speed = at_point(closing, &v, a_static, arms, p) + f8_max(separation, zero) * inv_h;
             if (arms == ARMS_ALL) {
-                speed += coupling(block, fixed, block->tangent_cross_a, block->tangent_cross_b,
+                speed += coupling(block, a_static, block->tangent_cross_a, block->tangent_cross_b,
                                   p->cross_a, p->cross_b) *
                          change.tangent;
             }
             if (k) {
-                speed += by_first(block, &v, fixed) * change.normal[0];
+                speed += by_first(block, &v, a_static) * change.normal[0];
             }
-            slowest = f8_min(speed, slowest);
+            min_speed = f8_min(speed, min_speed);
             f8 old = p->normal_impulse;
             f8 now = f8_max(old - p->normal_mass * speed, zero);
             p->normal_impulse = now;
@@ -265,15 +268,15 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
                 history->total = restarts ? more : history->total + more;
             }
         }
-        apply_impulses(c, block, points, arms, fixed, true, v, change);
+        apply_impulses(c, block, points, arms, a_static, true, v, change);
     }
     if (c->last) {
-        c->tally->slowest = f8_min(slowest, c->tally->slowest);
+        c->tally->min_speed = f8_min(min_speed, c->tally->min_speed);
     }
 }
 
 /* Defines a td_solve_fn `name` that is one of the passes above; the further arguments are the
- * pass's own (points, arms, fixed), constants by which the compiler specialises it. */
+ * pass's own (points, arms, a_static), constants by which the compiler specialises it. */
 #define TD_PASS(name, pass, ...)                                                      \
     static void name(td_block *const *blocks, int count, const td_solve_context *c) { \
         pass(blocks, count, c, __VA_ARGS__);                                          \

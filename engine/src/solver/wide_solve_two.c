@@ -1,18 +1,19 @@
-/* wide_solve_two.c: the passes of the soft solver (wide_solve.h) for contacts of two points: boxes
- * on boxes and on terrain. */
+/* wide_solve_two.c: the passes of the soft solver (wide_solve.h, wide_bounce.h) for contacts of two
+ * points: boxes on boxes and on terrain. `_moving`, `_static`: wide_solve_one.c. */
 #include "solver/wide_bounce.h"
 
 TD_PASS(warm_start_moving, warm_start_blocks, 2, ARMS_ALL, false)
-TD_PASS(warm_start_fixed, warm_start_blocks, 2, ARMS_ALL, true)
+TD_PASS(warm_start_static, warm_start_blocks, 2, ARMS_ALL, true)
 TD_PASS(solve_moving, solve_blocks, 2, ARMS_ALL, false)
-TD_PASS(solve_fixed, solve_blocks, 2, ARMS_ALL, true)
+TD_PASS(solve_static, solve_blocks, 2, ARMS_ALL, true)
 TD_PASS(relax_moving, relax_blocks, 2, ARMS_ALL, false)
-TD_PASS(relax_fixed, relax_blocks, 2, ARMS_ALL, true)
+TD_PASS(relax_static, relax_blocks, 2, ARMS_ALL, true)
 TD_PASS(bounce, bounce_blocks, 2)
 
-extern const td_solve_ops TD_WIDE(td_solve_two);
-const td_solve_ops TD_WIDE(td_solve_two) = {{warm_start_moving, warm_start_fixed},
-                                            {solve_moving, solve_fixed},
-                                            {relax_moving, relax_fixed},
-                                            bounce,
-                                            {NULL, NULL}};
+extern const td_solve_ops TD_WIDE(td_solve_two_points);
+const td_solve_ops TD_WIDE(td_solve_two_points) = {
+    .warm_start = {warm_start_moving, warm_start_static},
+    .solve = {solve_moving, solve_static},
+    .relax = {relax_moving, relax_static},
+    .bounce = bounce,
+};

@@ -36,7 +36,7 @@ void td_awake_refresh(thud_world *w, td_body_index index) {
     td_row(&w->velocity, body->awake)[3] = body->inv_mass;
     *td_row(&w->mass, body->awake) = body->mass;
     *td_row(&w->inertia, body->awake) = body->inertia;
-    *td_row(&w->weight, body->awake) = body->mass * body->gravity_scale;
+    *td_row(&w->gravity_mass, body->awake) = body->mass * body->gravity_scale;
     reach[0] = body->min_extent;
     reach[1] = body->max_extent;
     int lone = body->shape_count == 1 ? body->first_shape : TD_NONE;
@@ -47,7 +47,7 @@ void td_awake_refresh(thud_world *w, td_body_index index) {
     damping[0] = body->linear_damping;
     damping[1] = body->angular_damping;
     w->damped += damping[0] > 0.0f || damping[1] > 0.0f;
-    w->push_stale = w->kinetic_stale = true;
+    w->substep_gain_stale = w->kinetic_stale = true;
 }
 
 void td_awake_add(thud_world *w, td_body_index index) {
@@ -76,11 +76,11 @@ static void move_slot(thud_world *w, td_awake_slot from, td_awake_slot to) {
     td_body *body = td_body_at(w, td_body_of(w, to));
     body->awake = to;
     for (int edge = body->first_constraint; edge != TD_NONE;) {
-        const td_constraint *constraint = td_constraint_at(w, edge / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(edge));
         if (constraint->state == TD_TOUCHING) {
-            td_lane_refresh(w, edge / 2);
+            td_lane_refresh(w, td_edge_constraint(edge));
         }
-        edge = constraint->next[edge & 1];
+        edge = constraint->next[td_edge_side(edge)];
     }
 }
 

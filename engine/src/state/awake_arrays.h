@@ -19,27 +19,27 @@ enum {
 
 /* Name, element, and whether it is state. */
 #define TD_AWAKE_ARRAYS(X)                                                                        \
-    X(velocity, float[4], TD_STATE)    /* x, y, turn; inverse mass */                             \
-    X(delta, float[4], TD_STATE)       /* motion of the last step: x, y, angle */                 \
-    X(start, float[4], TD_REBUILT)     /* velocity at the start of a substep, damped */           \
-    X(push, float[4], TD_STATE)        /* velocity that forces add in a substep */                \
-    X(damping, float[2], TD_STATE)     /* linear, angular */                                      \
-    X(idle, float, TD_STATE)           /* time at rest, s */                                      \
-    X(direct_steps, uint8_t, TD_STATE) /* steps for which its island is still direct */           \
-    X(slow_steps, uint16_t, TD_STATE)  /* steps that took its island's solver long */             \
-    X(reach, float[2], TD_STATE)       /* td_body.min_extent and .max_extent */                   \
+    X(velocity, float[4], TD_STATE)     /* x, y, turn; inverse mass */                            \
+    X(delta, float[4], TD_STATE)        /* motion of the last step: x, y, angle */                \
+    X(start, float[4], TD_REBUILT)      /* velocity at the start of a substep, damped */          \
+    X(substep_gain, float[4], TD_STATE) /* velocity that forces add in a substep */               \
+    X(damping, float[2], TD_STATE)      /* linear, angular */                                     \
+    X(idle, float, TD_STATE)            /* time at rest, s */                                     \
+    X(direct_steps, uint8_t, TD_STATE)  /* steps for which its island is still direct */          \
+    X(slow_steps, uint16_t, TD_STATE)   /* steps that took its island's solver long */            \
+    X(reach, float[2], TD_STATE)        /* td_body.min_extent and .max_extent */                  \
     X(mass, float, TD_STATE)                                                                      \
     X(inertia, float, TD_STATE)                                                                   \
-    X(weight, float, TD_STATE)          /* mass times gravity scale */                            \
+    X(gravity_mass, float, TD_STATE)    /* mass times gravity scale */                            \
     X(body_of, td_body_index, TD_STATE) /* its count is the number of slots in use */             \
     X(lone, int, TD_STATE)              /* the body's only shape, if it is plain; else TD_NONE */ \
     X(colours, td_colours, TD_STATE)
 
 /* Numbers of the arrays in thud_world.awake: TD_AWAKE_velocity and so on. */
-#define TD_AWAKE_NUMBER(name, element, kept) TD_AWAKE_##name,
+#define TD_AWAKE_NUMBER(name, element, is_state) TD_AWAKE_##name,
 enum { TD_AWAKE_ARRAYS(TD_AWAKE_NUMBER) TD_AWAKE_ARRAY_COUNT };
 
 /* The arrays by name, in the order of their numbers. */
-#define TD_AWAKE_FIELD(name, element, kept) td_array name;
+#define TD_AWAKE_FIELD(name, element, is_state) td_array name;
 
 #endif

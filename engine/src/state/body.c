@@ -45,7 +45,7 @@ const char *td_body_def_error(const thud_world *w, const thud_body_def *def, td_
         !td_float_in(why, "body def: angular_damping", def->angular_damping, 0.0f, FLT_MAX)) {
         return why->text;
     }
-    if (def->kind == THUD_STATIC &&
+    if (def->kind == THUD_BODY_STATIC &&
         !(def->velocity.x == 0.0f && def->velocity.y == 0.0f && def->angular_velocity == 0.0f)) {
         return "body def: a static body has no velocity";
     }
@@ -59,11 +59,11 @@ void td_wake_all(thud_world *w) {
             td_body_mark(w, i, TD_CHANGE_WAKE);
         }
     }
-    w->push_stale = true;
+    w->substep_gain_stale = true;
 }
 
 thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_id *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w || !def) {
         return td_refuse(w, THUD_ERROR_NULL, "body create: world or def is null");
     }
@@ -85,7 +85,7 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
         .kind = (uint8_t)def->kind,
         .flags = (uint8_t)(TD_BODY_LIVE | (def->fixed_rotation ? TD_BODY_FIXED : 0) |
                            (def->may_sleep ? 0 : TD_BODY_RESTLESS) |
-                           (def->detection ? TD_BODY_CHOSE : 0)),
+                           (def->detection ? TD_BODY_OWN_DETECTION : 0)),
         .awake = {TD_NONE},
         .velocity = {def->velocity.x, def->velocity.y, def->angular_velocity},
         .first_shape = TD_NONE,
@@ -171,7 +171,7 @@ static void set_center(thud_world *w, td_body_index index, double x, double y) {
 static void weigh_shapes(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     double mass = 0.0, mx = 0.0, my = 0.0, inertia = 0.0;
-    bool dynamic = body->kind == THUD_DYNAMIC;
+    bool dynamic = body->kind == THUD_BODY_DYNAMIC;
     for (int i = body->first_shape; dynamic && i != TD_NONE; i = td_shape_at(w, i)->next) {
         const td_shape *shape = td_shape_at(w, i);
         double area, moment;
@@ -207,7 +207,7 @@ void td_body_weigh(thud_world *w, td_body_index index) {
     if (!(body->flags & TD_BODY_MASS_GIVEN)) {
         weigh_shapes(w, index);
     }
-    if (body->kind == THUD_STATIC) {
+    if (body->kind == THUD_BODY_STATIC) {
         return;
     }
     body->min_extent = body->shape_count ? 3.0e38f : 0.0f;
@@ -232,8 +232,8 @@ td_position td_body_origin(const thud_world *w, td_body_index index) {
                          pose->center.y - td_length_from(w, y)};
 }
 
-thud_result thud_body_get(const thud_world *w, thud_body_id id, thud_body_state *out) {
-    TD_IN_OWN_MODE;
+thud_result thud_body_get_state(const thud_world *w, thud_body_id id, thud_body_state *out) {
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK || !out) {
@@ -263,8 +263,8 @@ thud_result thud_body_get(const thud_world *w, thud_body_id id, thud_body_state 
     return THUD_OK;
 }
 
-thud_result thud_body_shapes(const thud_world *w, thud_body_id id, thud_shape_id *out, int capacity,
-                             int *count) {
+thud_result thud_body_get_shapes(const thud_world *w, thud_body_id id, thud_shape_id *out,
+                                 int capacity, int *out_count) {
     td_body_index index;
     int n = 0;
     thud_result result = td_find_body(w, id, &index);
@@ -283,8 +283,8 @@ thud_result thud_body_shapes(const thud_world *w, thud_body_id id, thud_shape_id
         }
         n++;
     }
-    if (count) {
-        *count = n;
+    if (out_count) {
+        *out_count = n;
     }
     return THUD_OK;
 }

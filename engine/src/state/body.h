@@ -50,7 +50,7 @@ static inline int64_t td_length_from(const thud_world *w, float length) {
 /* Whether the body is awake, as callers see it: it has an awake slot, or gets one as the next step
  * begins. */
 static inline bool td_body_is_awake(const td_body *body) {
-    return body->kind != THUD_STATIC && !(body->flags & TD_BODY_DISABLED) &&
+    return body->kind != THUD_BODY_STATIC && !(body->flags & TD_BODY_DISABLED) &&
            (body->awake.at > 0 || (body->changes & (TD_CHANGE_ENTER | TD_CHANGE_WAKE)));
 }
 
@@ -78,6 +78,10 @@ bool td_deferred_reserve(thud_world *w, int count);
 /* Appends a deferred edit of the body; room must be reserved. */
 void td_deferred_add(thud_world *w, td_body_index body, td_deferred_kind what,
                      const double value[4]);
+
+/* Applies a force at the centre of mass and a torque through the next step, after their checks; the
+ * caller is in the world's own floating-point mode. */
+thud_result td_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 force, float torque);
 
 /* Applies the deferred edits in the order in which they were made. Those of destroyed bodies are
  * dropped; forces wait until a step has begun. */

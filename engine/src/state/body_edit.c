@@ -25,7 +25,7 @@ static void set_velocity(thud_world *w, td_body_index index, const double v[4]) 
     float *velocity = td_body_velocity(w, body);
     velocity[0] = (float)v[0];
     velocity[1] = (float)v[1];
-    velocity[2] = body->kind == THUD_DYNAMIC && body->inv_inertia == 0.0f ? 0.0f : (float)v[2];
+    velocity[2] = body->kind == THUD_BODY_DYNAMIC && body->inv_inertia == 0.0f ? 0.0f : (float)v[2];
     td_body_mark(w, index, TD_CHANGE_WAKE);
 }
 
@@ -48,7 +48,7 @@ static void add_force(thud_world *w, td_body_index index, const double v[4]) {
     body->force[0] += (float)v[0];
     body->force[1] += (float)v[1];
     body->force[2] += (float)v[2];
-    w->push_stale = true;
+    w->substep_gain_stale = true;
     td_body_mark(w, index, TD_CHANGE_WAKE);
 }
 
@@ -68,7 +68,7 @@ static void set_enabled(thud_world *w, td_body_index index, const double v[4]) {
 
 static void put_shape(thud_world *w, td_body_index index, const double v[4]) {
     td_shape_at(w, (int)v[0])->flags &= (uint8_t)~TD_SHAPE_WAITS;
-    if (td_body_at(w, index)->kind != THUD_STATIC) {
+    if (td_body_at(w, index)->kind != THUD_BODY_STATIC) {
         td_body_weigh(w, index);
     }
 }
@@ -87,7 +87,7 @@ static void apply_edit(thud_world *w, td_body_index index, td_deferred_kind what
 
 /* Applies what callbacks have deferred, in the order of the calls. */
 void td_deferred_apply(thud_world *w) {
-    int kept = 0;
+    int kept_count = 0;
     for (int i = 0; i < w->deferred.count; i++) {
         td_deferred_edit edit = *TD_AT(td_deferred_edit, &w->deferred, i);
         const td_body *body = td_body_at(w, edit.body);
@@ -99,12 +99,12 @@ void td_deferred_apply(thud_world *w) {
          * for the elapsed time; so it stays deferred, and only wakes the body. */
         if (edit.what == TD_PUT_FORCE && !w->locked) {
             apply_edit(w, edit.body, TD_PUT_AWAKE, (double[4]){1.0});
-            *TD_AT(td_deferred_edit, &w->deferred, kept++) = edit;
+            *TD_AT(td_deferred_edit, &w->deferred, kept_count++) = edit;
         } else {
             apply_edit(w, edit.body, (td_deferred_kind)edit.what, edit.value);
         }
     }
-    w->deferred.count = kept;
+    w->deferred.count = kept_count;
 }
 
 bool td_deferred_reserve(thud_world *w, int count) {
@@ -121,7 +121,7 @@ void td_deferred_add(thud_world *w, td_body_index index, td_deferred_kind what, 
 
 /* Whether a deferred edit will rotate the body, so that it cannot get an AABB or a line. */
 bool td_deferred_turns(const thud_world *w, td_body_index index) {
-    bool rotates = false, kinematic = td_body_at(w, index)->kind == THUD_KINEMATIC;
+    bool rotates = false, kinematic = td_body_at(w, index)->kind == THUD_BODY_KINEMATIC;
     for (int i = 0; i < w->deferred.count; i++) {
         const td_deferred_edit *edit = TD_AT(td_deferred_edit, &w->deferred, i);
         rotates |= td_same_body(edit->body, index) && edit->value[2] != 0.0 &&
@@ -146,13 +146,14 @@ static thud_result apply_or_defer(thud_world *w, td_body_index index, td_deferre
 
 /* Refuses a body that is not dynamic. */
 static thud_result check_dynamic(const thud_world *w, td_body_index index, const char *message) {
-    return td_body_at(w, index)->kind == THUD_DYNAMIC ? THUD_OK
-                                                      : td_refuse(w, THUD_ERROR_INVALID, message);
+    return td_body_at(w, index)->kind == THUD_BODY_DYNAMIC
+               ? THUD_OK
+               : td_refuse(w, THUD_ERROR_INVALID, message);
 }
 
 thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos position,
                                     double angle) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
@@ -180,7 +181,7 @@ thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos pos
 
 thud_result thud_body_set_velocity(thud_world *w, thud_body_id id, thud_vec2 velocity,
                                    float angular_velocity) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
@@ -192,10 +193,10 @@ thud_result thud_body_set_velocity(thud_world *w, thud_body_id id, thud_vec2 vel
         return result;
     }
     const td_body *body = td_body_at(w, index);
-    if (body->kind == THUD_STATIC) {
+    if (body->kind == THUD_BODY_STATIC) {
         return td_refuse(w, THUD_ERROR_INVALID, "set velocity: the body is static");
     }
-    if (body->kind == THUD_KINEMATIC && body->aabbs && angular_velocity != 0.0f) {
+    if (body->kind == THUD_BODY_KINEMATIC && body->aabbs && angular_velocity != 0.0f) {
         return td_refuse(w, THUD_ERROR_INVALID, "set velocity: a body with an AABB cannot turn");
     }
     return apply_or_defer(w, index, TD_PUT_VELOCITY,
@@ -205,7 +206,7 @@ thud_result thud_body_set_velocity(thud_world *w, thud_body_id id, thud_vec2 vel
 
 thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 value,
                                     thud_pos point) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
@@ -224,8 +225,7 @@ thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 va
                                 (double[4]){(double)value.x, (double)value.y, point.x, point.y});
 }
 
-thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 value, float torque) {
-    TD_IN_OWN_MODE;
+thud_result td_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 value, float torque) {
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
@@ -239,6 +239,16 @@ thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 valu
                ? result
                : apply_or_defer(w, index, TD_PUT_FORCE,
                                 (double[4]){(double)value.x, (double)value.y, (double)torque, 0.0});
+}
+
+thud_result thud_body_apply_center_force(thud_world *w, thud_body_id id, thud_vec2 force) {
+    TD_IN_OWN_FLOAT_MODE;
+    return td_body_apply_force(w, id, force, 0.0f);
+}
+
+thud_result thud_body_apply_torque(thud_world *w, thud_body_id id, float torque) {
+    TD_IN_OWN_FLOAT_MODE;
+    return td_body_apply_force(w, id, (thud_vec2){0.0f, 0.0f}, torque);
 }
 
 thud_result thud_body_set_awake(thud_world *w, thud_body_id id, bool awake) {

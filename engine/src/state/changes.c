@@ -18,10 +18,10 @@
  * sleep on; their resting sensor contacts wait to be tested again. False when memory is short. */
 static bool wake_touching(thud_world *w, td_body_index body) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
         if (constraint->kind == TD_PAIR_SENSOR) {
             if (constraint->state == TD_RESTING) {
-                td_constraint_wait(w, e / 2);
+                td_constraint_wait(w, td_edge_constraint(e));
             }
         } else if ((constraint->open || !td_is_contact(constraint)) &&
                    !td_wake(w, td_other_body(w, e))) {
@@ -45,10 +45,10 @@ static bool reserve_ends(thud_world *w, td_body_index body) {
 static void destroy_contacts(thud_world *w, td_body_index body, int shape, bool joints) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE;) {
         int next = td_next_edge(w, e);
-        const td_constraint *c = td_constraint_at(w, e / 2);
+        const td_constraint *c = td_constraint_at(w, td_edge_constraint(e));
         if (td_is_contact(c) ? shape == TD_NONE || c->shape_a == shape || c->shape_b == shape
                              : joints) {
-            td_contact_destroy(w, e / 2);
+            td_contact_destroy(w, td_edge_constraint(e));
         }
         e = next;
     }
@@ -66,7 +66,7 @@ static void free_shape(thud_world *w, int index) {
     w->thinnest_stale = true;
     w->sensors -= (shape->flags & TD_SHAPE_SENSOR) != 0;
     w->mobile_sensors -=
-        (shape->flags & TD_SHAPE_SENSOR) && td_body_at(w, shape->body)->kind == THUD_DYNAMIC;
+        (shape->flags & TD_SHAPE_SENSOR) && td_body_at(w, shape->body)->kind == THUD_BODY_DYNAMIC;
     shape->flags = 0;
     *td_marks_at(w, index) = 0;
     shape->generation++;
@@ -110,13 +110,13 @@ static void update_shapes(thud_world *w, td_body_index index) {
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         td_shape_settle(w, i);
     }
-    if (w->internal_edges && body->kind != THUD_STATIC) {
+    if (w->internal_edges && body->kind != THUD_BODY_STATIC) {
         w->internal_edges->join(w, index);
     }
     td_awake_refresh(w, index);
     for (int e = body->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        if (td_constraint_at(w, e / 2)->state == TD_TOUCHING) {
-            td_lane_renew(w, e / 2);
+        if (td_constraint_at(w, td_edge_constraint(e))->state == TD_TOUCHING) {
+            td_lane_renew(w, td_edge_constraint(e));
         }
     }
 }
@@ -128,6 +128,19 @@ static void restart_terrain_pairs(thud_world *w, td_body_index index) {
         if (td_kind_is_line(td_shape_at(w, i)->kind)) {
             destroy_contacts(w, index, i, false);
             *td_marks_at(w, i) |= TD_MARK_FRESH;
+        }
+    }
+}
+
+/* Has the manifolds of a teleported body with terrain computed anew. Their cache has the body's
+ * place modulo 256 length scales (contact/wide_terrain.c), and would not notice a teleport by that.
+ */
+static void renew_terrain_contacts(thud_world *w, td_body_index index) {
+    for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
+        if (constraint->state == TD_TOUCHING && td_is_contact(constraint) &&
+            td_pair_is_on_line((td_pair_kind)constraint->kind)) {
+            td_lane_renew(w, td_edge_constraint(e));
         }
     }
 }
@@ -144,7 +157,7 @@ static void apply_enabled(thud_world *w, td_body_index index) {
     }
     if (!enabled && body->awake.at > 0) {
         td_awake_remove(w, index);
-    } else if (enabled && body->awake.at < 0 && body->kind != THUD_STATIC) {
+    } else if (enabled && body->awake.at < 0 && body->kind != THUD_BODY_STATIC) {
         td_awake_add(w, index);
     }
     memset(body->force, 0, sizeof body->force);
@@ -159,8 +172,8 @@ static void apply_enabled(thud_world *w, td_body_index index) {
 static void destroy_contacts_of_removed_segments(thud_world *w, td_body_index index) {
     for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE;) {
         int next = td_next_edge(w, e);
-        if (td_constraint_at(w, e / 2)->child == TD_NONE) {
-            td_contact_destroy(w, e / 2);
+        if (td_constraint_at(w, td_edge_constraint(e))->child == TD_NONE) {
+            td_contact_destroy(w, td_edge_constraint(e));
         }
         e = next;
     }
@@ -170,7 +183,7 @@ static void destroy_contacts_of_removed_segments(thud_world *w, td_body_index in
  * shapes over its expected motion in this step. */
 static void extend_bounds(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
-    if (body->awake.at < 0 || !body->detection->meet) {
+    if (body->awake.at < 0 || !body->detection->time_of_impact) {
         return;
     }
     const float *v = td_row(&w->velocity, body->awake);
@@ -189,14 +202,14 @@ static bool apply_changes(thud_world *w, td_body_index index) {
         /* A body that has just been created has no neighbours to tell. */
         ((changes & edits) && !(changes & TD_CHANGE_ENTER) && w->internal_edges &&
          !w->internal_edges->lose(w, index)) ||
-        ((changes & edits || body->kind == THUD_KINEMATIC) && !wake_touching(w, index)) ||
+        ((changes & edits || body->kind == THUD_BODY_KINEMATIC) && !wake_touching(w, index)) ||
         (changes != TD_CHANGE_SLEEP && !(changes & TD_CHANGE_LEAVE) && !td_wake(w, index))) {
         return false;
     }
     body->changes = 0;
     bool rests = body->awake.at < 0;
-    if ((changes & TD_CHANGE_ENTER) && !(changes & TD_CHANGE_LEAVE) && body->kind != THUD_STATIC &&
-        !(body->flags & TD_BODY_DISABLED)) {
+    if ((changes & TD_CHANGE_ENTER) && !(changes & TD_CHANGE_LEAVE) &&
+        body->kind != THUD_BODY_STATIC && !(body->flags & TD_BODY_DISABLED)) {
         td_awake_add(w, index);
         rests = false;
     }
@@ -221,9 +234,10 @@ static bool apply_changes(thud_world *w, td_body_index index) {
     }
     if (changes & TD_CHANGE_PLACE) {
         restart_terrain_pairs(w, index);
+        renew_terrain_contacts(w, index);
     }
     if (changes & (TD_CHANGE_SHAPES | TD_CHANGE_PLACE) && w->joint_hooks) {
-        w->joint_hooks->follow(w, index);
+        w->joint_hooks->move_locks(w, index);
     }
     if (changes & TD_CHANGE_ENABLE) {
         apply_enabled(w, index);

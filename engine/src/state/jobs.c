@@ -36,8 +36,8 @@ void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work)
 /* The number of counters for the task with the most phases, which is the solver's (solve.c): for
  * each substep two phases over bodies and two passes over the bins (solve and relax); once the warm
  * start and the passes of restitution; and with joints, bracing twice in each substep
- * (joint_brace.c), of whose second the relax pass stands for TD_BRACE_GIVE. A pass has a phase for
- * each entry of scratch.chunks, and a phase has 1 + workers counters. */
+ * (joint_brace.c), of whose second the relax pass stands for TD_BRACE_WARM_START. A pass has a
+ * phase for each entry of scratch.chunks, and a phase has 1 + workers counters. */
 static int counter_count(const thud_world *w) {
     int bounces = w->bouncy > 0 || w->asks ? TD_BOUNCE_PASSES + 1 : 0;
     int braces = w->joint_hooks ? 2 * w->substeps : 0, passes = 2 * w->substeps + 1 + bounces;
@@ -68,7 +68,7 @@ typedef struct shared_work {
 
 /* Runs the task in the engine's mode, and restores the thread's. */
 static void run_in_own_float_mode(void *work) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     const shared_work *shared = work;
     shared->run(shared->argument);
 }

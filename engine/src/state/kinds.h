@@ -1,7 +1,7 @@
 /* kinds.h: declares the functions that are compiled once for each instruction set (wide_*.c), and
  * the kinds of shapes. A kind plugs its pair functions into a world when the world gets its first
  * shape of the kind, so that a program that never makes one does not link its code. A new kind
- * begins in thud_shapes.h; docs/architecture.md lists the files that follow. */
+ * begins in thud_geometry.h; docs/architecture.md lists the files that follow. */
 #ifndef TD_KINDS_H
 #define TD_KINDS_H
 
@@ -10,11 +10,11 @@
 
 /* ROW(shape kind, function that plugs it in, pair kind). Snapshots recognise by the pair kind,
  * which a world only has with that shape kind, that the kind is plugged in. */
-#define TD_ALL_KINDS(ROW)                                   \
-    ROW(THUD_CIRCLE, td_kind_circle, TD_PAIR_CIRCLE_CIRCLE) \
-    ROW(THUD_AABB, td_kind_aabb, TD_PAIR_AABB_AABB)         \
-    ROW(THUD_OBB, td_kind_obb, TD_PAIR_BOX_BOX)             \
-    ROW(THUD_TERRAIN, td_kind_terrain, TD_PAIR_TERRAIN_BOX)
+#define TD_ALL_KINDS(ROW)                                         \
+    ROW(THUD_SHAPE_CIRCLE, td_kind_circle, TD_PAIR_CIRCLE_CIRCLE) \
+    ROW(THUD_SHAPE_AABB, td_kind_aabb, TD_PAIR_AABB_AABB)         \
+    ROW(THUD_SHAPE_OBB, td_kind_obb, TD_PAIR_BOX_BOX)             \
+    ROW(THUD_SHAPE_TERRAIN, td_kind_terrain, TD_PAIR_TERRAIN_BOX)
 
 #define TD_DECLARE_KIND(kind, plug, own) void plug(thud_world *w);
 TD_ALL_KINDS(TD_DECLARE_KIND)

@@ -62,13 +62,13 @@ bool td_preview_make(thud_world *w) {
 
 /* Drops from the hits the shapes that have a copy, which is found by its own bounds. */
 static void drop_previewed(const thud_world *w, td_array *hits) {
-    int kept = 0, number;
+    int kept_count = 0, number;
     for (int i = 0; i < hits->count && w->preview.shape.count > 0; i++) {
         int shape = td_int_at(hits, i);
-        td_int_set(hits, kept, shape);
-        kept += !td_preview_has(w, shape, &number);
+        td_int_set(hits, kept_count, shape);
+        kept_count += !td_preview_has(w, shape, &number);
     }
-    hits->count = w->preview.shape.count > 0 ? kept : hits->count;
+    hits->count = w->preview.shape.count > 0 ? kept_count : hits->count;
 }
 
 bool td_preview_find(const thud_world *w, td_memory *memory, const td_bounds *bounds,

@@ -29,12 +29,12 @@ enum {
     TD_BODY_FIXED = 2,    /* rotation is fixed by its def */
     TD_BODY_RESTLESS = 4, /* may not sleep */
     TD_BODY_QUARANTINED = 8,
-    TD_BODY_DISABLED = 16,   /* has no contacts and no awake slot */
-    TD_BODY_CHOSE = 32,      /* has a detection of its own, not the world's */
-    TD_BODY_MASS_GIVEN = 64, /* mass, inertia and centre of mass are the caller's; shapes do not
-                                change them */
-    TD_BODY_ANCHOR = 128     /* static, without shapes, made by the engine to lock a body:
-                                edits/locks.c */
+    TD_BODY_DISABLED = 16,      /* has no contacts and no awake slot */
+    TD_BODY_OWN_DETECTION = 32, /* has a detection of its own, not the world's */
+    TD_BODY_MASS_GIVEN = 64,    /* mass, inertia and centre of mass are the caller's; shapes do not
+                                   change them */
+    TD_BODY_ANCHOR = 128        /* static, without shapes, made by the engine to lock a body:
+                                   edits/locks.c */
 };
 
 typedef struct td_body {
@@ -43,13 +43,13 @@ typedef struct td_body {
     uint8_t kind, flags, changes, aabbs; /* aabbs: number of AABB shapes, which fix rotation */
     td_awake_slot awake;                 /* TD_NONE: static, asleep, or waits for the next step */
     int32_t first_shape, shape_count;
-    int32_t first_constraint; /* first edge of the list: constraint * 2 + side */
+    int32_t first_constraint; /* first edge of the list (td_edge_of) */
     float velocity[3];        /* while the body has no awake slot: x, y, turn */
     float force[3];           /* in the next step: x, y, torque */
     float mass, inertia, inv_mass, inv_inertia;
     float center_x, center_y;     /* centre of mass, in the body's frame */
     float min_extent, max_extent; /* half thickness of the thinnest shape; greatest distance of a
-                        shape's point from the centre of mass */
+                                     shape's point from the centre of mass */
     float gravity_scale, linear_damping, angular_damping;
     uint32_t rest_epoch;  /* thud_world.rest_epoch when the body fell asleep */
     uint8_t direct_steps; /* while the body has no awake slot: see awake_arrays.h */
@@ -143,6 +143,19 @@ typedef struct td_constraint {
     uint8_t vetoed; /* by a prologue or a rule, see above */
 } td_constraint;
 
+/* An edge: a constraint in the list of one of its bodies, a number. Side 0 is body[0]. */
+static inline int td_edge_of(int constraint, int side) {
+    return constraint * 2 + side;
+}
+
+static inline int td_edge_constraint(int edge) {
+    return edge / 2;
+}
+
+static inline int td_edge_side(int edge) {
+    return edge & 1;
+}
+
 /* td_constraint.open of a contact. The contacts of a shape with several segments of a terrain have
  * the same value. */
 enum {
@@ -209,8 +222,8 @@ typedef struct td_bin {
 } td_bin;
 
 typedef struct td_colours {
-    uint64_t moving,
-        fixed; /* colours that this body's constraints with moving and static bodies have */
+    /* Colours that this body's constraints with moving and with static bodies have, a bit each. */
+    uint64_t with_moving, with_static;
 } td_colours;
 
 /* Events in the order in which they happened: thud_events. It consists of arrays and nothing else.
@@ -231,12 +244,12 @@ typedef struct td_gathered {
 } td_gathered;
 
 /* Forces on a body for the steps that thud_world_advance will make: x, y, torque. */
-typedef struct td_pull {
+typedef struct td_force_record {
     uint32_t generation; /* of the body; the forces are 0 for a body of another generation */
     float mean[3];       /* mean force over the time that has not been stepped yet */
     float now[3];        /* force over the time of the present call */
     float due[3];        /* force over the whole next step, and not longer */
-} td_pull;
+} td_force_record;
 
 typedef enum td_change_kind {
     TD_CHANGE_ENTER = 1,  /* created: takes its awake slot and enters the broadphase */
@@ -262,8 +275,9 @@ typedef struct td_errors {
     double depth;            /* sum of penetration depths, in whole position quanta */
     float deepest, residual; /* greatest depth, length; greatest approach speed left, length/s */
     double energy_change;
-    float shortfall; /* greatest motion that detection has cut off, length, squared */
-    int64_t moved;   /* motions that were projected after points were counted: td_error_of_step */
+    float shortfall_squared; /* of the greatest motion that detection has cut off, length^2 */
+    int64_t projected; /* 1: gaps.c changed motions after points were counted, which are counted
+                          anew by td_errors_of_step; else 0 */
 } td_errors;
 
 enum { TD_BUDGET_STEPS = 9 }; /* steps between two decisions of solver/budget.c. Chosen. */

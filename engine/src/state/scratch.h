@@ -7,7 +7,7 @@
 #include "base/memory.h"
 
 typedef struct td_scratch {
-    td_array hits;                /* int: shapes that a broadphase search has found */
+    td_array found_shapes;        /* int: shapes that a broadphase search has found */
     td_array ahead;               /* int: resting shapes that a fast body may hit */
     td_array crowded;             /* int: shapes of a crowd that may lack contacts: broadphase.c */
     td_array stamps;              /* uint32_t, by shape: partners have `stamp`: stamp_partners */
@@ -17,7 +17,7 @@ typedef struct td_scratch {
     td_array blocks;              /* td_block *: in the order of solving */
     td_array runs;                /* td_run: sequences of `blocks` of one bin */
     bool sequenced;               /* `blocks` and `runs` list all blocks of the awake bins */
-    td_array parted;              /* td_block *: with a lane whose shapes no longer touch */
+    td_array separated;           /* td_block *: with a lane whose shapes no longer touch */
     td_array chunks;              /* td_chunk: pieces of `runs`, which workers take one by one */
     td_array counters;            /* atomic_int: of the phases of a task, see jobs.h */
     td_array begins, ends;        /* int: contacts that begin or end in this step */
@@ -29,21 +29,21 @@ typedef struct td_scratch {
                                      their min_extent */
     td_event_queue queue;         /* candidates in the order of their time of impact */
     td_array trajectories;        /* td_trajectory, by awake slot */
-    td_array candidates;          /* td_toi_candidate: those that are not contacts */
-    td_array strays;              /* td_stray: shapes that may leave their bounds of the step */
-    td_array impacts;             /* td_impact; before detection, td_pushes by block: gaps.c */
-    td_array odd;                 /* td_awake_slot: bodies that wide_finalize.c leaves to
-                                     finalize.c: not finite, or too fast for its arithmetic */
-    td_array next_tied;           /* td_awake_slot, by awake slot: constraint/tied_bodies.h */
-    td_array before;              /* float[4], by awake slot: velocities, joints/joint_yield.c */
-    td_array powers;              /* double[3], by ring of tied bodies: joints/joint_brace.c */
-    td_array held_at;             /* double, by awake slot: see td_held_count */
-    td_array legs;                /* td_leg, parts of paths in the order of time: sensing.c */
-    td_array first_legs;          /* int, by awake slot: the first of its legs, or TD_NONE */
-    td_array sensing;             /* td_awake_slot: awake bodies with sensors */
-    int sensed_room;              /* new sensor pairs for which this step has reserved memory; 0:
-                                     it began without sensors */
-    td_array order;               /* any type: while a proxy set is sorted */
+    td_array extra_candidates;    /* td_toi_candidate: those that are not contacts */
+    td_array escaped;      /* td_escaped_shape: shapes that may leave their bounds of the step */
+    td_array impacts;      /* td_impact; before detection, td_pushes by block: gaps.c */
+    td_array odd;          /* td_awake_slot: bodies that wide_finalize.c leaves to
+                              finalize.c: not finite, or too fast for its arithmetic */
+    td_array next_tied;    /* td_awake_slot, by awake slot: constraint/tied_bodies.h */
+    td_array before;       /* float[4], by awake slot: velocities, joints/joint_yield.c */
+    td_array brace_groups; /* double[3], by group of tied bodies: joints/joint_brace.c */
+    td_array held_at;      /* double, by awake slot: see td_held_count */
+    td_array legs;         /* td_leg, parts of paths in the order of time: sensing.c */
+    td_array first_legs;   /* int, by awake slot: the first of its legs, or TD_NONE */
+    td_array sensing;      /* td_awake_slot: awake bodies with sensors */
+    int sensed_room;       /* new sensor pairs for which this step has reserved memory; 0:
+                              it began without sensors */
+    td_array order;        /* any type: while a proxy set is sorted */
 } td_scratch;
 
 #endif

@@ -35,7 +35,7 @@ const char *td_shape_def_error(const thud_world *w, const thud_shape_def *def, t
 }
 
 bool td_size_in(const thud_world *w, td_reason *why, const char *name, int body_kind, float size) {
-    float max = body_kind == THUD_STATIC ? THUD_STATIC_SIZE_MAX : THUD_SIZE_MAX;
+    float max = body_kind == THUD_BODY_STATIC ? THUD_STATIC_SIZE_MAX : THUD_SIZE_MAX;
     return td_float_in(why, name, size, THUD_SIZE_MIN * w->unit, max * w->unit);
 }
 
@@ -59,8 +59,9 @@ static thud_result check_half(const thud_world *w, td_body_index body, thud_vec2
 #define ARRAY(name, element) TD_ARRAY_PLACE(thud_world, name, element)
 
 /* The arrays of the world that have an element for each shape, or room for all. */
-static const td_array_place BY_SHAPE[] = {ARRAY(proxy, td_shape_proxy), ARRAY(was, td_bounds),
-                                          ARRAY(marks, uint8_t), ARRAY(moved, int)};
+static const td_array_place BY_SHAPE[] = {ARRAY(proxy, td_shape_proxy),
+                                          ARRAY(previous_fat, td_bounds), ARRAY(marks, uint8_t),
+                                          ARRAY(moved, int)};
 
 bool td_shape_reserve(thud_world *w, int count) {
     return td_slots_reserve(&w->memory, &w->shapes, count) && td_deferred_reserve(w, count) &&
@@ -115,13 +116,13 @@ static thud_result finish_create(thud_world *w, td_body_index body_index, const 
     *shape = made;
     w->thinnest_stale = true;
     w->sensors += def->sensor;
-    w->mobile_sensors += def->sensor && body->kind == THUD_DYNAMIC;
+    w->mobile_sensors += def->sensor && body->kind == THUD_BODY_DYNAMIC;
     body->first_shape = index;
     body->shape_count++;
     body->aabbs = (uint8_t)(body->aabbs | td_kind_fixes_rotation(made.kind));
     if (w->locked) {
         td_deferred_add(w, body_index, TD_PUT_SHAPE, (double[4]){index});
-    } else if (body->kind != THUD_STATIC) {
+    } else if (body->kind != THUD_BODY_STATIC) {
         td_body_weigh(w, body_index);
     }
     td_body_mark(w, body_index, TD_CHANGE_SHAPES);
@@ -136,7 +137,7 @@ static thud_result finish_create(thud_world *w, td_body_index body_index, const 
 
 thud_result thud_shape_create_circle(thud_world *w, thud_body_id id, const thud_shape_def *def,
                                      thud_vec2 offset, float radius, thud_shape_id *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index body;
     thud_result result = begin_create(w, id, def, &body);
     if (result != THUD_OK) {
@@ -149,7 +150,7 @@ thud_result thud_shape_create_circle(thud_world *w, thud_body_id id, const thud_
     }
     td_kind_circle(w);
     return finish_create(w, body, def,
-                         (td_shape){.kind = THUD_CIRCLE,
+                         (td_shape){.kind = THUD_SHAPE_CIRCLE,
                                     .x = offset.x,
                                     .y = offset.y,
                                     .angle_c = 1.0f,
@@ -160,7 +161,7 @@ thud_result thud_shape_create_circle(thud_world *w, thud_body_id id, const thud_
 
 thud_result thud_shape_create_aabb(thud_world *w, thud_body_id id, const thud_shape_def *def,
                                    thud_vec2 offset, thud_vec2 half, thud_shape_id *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index body;
     thud_result result = begin_create(w, id, def, &body);
     if (result != THUD_OK) {
@@ -173,13 +174,13 @@ thud_result thud_shape_create_aabb(thud_world *w, thud_body_id id, const thud_sh
     if (td_pose_at(w, body)->angle != 0 || td_deferred_turns(w, body)) {
         return td_refuse(w, THUD_ERROR_INVALID, "AABB: its body's angle must be 0");
     }
-    if (td_body_at(w, body)->kind == THUD_KINEMATIC &&
+    if (td_body_at(w, body)->kind == THUD_BODY_KINEMATIC &&
         td_body_velocity(w, td_body_at(w, body))[2] != 0.0f) {
         return td_refuse(w, THUD_ERROR_INVALID, "AABB: its body must not turn");
     }
     td_kind_aabb(w);
     return finish_create(w, body, def,
-                         (td_shape){.kind = THUD_AABB,
+                         (td_shape){.kind = THUD_SHAPE_AABB,
                                     .x = offset.x,
                                     .y = offset.y,
                                     .angle_c = 1.0f,
@@ -191,7 +192,7 @@ thud_result thud_shape_create_aabb(thud_world *w, thud_body_id id, const thud_sh
 thud_result thud_shape_create_obb(thud_world *w, thud_body_id id, const thud_shape_def *def,
                                   thud_vec2 offset, thud_vec2 half, double angle,
                                   thud_shape_id *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index body;
     thud_result result = begin_create(w, id, def, &body);
     if (result != THUD_OK) {
@@ -205,7 +206,7 @@ thud_result thud_shape_create_obb(thud_world *w, thud_body_id id, const thud_sha
         return result;
     }
     td_kind_obb(w);
-    td_shape made = {.kind = THUD_OBB,
+    td_shape made = {.kind = THUD_SHAPE_OBB,
                      .x = offset.x,
                      .y = offset.y,
                      .angle = td_angle_from(angle),
@@ -265,7 +266,7 @@ static const char *terrain_error(const thud_terrain *t) {
 
 thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud_shape_def *def,
                                       const thud_terrain *terrain, thud_shape_id *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index body;
     thud_result result = begin_create(w, id, def, &body);
     if (result != THUD_OK) {
@@ -278,7 +279,7 @@ thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud
     if (result != THUD_OK) {
         return td_refuse(w, result, terrain_error(terrain));
     }
-    if (td_body_at(w, body)->kind != THUD_STATIC || td_pose_at(w, body)->angle != 0 ||
+    if (td_body_at(w, body)->kind != THUD_BODY_STATIC || td_pose_at(w, body)->angle != 0 ||
         td_deferred_turns(w, body)) {
         return td_refuse(w, THUD_ERROR_INVALID, "terrain: needs a static body with angle 0");
     }
@@ -298,10 +299,11 @@ thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud
     td_terrain_record *record = td_terrain_record_at(w, index);
     *record = made;
     return finish_create(w, body, def,
-                         (td_shape){.kind = THUD_TERRAIN, .terrain = index, .angle_c = 1.0f}, out);
+                         (td_shape){.kind = THUD_SHAPE_TERRAIN, .terrain = index, .angle_c = 1.0f},
+                         out);
 }
 
-thud_result thud_shape_terrain(const thud_world *w, thud_shape_id id, thud_terrain *out) {
+thud_result thud_shape_get_terrain(const thud_world *w, thud_shape_id id, thud_terrain *out) {
     int index;
     thud_result result = td_find_shape(w, id, &index);
     if (result != THUD_OK) {
@@ -335,8 +337,8 @@ bool thud_shape_is_valid(const thud_world *w, thud_shape_id id) {
            td_tag(w, td_shape_at(w, (int)id.index1 - 1)->generation) == id.generation;
 }
 
-thud_result thud_shape_get(const thud_world *w, thud_shape_id id, thud_shape_state *out) {
-    TD_IN_OWN_MODE;
+thud_result thud_shape_get_state(const thud_world *w, thud_shape_id id, thud_shape_state *out) {
+    TD_IN_OWN_FLOAT_MODE;
     int index;
     thud_result result = td_find_shape(w, id, &index);
     if (result == THUD_OK && out) {

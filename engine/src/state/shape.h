@@ -8,7 +8,8 @@
 
 /* Whether a shape of a body of that kind may have this radius or half extent (caller's unit). */
 static inline bool td_shape_size_valid(const thud_world *w, int body_kind, float size) {
-    float s = size / w->unit, max = body_kind == THUD_STATIC ? THUD_STATIC_SIZE_MAX : THUD_SIZE_MAX;
+    float s = size / w->unit,
+          max = body_kind == THUD_BODY_STATIC ? THUD_STATIC_SIZE_MAX : THUD_SIZE_MAX;
     return s >= THUD_SIZE_MIN && s <= max;
 }
 
@@ -42,8 +43,8 @@ void td_shape_expect(thud_world *w, int shape, float dx, float dy);
 
 /* Bounds of a shape that is placed relative to `origin`, extended by `slack` (caller's unit) on
  * each side. */
-td_bounds td_placed_bounds(const thud_world *w, const thud_shape_instance *placed,
-                           td_position origin, double slack);
+td_bounds td_placed_bounds(const thud_world *w, const thud_geometry *placed, td_position origin,
+                           double slack);
 
 /* Half of the shape's least thickness; and all of it. */
 TD_INLINE_SMALL float td_half_thickness(const td_shape *shape) {
@@ -63,16 +64,16 @@ float td_thinnest(thud_world *w);
 void td_shape_mark_moved(thud_world *w, int shape);
 
 /* A shape in its place, relative to `origin`; of a terrain only the place of its origin is set. */
-thud_shape_instance td_shape_instance(const thud_world *w, int shape, td_position origin);
+thud_geometry td_shape_instance(const thud_world *w, int shape, td_position origin);
 /* The same, with the place of another proxy of the shape. */
-thud_shape_instance td_shape_instance_of(const thud_world *w, int shape,
-                                         const td_shape_proxy *proxy, td_position origin);
+thud_geometry td_shape_instance_of(const thud_world *w, int shape, const td_shape_proxy *proxy,
+                                   td_position origin);
 
 /* A shape that moves within a step, for sweeps of continuous collision detection. */
 typedef struct td_swept {
     td_position start; /* origin of `placed` and `core` */
-    thud_shape_instance placed;
-    thud_shape_instance core; /* the part that is swept, without rotation, where `placed` overlaps
+    thud_geometry placed;
+    thud_geometry core; /* the part that is swept, without rotation, where `placed` overlaps
                                  at the start */
     thud_motion motion;
     td_bounds bounds; /* of the whole motion */
@@ -90,11 +91,11 @@ typedef struct td_swept_hit {
  * without terrain does not link them. `line` is the index of the line's shape; shape instances are
  * relative to its origin. The functions are described in broadphase/ground.c. */
 typedef struct td_ground_ops {
-    bool (*overlap)(const thud_world *w, int line, const thud_shape_instance *shape);
-    void (*time_of_impact)(const thud_world *w, int line, const thud_shape_instance *shape,
+    bool (*overlap)(const thud_world *w, int line, const thud_geometry *shape);
+    void (*time_of_impact)(const thud_world *w, int line, const thud_geometry *shape,
                            thud_motion motion, bool *hit, double *time);
     /* The point of the line below the shape's centre, as a pair of closest points. */
-    thud_closest (*below)(const thud_world *w, int line, const thud_shape_instance *shape);
+    thud_closest (*below)(const thud_world *w, int line, const thud_geometry *shape);
     /* Whether the bounds of the sweep reach down to any segment; those of most falling bodies do
      * not. */
     bool (*near_sweep)(const thud_world *w, int line, const td_swept *swept);

@@ -52,7 +52,7 @@ float td_thinnest(thud_world *w) {
 void td_shape_mark_moved(thud_world *w, int index) {
     uint8_t *marks = td_marks_at(w, index);
     if (!(*marks & TD_MARK_MOVED)) {
-        *td_was_at(w, index) = *td_fat_at(w, index);
+        *td_previous_fat_at(w, index) = *td_fat_at(w, index);
         *marks |= TD_MARK_MOVED;
         td_push_int(&w->moved, index);
     }
@@ -94,7 +94,7 @@ static int32_t coarse_reach(const thud_world *w, double length) {
     return (int32_t)td_min_double(length * w->to_coarse, 0x1p30) + 2;
 }
 
-td_bounds td_placed_bounds(const thud_world *w, const thud_shape_instance *p, td_position origin,
+td_bounds td_placed_bounds(const thud_world *w, const thud_geometry *p, td_position origin,
                            double slack) {
     double x = td_half_along(p, 1.0, 0.0), y = td_half_along(p, 0.0, 1.0);
     td_position center = {origin.x + td_round64(p->x * w->to_fixed),
@@ -111,7 +111,7 @@ td_bounds td_placed_bounds(const thud_world *w, const thud_shape_instance *p, td
 void td_shape_expect(thud_world *w, int index, float dx, float dy) {
     td_shape_proxy *proxy = td_shape_proxy_at(w, index);
     float max = EXPECTED_MOTION_MAX * w->unit;
-    thud_shape_instance now = td_shape_instance(w, index, proxy->center), then = now;
+    thud_geometry now = td_shape_instance(w, index, proxy->center), then = now;
     then.x = (double)td_max_float(-max, td_min_float(dx, max));
     then.y = (double)td_max_float(-max, td_min_float(dy, max));
     td_bounds a = td_placed_bounds(w, &now, proxy->center, 0.0);
@@ -170,19 +170,19 @@ void td_body_place_shapes(thud_world *w, td_body_index body) {
     }
 }
 
-thud_shape_instance td_shape_instance_of(const thud_world *w, int index,
-                                         const td_shape_proxy *proxy, td_position origin) {
+thud_geometry td_shape_instance_of(const thud_world *w, int index, const td_shape_proxy *proxy,
+                                   td_position origin) {
     const td_shape *shape = td_shape_at(w, index);
-    return (thud_shape_instance){.kind = (thud_shape_kind)shape->kind,
-                                 .x = (double)(proxy->center.x - origin.x) / w->to_fixed,
-                                 .y = (double)(proxy->center.y - origin.y) / w->to_fixed,
-                                 .c = (double)proxy->c,
-                                 .s = (double)proxy->s,
-                                 .hx = (double)shape->half_x,
-                                 .hy = (double)shape->half_y};
+    return (thud_geometry){.kind = (thud_shape_kind)shape->kind,
+                           .x = (double)(proxy->center.x - origin.x) / w->to_fixed,
+                           .y = (double)(proxy->center.y - origin.y) / w->to_fixed,
+                           .c = (double)proxy->c,
+                           .s = (double)proxy->s,
+                           .hx = (double)shape->half_x,
+                           .hy = (double)shape->half_y};
 }
 
-thud_shape_instance td_shape_instance(const thud_world *w, int index, td_position origin) {
+thud_geometry td_shape_instance(const thud_world *w, int index, td_position origin) {
     return td_shape_instance_of(w, index, td_shape_proxy_at(w, index), origin);
 }
 

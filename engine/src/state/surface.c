@@ -42,7 +42,7 @@ void td_surface_mute(td_block *block, int points, int lane) {
     for (int k = 0; k < points; k++) {
         td_point *p = &block->point[k];
         p->normal_mass[lane] = p->normal_impulse[lane] = 0.0f;
-        p->separation[lane] = p->base[lane] = TD_APART;
+        p->separation[lane] = p->start_separation[lane] = TD_APART;
     }
     block->tangent_mass[lane] = block->tangent_impulse[lane] = 0.0f;
 }

@@ -53,9 +53,9 @@ static void wake_and_renew(thud_world *w, int terrain_shape, int shape) {
     td_shape_mark_moved(w, shape);
     *td_marks_at(w, shape) |= TD_MARK_WOKEN;
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *contact = td_constraint_at(w, e / 2);
+        const td_constraint *contact = td_constraint_at(w, td_edge_constraint(e));
         if (contact->state == TD_TOUCHING && has_shape(contact, terrain_shape)) {
-            td_lane_renew(w, e / 2);
+            td_lane_renew(w, td_edge_constraint(e));
         }
     }
 }
@@ -65,7 +65,7 @@ static void wake_and_renew(thud_world *w, int terrain_shape, int shape) {
 static void update_contacts(thud_world *w, int terrain_shape, const splice *s) {
     int e = td_body_at(w, td_shape_at(w, terrain_shape)->body)->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        td_constraint *contact = td_constraint_at(w, e / 2);
+        td_constraint *contact = td_constraint_at(w, td_edge_constraint(e));
         if (!has_shape(contact, terrain_shape) || contact->child == TD_NONE) {
             continue;
         }
@@ -213,7 +213,7 @@ static thud_result find_terrain(thud_world *w, thud_shape_id id, int *shape) {
 
 thud_result thud_shape_set_heights(thud_world *w, thud_shape_id id, int first,
                                    const double *heights, int count) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int shape;
     thud_result result = find_terrain(w, id, &shape);
     if (result != THUD_OK) {
@@ -241,7 +241,7 @@ thud_result thud_shape_set_heights(thud_world *w, thud_shape_id id, int first,
 
 thud_result thud_shape_replace_range(thud_world *w, thud_shape_id id, double x0, double x1,
                                      const thud_pos *points, int count) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int shape;
     thud_result result = find_terrain(w, id, &shape);
     if (result != THUD_OK) {
@@ -270,7 +270,7 @@ thud_result thud_shape_replace_range(thud_world *w, thud_shape_id id, double x0,
 /* Digs or raises with a tool that is given in the world's coordinates (terrain_reshape.h). */
 static thud_result reshape(thud_world *w, thud_shape_id id, td_tool tool, const char *range_error,
                            const char *memory_error) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int shape;
     thud_result result = find_terrain(w, id, &shape);
     if (result != THUD_OK) {

@@ -56,21 +56,22 @@ struct thud_world {
     int substeps;         /* of the next step */
     const thud_detection *detections[TD_RANK_COUNT]; /* by rank: those that the world or a body ever
                                                         chose; else null */
-    float skin; /* distance at which contacts rest, caller's unit: 0 or TD_SKIN */
+    float skin; /* distance at which contacts rest, caller's unit: 0, or TD_SKIN or
+                   TD_IMPACT_DISTANCE times unit (solver/quality.c) */
 
     /* State. */
-    uint64_t steps;      /* made so far */
-    double spare_time;   /* of thud_world_advance: time that has not been stepped yet, s */
-    uint64_t begun;      /* of thud_world_advance: number of the step that has failed; 0: none */
-    td_array pulls;      /* of thud_world_advance: td_pull, by body; empty without forces */
+    uint64_t steps;         /* made so far */
+    double spare_time;      /* of thud_world_advance: time that has not been stepped yet, s */
+    uint64_t begun;         /* of thud_world_advance: number of the step that has failed; 0: none */
+    td_array force_records; /* of thud_world_advance: td_force_record, by body; or empty */
     uint32_t rest_epoch; /* counts changes of the resting set: islands that fell asleep before one
                             search pairs again when they wake */
     td_slots bodies, shapes, constraints, joints, terrains;
-    td_array pose;  /* td_pose, by body */
-    td_array proxy; /* td_shape_proxy, by shape */
-    td_array was;   /* td_bounds, by shape: fat bounds before it moved, while TD_MARK_MOVED */
-    td_array marks; /* uint8_t, by shape: TD_MARK_MOVED and so on */
-    union {         /* arrays by awake slot; by their number, and by name */
+    td_array pose;         /* td_pose, by body */
+    td_array proxy;        /* td_shape_proxy, by shape */
+    td_array previous_fat; /* td_bounds, by moved shape: fat bounds before it moved */
+    td_array marks;        /* uint8_t, by shape: TD_MARK_MOVED and so on */
+    union {                /* arrays by awake slot; by their number, and by name */
         td_array awake[TD_AWAKE_ARRAY_COUNT];
         struct {
             TD_AWAKE_ARRAYS(TD_AWAKE_FIELD)
@@ -89,7 +90,7 @@ struct thud_world {
     int mobile_sensors; /* those of them that belong to dynamic bodies */
     int constraint_count[TD_CONSTRAINT_KINDS]; /* live constraints of each kind */
     int damped;                                /* awake bodies with damping */
-    bool push_stale;                           /* the array `push` must be recomputed */
+    bool substep_gain_stale;                   /* the array substep_gain must be recomputed */
     double kinetic;                            /* kinetic energy of the awake bodies */
     bool kinetic_stale;                        /* `kinetic` must be recomputed */
     int idle_bodies;                           /* bodies at rest for TD_SLEEP_TIME or longer */
@@ -112,7 +113,7 @@ struct thud_world {
     /* Rebuilt by every step. */
     td_scratch scratch;
     td_islands islands; /* those that are solved directly */
-    td_array poses;     /* thud_pose: what thud_world_poses returns */
+    td_array poses;     /* thud_pose: what thud_world_get_poses returns */
     td_preview preview;
 
     /* Statistics. */
@@ -127,7 +128,7 @@ static inline td_body *td_body_at(const thud_world *w, td_body_index i) {
 
 /* Whether the body is dynamic and has no awake slot. */
 static inline bool td_body_sleeps(const thud_world *w, td_body_index i) {
-    return td_body_at(w, i)->kind == THUD_DYNAMIC && td_body_at(w, i)->awake.at < 0;
+    return td_body_at(w, i)->kind == THUD_BODY_DYNAMIC && td_body_at(w, i)->awake.at < 0;
 }
 
 static inline td_shape *td_shape_at(const thud_world *w, int i) {
@@ -170,8 +171,8 @@ static inline uint8_t *td_marks_at(const thud_world *w, int shape) {
     return (uint8_t *)w->marks.data + shape;
 }
 
-static inline td_bounds *td_was_at(const thud_world *w, int shape) {
-    return TD_AT(td_bounds, &w->was, shape);
+static inline td_bounds *td_previous_fat_at(const thud_world *w, int shape) {
+    return TD_AT(td_bounds, &w->previous_fat, shape);
 }
 
 /* ---- by awake slot ---- */
@@ -195,6 +196,12 @@ static inline td_colours *td_colours_at(const thud_world *w, td_awake_slot slot)
 /* An element of an array of awake_arrays.h that consists of one, two or four floats. */
 static inline float *td_row(const td_array *rows, td_awake_slot slot) {
     return td_at(rows, slot.at);
+}
+
+/* The inverse mass of an awake body, the fourth float of its velocity; 0: constraints do not move
+ * it (a kinematic body; slot 0, which stands for all static ones). */
+static inline float td_inv_mass_of(const thud_world *w, td_awake_slot slot) {
+    return td_row(&w->velocity, slot)[3];
 }
 
 #endif

@@ -3,17 +3,17 @@
  * gap. */
 #include "terrain/grown_ground.h"
 
-td_grown td_grown_by(const thud_terrain *t, const thud_shape_instance *s, thud_pos offset) {
+td_grown td_grown_by(const thud_terrain *t, const thud_geometry *s, thud_pos offset) {
     td_grown k = {.terrain = t, .shape = s, .offset = offset};
     switch (s->kind) {
-    case THUD_CIRCLE:
+    case THUD_SHAPE_CIRCLE:
         k.radius = s->hx;
         k.under[0].x = -s->hx;
         k.under[1].y = -s->hx;
         k.under[2].x = s->hx;
         break;
-    case THUD_AABB:
-    case THUD_OBB: {
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB: {
         double u = s->c > 0.0 ? s->hx : -s->hx, v = s->s > 0.0 ? s->hy : -s->hy;
         td_from_frame(s, -u, v, &k.under[0].x, &k.under[0].y);
         td_from_frame(s, s->s > 0.0 ? -s->hx : s->hx, s->c > 0.0 ? -s->hy : s->hy, &k.under[1].x,
@@ -21,7 +21,7 @@ td_grown td_grown_by(const thud_terrain *t, const thud_shape_instance *s, thud_p
         td_from_frame(s, u, -v, &k.under[2].x, &k.under[2].y);
         break;
     }
-    case THUD_TERRAIN: /* never called for one */
+    case THUD_SHAPE_TERRAIN: /* never called for one */
         break;
     }
     return k;

@@ -23,7 +23,7 @@ enum { TD_PIECES = 3 };
 /* A terrain and the shape by which it is grown. */
 typedef struct td_grown {
     const thud_terrain *terrain;
-    const thud_shape_instance *shape;
+    const thud_geometry *shape;
     thud_pos offset;   /* added to the position of `shape` */
     thud_pos under[3]; /* leftmost, lowest and rightmost point of the shape, from its centre */
     double radius;     /* of a circle; else 0 */
@@ -41,8 +41,7 @@ typedef struct td_piece {
 } td_piece;
 
 /* The grown ground for a shape moved by `offset`. */
-td_grown td_grown_by(const thud_terrain *terrain, const thud_shape_instance *shape,
-                     thud_pos offset);
+td_grown td_grown_by(const thud_terrain *terrain, const thud_geometry *shape, thud_pos offset);
 /* The same with left and right exchanged. */
 td_grown td_grown_mirrored(const td_grown *grown);
 

@@ -173,23 +173,23 @@ thud_result thud_terrain_texture_at(const thud_terrain_sample *sample, const thu
     return THUD_OK;
 }
 
-void thud_terrain_segments(const thud_terrain *t, double x_min, double x_max, int *first,
-                           int *last) {
-    if (!first || !last) {
+void thud_terrain_segments(const thud_terrain *t, double x_min, double x_max, int *out_first,
+                           int *out_last) {
+    if (!out_first || !out_last) {
         return;
     }
-    *first = 0;
-    *last = -1;
+    *out_first = 0;
+    *out_last = -1;
     if (td_terrain_readable(t) != THUD_OK || !(x_min <= x_max)) {
         return;
     }
     if (t->kind == THUD_TERRAIN_FLAT) {
-        *last = 0;
+        *out_last = 0;
     } else if (x_max >= td_terrain_x(t, 0) && x_min <= td_terrain_x(t, t->count - 1)) {
-        *first = td_terrain_segment_at(t, x_min);
-        *last = td_terrain_segment_at(t, x_max);
-        if (*first > 0 && x_min == td_terrain_x(t, *first)) {
-            --*first; /* x_min is the end of the segment before, which counts */
+        *out_first = td_terrain_segment_at(t, x_min);
+        *out_last = td_terrain_segment_at(t, x_max);
+        if (*out_first > 0 && x_min == td_terrain_x(t, *out_first)) {
+            --*out_first; /* x_min is the end of the segment before, which counts */
         }
     }
 }

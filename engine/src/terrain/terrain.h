@@ -1,6 +1,6 @@
 /* terrain.h: the segments of a terrain, for the files that work on them.
  *
- * A terrain (thud_terrain of thud_shapes.h) is a line with one height for each x: an endless
+ * A terrain (thud_terrain of thud_geometry.h) is a line with one height for each x: an endless
  * straight line (THUD_TERRAIN_FLAT), vertices at equal distances (UNIFORM), or vertices at any
  * rising x (IRREGULAR). The ground is solid below the line, down to any depth, and ends in an
  * upright side under each end vertex. Coordinates are relative to the terrain's origin, in the
@@ -55,7 +55,7 @@ td_segment td_terrain_segment(const thud_terrain *terrain, int segment, double x
 /* terrain_closest.c: does what thud_terrain_closest does, for a shape that is moved by `offset` and
  * known to be valid; it may be a circle of radius 0. The points of *out are relative to the moved
  * centre. */
-void td_terrain_closest(const thud_terrain *terrain, const thud_shape_instance *shape,
-                        thud_pos offset, thud_closest *out);
+void td_terrain_closest(const thud_terrain *terrain, const thud_geometry *shape, thud_pos offset,
+                        thud_closest *out);
 
 #endif

@@ -210,7 +210,7 @@ static void on_endless_line(const td_grown *k, thud_closest *out) {
     out->ay = e.touch.y - out->ny * out->distance;
 }
 
-void td_terrain_closest(const thud_terrain *t, const thud_shape_instance *shape, thud_pos offset,
+void td_terrain_closest(const thud_terrain *t, const thud_geometry *shape, thud_pos offset,
                         thud_closest *out) {
     td_grown k = td_grown_by(t, shape, offset), mirrored = td_grown_mirrored(&k);
     td_piece top;
@@ -233,13 +233,13 @@ void td_terrain_closest(const thud_terrain *t, const thud_shape_instance *shape,
     out->by = out->ay + out->ny * out->distance;
 }
 
-thud_result thud_terrain_closest(const thud_terrain *terrain, const thud_shape_instance *shape,
+thud_result thud_terrain_closest(const thud_terrain *terrain, const thud_geometry *shape,
                                  thud_closest *out) {
     if (!terrain || !shape || !out) {
         return THUD_ERROR_NULL;
     }
     thud_result readable = td_terrain_readable(terrain);
-    if (readable != THUD_OK || thud_placed_check(shape) != THUD_OK) {
+    if (readable != THUD_OK || thud_geometry_check(shape) != THUD_OK) {
         return readable != THUD_OK ? readable : THUD_ERROR_INVALID;
     }
     td_terrain_closest(terrain, shape, (thud_pos){0.0, 0.0}, out);

@@ -19,7 +19,7 @@
 /* A search for the point furthest from `from`. Points are relative to the shape's centre. */
 typedef struct search {
     const thud_terrain *terrain;
-    const thud_shape_instance *shape;
+    const thud_geometry *shape;
     double margin; /* points with a greater separation do not count */
     thud_closest from;
     double apart; /* distance of the best point from it so far; at first the least that counts */
@@ -40,8 +40,8 @@ static void keep_further(search *k, const thud_closest *c) {
 
 /* The candidates of a box's corners, each with the nearest place of the ground. */
 static void try_corners(search *k) {
-    thud_shape_instance box = *k->shape,
-                        point = {.kind = THUD_CIRCLE, .x = box.x, .y = box.y, .c = 1.0};
+    thud_geometry box = *k->shape,
+                  point = {.kind = THUD_SHAPE_CIRCLE, .x = box.x, .y = box.y, .c = 1.0};
     box.x = box.y = 0.0;
     for (int i = 0; i < 4; i++) {
         thud_pos corner;
@@ -79,8 +79,8 @@ static void try_ridge(search *k, int i) {
         return;
     }
     thud_pos v = vertex_of(k, i);
-    thud_shape_instance shape = *k->shape,
-                        point = {.kind = THUD_CIRCLE, .x = v.x, .y = v.y, .c = 1.0};
+    thud_geometry shape = *k->shape,
+                  point = {.kind = THUD_SHAPE_CIRCLE, .x = v.x, .y = v.y, .c = 1.0};
     thud_closest c;
     shape.x = shape.y = 0.0;
     td_closest(&point, &shape, &c);
@@ -127,7 +127,7 @@ static bool find(search *k, bool centre_out) {
 
 /* Adds the second point to out->point[0], which is set, and replaces that where the head of this
  * file says so. */
-static void find_points(const thud_terrain *t, const thud_shape_instance *shape, double margin,
+static void find_points(const thud_terrain *t, const thud_geometry *shape, double margin,
                         thud_contacts *out) {
     thud_closest *first = &out->point[0], *second = &out->point[1];
     double same = SAME_POINT * td_reach(shape);
@@ -148,13 +148,13 @@ static void find_points(const thud_terrain *t, const thud_shape_instance *shape,
     }
 }
 
-thud_result thud_terrain_contacts(const thud_terrain *terrain, const thud_shape_instance *shape,
+thud_result thud_terrain_contacts(const thud_terrain *terrain, const thud_geometry *shape,
                                   double margin, thud_contacts *out) {
     if (!terrain || !shape || !out) {
         return THUD_ERROR_NULL;
     }
     thud_result readable = td_terrain_readable(terrain);
-    if (readable != THUD_OK || thud_placed_check(shape) != THUD_OK ||
+    if (readable != THUD_OK || thud_geometry_check(shape) != THUD_OK ||
         !(margin >= 0.0 && margin <= THUD_COORDINATE_MAX)) {
         return readable != THUD_OK ? readable : THUD_ERROR_INVALID;
     }

@@ -25,7 +25,7 @@ enum { ABOVE_GROUND = -2, LEFT_SIDE = -1 };
 /* The arguments of td_terrain_segment_manifold, and what follows from them. */
 typedef struct query {
     const thud_terrain *terrain;
-    const thud_shape_instance *shape;
+    const thud_geometry *shape;
     int segment;
     bool endless, first, last; /* endless: a flat line; first, last: the segment's left or right end
                                   is an end of the line with an open side */
@@ -34,7 +34,7 @@ typedef struct query {
     double margin;
 } query;
 
-static query query_of(const thud_terrain *t, int segment, const thud_shape_instance *shape,
+static query query_of(const thud_terrain *t, int segment, const thud_geometry *shape,
                       unsigned sealed, double margin) {
     bool left = !(sealed & TD_SEALED_LEFT), right = !(sealed & TD_SEALED_RIGHT);
     /* Half the width of the piece of a flat line that stands for its only segment: more than the
@@ -280,7 +280,7 @@ typedef struct faces {
 } faces;
 
 /* The faces of a box about the vertex v. */
-static faces faces_around(const thud_shape_instance *box, thud_pos v) {
+static faces faces_around(const thud_geometry *box, thud_pos v) {
     faces f;
     double u, w;
     td_to_frame(box, v.x - box->x, v.y - box->y, &u, &w);
@@ -398,19 +398,19 @@ static void box(const query *k, td_terrain_manifold *out) {
 }
 
 void td_terrain_segment_manifold(const thud_terrain *terrain, int segment,
-                                 const thud_shape_instance *shape, unsigned sealed, double margin,
+                                 const thud_geometry *shape, unsigned sealed, double margin,
                                  td_terrain_manifold *out) {
     query k = query_of(terrain, segment, shape, sealed, margin);
     *out = (td_terrain_manifold){.ny = 1.0};
     switch (shape->kind) {
-    case THUD_CIRCLE:
+    case THUD_SHAPE_CIRCLE:
         circle(&k, out);
         break;
-    case THUD_AABB:
-    case THUD_OBB:
+    case THUD_SHAPE_AABB:
+    case THUD_SHAPE_OBB:
         box(&k, out);
         break;
-    case THUD_TERRAIN: /* lines do not meet each other */
+    case THUD_SHAPE_TERRAIN: /* lines do not meet each other */
         break;
     }
 }

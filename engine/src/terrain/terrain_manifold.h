@@ -3,7 +3,7 @@
 #ifndef TD_TERRAIN_MANIFOLD_H
 #define TD_TERRAIN_MANIFOLD_H
 
-#include "thud/thud_shapes.h"
+#include "thud/thud_geometry.h"
 
 /* A contact point. */
 typedef struct td_terrain_point {
@@ -32,7 +32,7 @@ enum { TD_SEALED_RIGHT = 1, TD_SEALED_LEFT = 4 };
  * together report each contact once, and a shape that slides over collinear segments only gets
  * their normal. */
 void td_terrain_segment_manifold(const thud_terrain *terrain, int segment,
-                                 const thud_shape_instance *shape, unsigned sealed, double margin,
+                                 const thud_geometry *shape, unsigned sealed, double margin,
                                  td_terrain_manifold *out);
 
 #endif

@@ -73,20 +73,22 @@ static bool walk_segments(const ray *r, int first, int last, double *fraction, i
     return false;
 }
 
-bool thud_terrain_cast_ray(const thud_terrain *terrain, double ox, double oy, double dx, double dy,
-                           double *fraction, double *nx, double *ny) {
-    if (td_terrain_readable(terrain) != THUD_OK || !td_finite(ox + oy + dx + dy)) {
+bool thud_terrain_cast_ray(const thud_terrain *terrain, thud_segment way, double *out_fraction,
+                           double *out_nx, double *out_ny) {
+    if (td_terrain_readable(terrain) != THUD_OK || !td_finite(way.x + way.y + way.dx + way.dy)) {
         return false;
     }
-    ray r = {terrain, ox, oy, dx, dy};
+    ray r = {terrain, way.x, way.y, way.dx, way.dy};
     double found = 0.0;
     int first, last, segment = 0;
-    thud_terrain_segments(terrain, dx < 0.0 ? ox + dx : ox, dx < 0.0 ? ox : ox + dx, &first, &last);
+    double end = way.x + way.dx;
+    thud_terrain_segments(terrain, way.dx < 0.0 ? end : way.x, way.dx < 0.0 ? way.x : end, &first,
+                          &last);
     if (first > last) {
         return false;
     }
     if (terrain->kind == THUD_TERRAIN_FLAT) {
-        double from = oy - terrain->slope * ox, fall = terrain->slope * dx - dy;
+        double from = way.y - terrain->slope * way.x, fall = terrain->slope * way.dx - way.dy;
         if (!crosses_down((ray_sample){0.0, from}, (ray_sample){1.0, from - fall}, &found)) {
             return false;
         }
@@ -94,14 +96,14 @@ bool thud_terrain_cast_ray(const thud_terrain *terrain, double ox, double oy, do
         return false;
     }
     td_segment s = td_terrain_segment(terrain, segment, 0.0, 1.0);
-    if (fraction) {
-        *fraction = found;
+    if (out_fraction) {
+        *out_fraction = found;
     }
-    if (nx) {
-        *nx = -s.ty;
+    if (out_nx) {
+        *out_nx = -s.ty;
     }
-    if (ny) {
-        *ny = s.tx;
+    if (out_ny) {
+        *out_ny = s.tx;
     }
     return true;
 }

@@ -3,7 +3,7 @@
 #ifndef TD_TERRAIN_RESHAPE_H
 #define TD_TERRAIN_RESHAPE_H
 
-#include "thud/thud_shapes.h"
+#include "thud/thud_geometry.h"
 
 /* A shape of the edit: a circle, which removes the ground inside and above it, or a mound, which
  * adds rise (1 - u^2)^2 to the height at x, with u = (x - tool.x) / radius. Coordinates are

@@ -6,8 +6,8 @@
  * seen as a box of thickness 0 (geometry/toi.c). */
 #include "terrain/grown_ground.h"
 
-bool thud_terrain_overlap(const thud_terrain *t, const thud_shape_instance *shape) {
-    if (td_terrain_readable(t) != THUD_OK || thud_placed_check(shape) != THUD_OK) {
+bool thud_terrain_overlap(const thud_terrain *t, const thud_geometry *shape) {
+    if (td_terrain_readable(t) != THUD_OK || thud_geometry_check(shape) != THUD_OK) {
         return false;
     }
     td_grown grown = td_grown_by(t, shape, (thud_pos){0.0, 0.0});
@@ -18,15 +18,15 @@ bool thud_terrain_overlap(const thud_terrain *t, const thud_shape_instance *shap
 
 /* Where the motion has an impact with the edge from p to q, sets *hit, and lowers *time to the
  * impact's time. */
-static void impact_with_edge(const thud_shape_instance *shape, thud_motion motion, thud_pos p,
-                             thud_pos q, double target, bool *hit, double *time) {
+static void impact_with_edge(const thud_geometry *shape, thud_motion motion, thud_pos p, thud_pos q,
+                             double target, bool *hit, double *time) {
     double dx = q.x - p.x, dy = q.y - p.y, length = __builtin_sqrt(dx * dx + dy * dy);
-    thud_shape_instance box = {.kind = THUD_OBB,
-                               .x = p.x + 0.5 * dx,
-                               .y = p.y + 0.5 * dy,
-                               .c = dx / length,
-                               .s = dy / length,
-                               .hx = 0.5 * length};
+    thud_geometry box = {.kind = THUD_SHAPE_OBB,
+                         .x = p.x + 0.5 * dx,
+                         .y = p.y + 0.5 * dy,
+                         .c = dx / length,
+                         .s = dy / length,
+                         .hx = 0.5 * length};
     bool hit_here;
     double time_here;
     td_time_of_impact(shape, motion, &box, (thud_motion){0}, target, &hit_here, &time_here);
@@ -36,20 +36,20 @@ static void impact_with_edge(const thud_shape_instance *shape, thud_motion motio
     *hit = *hit || hit_here;
 }
 
-thud_result thud_terrain_time_of_impact(const thud_terrain *t, const thud_shape_instance *shape,
-                                        thud_motion motion, double target, bool *hit,
-                                        double *time) {
-    if (!t || !shape || !hit || !time) {
+thud_result thud_terrain_time_of_impact(const thud_terrain *t, const thud_geometry *shape,
+                                        thud_motion motion, double target, bool *out_hit,
+                                        double *out_time) {
+    if (!t || !shape || !out_hit || !out_time) {
         return THUD_ERROR_NULL;
     }
     thud_result readable = td_terrain_readable(t);
-    if (readable != THUD_OK || thud_placed_check(shape) != THUD_OK || !td_motion_valid(motion) ||
+    if (readable != THUD_OK || thud_geometry_check(shape) != THUD_OK || !td_motion_valid(motion) ||
         !td_target_valid(target)) {
         return readable != THUD_OK ? readable : THUD_ERROR_INVALID;
     }
-    *hit = thud_terrain_overlap(t, shape);
-    *time = *hit ? 0.0 : 1.0;
-    if (*hit) {
+    *out_hit = thud_terrain_overlap(t, shape);
+    *out_time = *out_hit ? 0.0 : 1.0;
+    if (*out_hit) {
         return THUD_OK;
     }
     /* Places are relative to the shape's centre, so that no precision is lost far from the
@@ -58,12 +58,12 @@ thud_result thud_terrain_time_of_impact(const thud_terrain *t, const thud_shape_
     double left = (motion.dx < 0.0 ? motion.dx : 0.0) - reach;
     double right = (motion.dx > 0.0 ? motion.dx : 0.0) + reach;
     double low = (motion.dy < 0.0 ? motion.dy : 0.0) - reach;
-    thud_shape_instance here = *shape;
+    thud_geometry here = *shape;
     here.x = here.y = 0.0;
     if (t->kind == THUD_TERRAIN_FLAT) {
         double height = t->slope * shape->x - shape->y;
         thud_pos p = {left, height + t->slope * left}, q = {right, height + t->slope * right};
-        impact_with_edge(&here, motion, p, q, target, hit, time);
+        impact_with_edge(&here, motion, p, q, target, out_hit, out_time);
         return THUD_OK;
     }
     int first, last;
@@ -71,12 +71,12 @@ thud_result thud_terrain_time_of_impact(const thud_terrain *t, const thud_shape_
     for (int i = first; i <= last; i++) {
         td_segment s = td_terrain_segment(t, i, 0.0, 0.0);
         thud_pos p = {s.p.x - shape->x, s.p.y - shape->y}, q = {s.q.x - shape->x, s.q.y - shape->y};
-        impact_with_edge(&here, motion, p, q, target, hit, time);
+        impact_with_edge(&here, motion, p, q, target, out_hit, out_time);
         if (i == 0 && low < p.y) {
-            impact_with_edge(&here, motion, (thud_pos){p.x, low}, p, target, hit, time);
+            impact_with_edge(&here, motion, (thud_pos){p.x, low}, p, target, out_hit, out_time);
         }
         if (i == t->count - 2 && low < q.y) {
-            impact_with_edge(&here, motion, q, (thud_pos){q.x, low}, target, hit, time);
+            impact_with_edge(&here, motion, q, (thud_pos){q.x, low}, target, out_hit, out_time);
         }
     }
     return THUD_OK;

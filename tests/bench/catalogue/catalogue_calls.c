@@ -1,4 +1,4 @@
-/* catalogue_calls.c: nanoseconds of a call of each function of thud_volumes.h, thud_shapes.h and
+/* catalogue_calls.c: nanoseconds of a call of each function of thud_volumes.h, thud_geometry.h and
  * thud_minkowski.h, for each pair of kinds of shapes. */
 #include "catalogue/call_timer.h"
 #include "catalogue/catalogue.h"
@@ -13,9 +13,12 @@ static const struct {
     const char *name;
     thud_shape_kind a, b;
 } PAIRS[PAIR_COUNT] = {
-    {"circle, circle", THUD_CIRCLE, THUD_CIRCLE}, {"circle, AABB", THUD_CIRCLE, THUD_AABB},
-    {"circle, OBB", THUD_CIRCLE, THUD_OBB},       {"AABB, AABB", THUD_AABB, THUD_AABB},
-    {"AABB, OBB", THUD_AABB, THUD_OBB},           {"OBB, OBB", THUD_OBB, THUD_OBB},
+    {"circle, circle", THUD_SHAPE_CIRCLE, THUD_SHAPE_CIRCLE},
+    {"circle, AABB", THUD_SHAPE_CIRCLE, THUD_SHAPE_AABB},
+    {"circle, OBB", THUD_SHAPE_CIRCLE, THUD_SHAPE_OBB},
+    {"AABB, AABB", THUD_SHAPE_AABB, THUD_SHAPE_AABB},
+    {"AABB, OBB", THUD_SHAPE_AABB, THUD_SHAPE_OBB},
+    {"OBB, OBB", THUD_SHAPE_OBB, THUD_SHAPE_OBB},
 };
 
 static const thud_motion STILL = {0, 0, 0};
@@ -38,7 +41,7 @@ static double volumes_overlap(const void *inputs, int count) {
 
 static double shapes_overlap(const void *inputs, int count) {
     FOR_EACH_CALL(inputs, count) {
-        answers += thud_shapes_overlap(&p->a[i], &p->b[i]);
+        answers += thud_geometry_overlap(&p->a[i], &p->b[i]);
     }
     return answers;
 }
@@ -46,7 +49,7 @@ static double shapes_overlap(const void *inputs, int count) {
 static double shapes_closest(const void *inputs, int count) {
     FOR_EACH_CALL(inputs, count) {
         thud_closest closest = {0};
-        thud_shapes_closest(&p->a[i], &p->b[i], &closest);
+        thud_geometry_closest(&p->a[i], &p->b[i], &closest);
         answers += closest.distance;
     }
     return answers;
@@ -55,7 +58,7 @@ static double shapes_closest(const void *inputs, int count) {
 static double shapes_contacts(const void *inputs, int count) {
     FOR_EACH_CALL(inputs, count) {
         thud_contacts contacts = {0};
-        thud_shapes_contacts(&p->a[i], &p->b[i], 0.02, &contacts);
+        thud_geometry_contacts(&p->a[i], &p->b[i], 0.02, &contacts);
         answers += contacts.count;
     }
     return answers;
@@ -64,7 +67,7 @@ static double shapes_contacts(const void *inputs, int count) {
 static double circles_approach(const void *inputs, int count) {
     FOR_EACH_CALL(inputs, count) {
         thud_approach approach = {0};
-        thud_circles_approach(&p->a[i], STILL, &p->far_b[i], p->motion[i], &approach);
+        thud_geometry_approach(&p->a[i], STILL, &p->far_b[i], p->motion[i], &approach);
         answers += approach.time;
     }
     return answers;
@@ -74,7 +77,7 @@ static double time_of_impact(const void *inputs, int count) {
     FOR_EACH_CALL(inputs, count) {
         bool hit = false;
         double time = 0;
-        thud_shapes_time_of_impact(&p->a[i], STILL, &p->far_b[i], p->motion[i], 0, &hit, &time);
+        thud_geometry_time_of_impact(&p->a[i], STILL, &p->far_b[i], p->motion[i], 0, &hit, &time);
         answers += time;
     }
     return answers;
@@ -84,8 +87,8 @@ static double time_of_collision(const void *inputs, int count) {
     FOR_EACH_CALL(inputs, count) {
         bool collided = false;
         double time = 0;
-        thud_shapes_time_of_collision(&p->a[i], STILL, &p->far_b[i], p->motion[i], p->tolerance,
-                                      &collided, &time);
+        thud_geometry_time_of_collision(&p->a[i], STILL, &p->far_b[i], p->motion[i], p->tolerance,
+                                        &collided, &time);
         answers += time;
     }
     return answers;
@@ -122,8 +125,10 @@ static double minkowski_cast(const void *inputs, int count) {
     FOR_EACH_CALL(inputs, count) {
         bool hit = false;
         double fraction = 0, nx, ny;
-        thud_minkowski_cast(&p->sum[i], p->far_b[i].x, p->far_b[i].y, p->motion[i].dx,
-                            p->motion[i].dy, &hit, &fraction, &nx, &ny);
+        thud_minkowski_cast(&p->sum[i],
+                            (thud_segment){p->far_b[i].x, p->far_b[i].y, p->motion[i].dx,
+                                           p->motion[i].dy},
+                            &hit, &fraction, &nx, &ny);
         answers += fraction;
     }
     return answers;

@@ -48,7 +48,7 @@ typedef struct trial {
 } trial;
 
 static double kinetic_energy(way_world *w) {
-    return thud_world_measure(w->world).kinetic_energy;
+    return thud_measure_of(w->world).kinetic_energy;
 }
 
 /* The thread's processor time in seconds. Unlike wall-clock time it does not advance while another
@@ -94,7 +94,7 @@ static void count_up(outcome *o, const thud_stats *stats) {
 static void measure_overlap(trial *t, const way_world *w, penetration *seen) {
     for (int i = 0; i < w->count; i++) {
         thud_body_state body;
-        bool known = thud_body_get(w->world, w->bodies[i], &body) == THUD_OK;
+        bool known = thud_body_get_state(w->world, w->bodies[i], &body) == THUD_OK;
         t->poses[i] = known ? (engine_body){.x = body.position.x,
                                             .y = body.position.y,
                                             .cosine = body.cosine,
@@ -122,7 +122,7 @@ static bool run_once(trial *t, int repetition) {
                 o->seconds[i - 1] = repetition == 0 ? seconds : fmin(seconds, o->seconds[i - 1]);
             if (repetition > 0)
                 continue;
-            thud_stats stats = thud_world_stats(w->world);
+            thud_stats stats = thud_stats_of(w->world);
             count_up(o, &stats);
             measure_overlap(t, w, &o->overlap);
         }

@@ -29,7 +29,7 @@ static bool make_line(thud_terrain_kind kind, int count, double spacing, thud_te
 typedef struct ground_places {
     thud_terrain terrain;
     double length; /* m: of the line, or of the part of an endless one in which the places are */
-    thud_shape_instance circles[PLACES], boxes[PLACES];
+    thud_geometry circles[PLACES], boxes[PLACES];
 } ground_places;
 
 static void make_places(ground_places *g) {
@@ -40,8 +40,8 @@ static void make_places(ground_places *g) {
         thud_terrain_sample_at(&g->terrain, x, &sample);
         double y = sample.height + scene_random_range(&random, 0, 1);
         g->circles[i] =
-            (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1, .hx = 0.5};
-        g->boxes[i] = (thud_shape_instance){THUD_OBB, x, y, 0.8, 0.6, 0.5, 0.5};
+            (thud_geometry){.kind = THUD_SHAPE_CIRCLE, .x = x, .y = y, .c = 1, .hx = 0.5};
+        g->boxes[i] = (thud_geometry){THUD_SHAPE_OBB, x, y, 0.8, 0.6, 0.5, 0.5};
     }
 }
 
@@ -97,8 +97,10 @@ static double box_contacts(const void *inputs, int count) {
 static double ray(const void *inputs, int count) {
     FOR_EACH_PLACE(inputs, count) {
         double fraction = 0, nx, ny;
-        answers += thud_terrain_cast_ray(&g->terrain, g->circles[i].x - 5, g->circles[i].y + 9, 10,
-                                         -10, &fraction, &nx, &ny);
+        answers +=
+            thud_terrain_cast_ray(&g->terrain,
+                                  (thud_segment){g->circles[i].x - 5, g->circles[i].y + 9, 10, -10},
+                                  &fraction, &nx, &ny);
         answers += fraction;
     }
     return answers;
@@ -106,7 +108,7 @@ static double ray(const void *inputs, int count) {
 
 static double circle_impact(const void *inputs, int count) {
     FOR_EACH_PLACE(inputs, count) {
-        thud_shape_instance shape = g->circles[i];
+        thud_geometry shape = g->circles[i];
         bool hit = false;
         double time = 0;
         shape.y += 2;

@@ -32,18 +32,18 @@ typedef struct looks {
 } looks;
 
 /* Adds the counts of pairs at the world's present poses to `sum`; false if a call failed. */
-static bool look(const scene *s, const way_world *w, thud_shape_instance *shapes, bool *movable,
+static bool look(const scene *s, const way_world *w, thud_geometry *shapes, bool *movable,
                  looks *sum) {
     for (int i = 0; i < w->count; i++) {
         const scene_shape *shape = &s->shapes[s->bodies[i].first_shape];
         thud_body_state body;
-        if (thud_body_get(w->world, w->bodies[i], &body) != THUD_OK)
+        if (thud_body_get_state(w->world, w->bodies[i], &body) != THUD_OK)
             return false;
         double length = hypot(body.cosine, body.sine); /* 1 up to rounding to floats */
-        shapes[i] = (thud_shape_instance){
-            .kind = shape->kind == SCENE_CIRCLE ? THUD_CIRCLE
-                    : shape->kind == SCENE_AABB ? THUD_AABB
-                                                : THUD_OBB,
+        shapes[i] = (thud_geometry){
+            .kind = shape->kind == SCENE_CIRCLE ? THUD_SHAPE_CIRCLE
+                    : shape->kind == SCENE_AABB ? THUD_SHAPE_AABB
+                                                : THUD_SHAPE_OBB,
             .x = body.position.x,
             .y = body.position.y,
             .c = body.cosine / length,
@@ -51,9 +51,9 @@ static bool look(const scene *s, const way_world *w, thud_shape_instance *shapes
             .hx = shape->hx,
             .hy = shape->hy,
         };
-        movable[i] = body.kind == THUD_DYNAMIC;
+        movable[i] = body.kind == THUD_BODY_DYNAMIC;
     }
-    thud_stats stats = thud_world_stats(w->world);
+    thud_stats stats = thud_stats_of(w->world);
     sum->bounds += stats.pairs;
     sum->contacts += stats.contacts;
     sum->count++;
@@ -63,7 +63,7 @@ static bool look(const scene *s, const way_world *w, thud_shape_instance *shapes
 /* Runs the scene and calls `look` at equal intervals; false if a call failed. */
 static bool watch(const char *name, const scene *s, bool quick, looks *sum) {
     way_world w = {0};
-    thud_shape_instance *shapes = calloc((size_t)s->body_count, sizeof *shapes);
+    thud_geometry *shapes = calloc((size_t)s->body_count, sizeof *shapes);
     bool *movable = calloc((size_t)s->body_count, sizeof *movable);
     bool ok = shapes && movable && way_open(&w, s, &thud_detection_continuous, ENGINE_TIME_STEP);
     int looks_wanted = quick ? QUICK_LOOKS : LOOKS;

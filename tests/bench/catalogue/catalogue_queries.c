@@ -40,7 +40,8 @@ static double ray(const void *inputs, int count) {
     FOR_EACH_QUESTION(inputs, count) {
         bool hit = false;
         thud_ray_hit first;
-        thud_world_cast_ray(q->world, q->from[i], q->way[i].x, q->way[i].y, NULL, &hit, &first);
+        thud_world_cast_ray(q->world, &(thud_ray){q->from[i], q->way[i].x, q->way[i].y, NULL}, &hit,
+                            &first);
         answers += hit;
     }
     return answers;
@@ -49,8 +50,8 @@ static double ray(const void *inputs, int count) {
 static double ray_all(const void *inputs, int count) {
     FOR_EACH_QUESTION(inputs, count) {
         int hits = 0;
-        thud_world_cast_ray_all(q->world, q->from[i], q->way[i].x, q->way[i].y, NULL, NULL, 0,
-                                &hits);
+        thud_world_cast_ray_all(q->world, &(thud_ray){q->from[i], q->way[i].x, q->way[i].y, NULL},
+                                NULL, 0, &hits);
         answers += hits;
     }
     return answers;
@@ -60,8 +61,10 @@ static double circle_cast(const void *inputs, int count) {
     FOR_EACH_QUESTION(inputs, count) {
         bool hit = false;
         thud_ray_hit first;
-        thud_world_cast_circle(q->world, q->from[i], 0.25, q->way[i].x, q->way[i].y, NULL, &hit,
-                               &first);
+        thud_world_cast_shape(q->world,
+                              &(thud_shape_cast){q->from[i], thud_circle_at(0, 0, 0.25),
+                                                 q->way[i].x, q->way[i].y, NULL},
+                              &hit, &first);
         answers += hit;
     }
     return answers;
@@ -71,8 +74,10 @@ static double box_cast(const void *inputs, int count) {
     FOR_EACH_QUESTION(inputs, count) {
         bool hit = false;
         thud_ray_hit first;
-        thud_world_cast_box(q->world, q->from[i], 0.25, 0.25, 0.5, q->way[i].x, q->way[i].y, NULL,
-                            &hit, &first);
+        thud_world_cast_shape(q->world,
+                              &(thud_shape_cast){q->from[i], thud_obb_at(0, 0, 0.25, 0.25, 0.5),
+                                                 q->way[i].x, q->way[i].y, NULL},
+                              &hit, &first);
         answers += hit;
     }
     return answers;
@@ -96,7 +101,8 @@ static bool count_one(thud_shape_id shape, void *context) {
 
 static double overlap_circle(const void *inputs, int count) {
     FOR_EACH_QUESTION(inputs, count) {
-        thud_world_overlap_circle(q->world, q->from[i], 2, NULL, count_one, &answers);
+        thud_world_overlap_shape(q->world, q->from[i], thud_circle_at(0, 0, 2), NULL, count_one,
+                                 &answers);
     }
     return answers;
 }
@@ -211,10 +217,10 @@ static bool walk(thud_world *world, thud_mover mover, int moves, double *ns) {
 static bool time_movers(bool quick, json *out) {
     const struct {
         const char *name;
-        thud_shape_instance shape;
+        thud_geometry shape;
     } MOVERS[] = {
-        {"circle", {.kind = THUD_CIRCLE, .x = 10, .y = 1, .c = 1, .hx = 0.4}},
-        {"AABB", {.kind = THUD_AABB, .x = 10, .y = 1, .c = 1, .hx = 0.4, .hy = 0.9}},
+        {"circle", {.kind = THUD_SHAPE_CIRCLE, .x = 10, .y = 1, .c = 1, .hx = 0.4}},
+        {"AABB", {.kind = THUD_SHAPE_AABB, .x = 10, .y = 1, .c = 1, .hx = 0.4, .hy = 0.9}},
     };
     thud_world_def def = lab_settings();
     lab_world lab = {0};

@@ -52,7 +52,7 @@ static bool step_both(throws *t) {
     way_world *free_world = &t->worlds[1];
     for (int i = 0; i < free_world->count; i++) {
         thud_body_state now;
-        if (thud_body_get(free_world->world, free_world->bodies[i], &now) != THUD_OK)
+        if (thud_body_get_state(free_world->world, free_world->bodies[i], &now) != THUD_OK)
             return false;
         t->before[i] = now.position;
     }
@@ -60,7 +60,7 @@ static bool step_both(throws *t) {
         return false;
     for (int i = 0; i < free_world->count; i++) {
         thud_body_state now;
-        if (thud_body_get(free_world->world, free_world->bodies[i], &now) != THUD_OK)
+        if (thud_body_get_state(free_world->world, free_world->bodies[i], &now) != THUD_OK)
             return false;
         t->after[i] = now.position;
     }
@@ -93,12 +93,12 @@ static double height_at(const throws *t, int ball, double x) {
 /* Compares the first hit of each ball; after it the ball falls along the wall. */
 static void compare_hits(throws *t, throw_errors *e) {
     thud_world *world = t->worlds[0].world;
-    thud_events events = thud_world_events(world);
+    thud_events events = thud_events_of(world);
     for (int k = 0; k < events.hit_count; k++) {
         const thud_hit_event *event = &events.hit[k];
         thud_shape_state a, b;
-        if (thud_shape_get(world, event->shape_a, &a) != THUD_OK ||
-            thud_shape_get(world, event->shape_b, &b) != THUD_OK)
+        if (thud_shape_get_state(world, event->shape_a, &a) != THUD_OK ||
+            thud_shape_get_state(world, event->shape_b, &b) != THUD_OK)
             continue;
         /* Slots of bodies follow the scene's order, and the wall's is the first. */
         uint32_t i = (a.body.index1 > b.body.index1 ? a.body.index1 : b.body.index1) - 1;

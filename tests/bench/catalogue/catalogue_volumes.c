@@ -12,7 +12,9 @@ enum { KINDS = 3, POINTS = 100 };
 static const struct {
     const char *name;
     thud_shape_kind kind;
-} VOLUMES[KINDS] = {{"circle", THUD_CIRCLE}, {"AABB", THUD_AABB}, {"OBB", THUD_OBB}};
+} VOLUMES[KINDS] = {{"circle", THUD_SHAPE_CIRCLE},
+                    {"AABB", THUD_SHAPE_AABB},
+                    {"OBB", THUD_SHAPE_OBB}};
 
 /* OBBs, the shapes for which fitting a volume takes longest. */
 typedef struct contents {
@@ -26,7 +28,7 @@ typedef struct contents {
 static void make_contents(thud_shape_kind kind, contents *c) {
     scene_random random = {17};
     c->kind = kind;
-    sample_pairs_make(THUD_OBB, THUD_OBB, &c->pairs);
+    sample_pairs_make(THUD_SHAPE_OBB, THUD_SHAPE_OBB, &c->pairs);
     for (int i = 0; i < SAMPLE_PAIRS; i++) {
         thud_volume_around_shape(kind, &c->pairs.a[i], &c->a[i]);
         thud_volume_around_shape(kind, &c->pairs.b[i], &c->b[i]);

@@ -40,8 +40,8 @@ static int count_passed(const way_world *w) {
     int passed = 0;
     for (int i = 0; i + 1 < w->count; i += 2) {
         thud_body_state wall, bullet;
-        bool known = thud_body_get(w->world, w->bodies[i], &wall) == THUD_OK &&
-                     thud_body_get(w->world, w->bodies[i + 1], &bullet) == THUD_OK;
+        bool known = thud_body_get_state(w->world, w->bodies[i], &wall) == THUD_OK &&
+                     thud_body_get_state(w->world, w->bodies[i + 1], &bullet) == THUD_OK;
         passed += !(known && bullet.position.x < wall.position.x);
     }
     return passed;

@@ -9,7 +9,7 @@
 
 enum { VOLUMES = 3 };
 
-static const thud_shape_kind KINDS[VOLUMES] = {THUD_CIRCLE, THUD_AABB, THUD_OBB};
+static const thud_shape_kind KINDS[VOLUMES] = {THUD_SHAPE_CIRCLE, THUD_SHAPE_AABB, THUD_SHAPE_OBB};
 
 typedef struct wrapped {
     thud_volume volumes[VOLUMES];
@@ -27,7 +27,7 @@ static int passed(const wrapped *a, const wrapped *b) {
 }
 
 /* Computes the bounding volumes of each kind around a shape; false if the shape is invalid. */
-static bool wrap(const thud_shape_instance *shape, wrapped *out) {
+static bool wrap(const thud_geometry *shape, wrapped *out) {
     for (int k = 0; k < VOLUMES; k++)
         if (thud_volume_around_shape(KINDS[k], shape, &out->volumes[k]) != THUD_OK)
             return false;
@@ -36,7 +36,7 @@ static bool wrap(const thud_shape_instance *shape, wrapped *out) {
 
 /* The separation of two boxes along the normals of their sides (separating axis theorem), by their
  * Minkowski sum. It is at most the exact distance, which is larger between two corners. */
-static double distance_along_axes(const thud_shape_instance *a, const thud_shape_instance *b) {
+static double distance_along_axes(const thud_geometry *a, const thud_geometry *b) {
     thud_minkowski sum;
     double most = -INFINITY;
     if (thud_minkowski_sum(a, b, &sum) != THUD_OK)
@@ -48,20 +48,20 @@ static double distance_along_axes(const thud_shape_instance *a, const thud_shape
     return most;
 }
 
-static void count_near(const thud_shape_instance *a, const thud_shape_instance *b, double margin,
-                       levels *sum) {
+static void count_near(const thud_geometry *a, const thud_geometry *b, double margin, levels *sum) {
     /* Upper bound of the distance of centres for pairs within the margin along each axis; others
      * are skipped. */
     double reach = hypot(a->hx, a->hy) + hypot(b->hx, b->hy) + 2 * margin;
     thud_closest closest;
-    if (hypot(b->x - a->x, b->y - a->y) >= reach || thud_shapes_closest(a, b, &closest) != THUD_OK)
+    if (hypot(b->x - a->x, b->y - a->y) >= reach ||
+        thud_geometry_closest(a, b, &closest) != THUD_OK)
         return;
-    bool boxes = a->kind != THUD_CIRCLE && b->kind != THUD_CIRCLE;
+    bool boxes = a->kind != THUD_SHAPE_CIRCLE && b->kind != THUD_SHAPE_CIRCLE;
     sum->sieved += (boxes ? distance_along_axes(a, b) : closest.distance) < margin;
     sum->near += closest.distance < margin;
 }
 
-bool levels_count(const thud_shape_instance *shapes, const bool *movable, int count, double margin,
+bool levels_count(const thud_geometry *shapes, const bool *movable, int count, double margin,
                   levels *sum) {
     wrapped *all = calloc((size_t)count + 1, sizeof *all);
     bool ok = all != NULL;
@@ -77,7 +77,7 @@ bool levels_count(const thud_shape_instance *shapes, const bool *movable, int co
             sum->boxes += depth >= 2;
             sum->oriented += depth >= 3;
             count_near(&shapes[i], &shapes[k], margin, sum);
-            sum->exact += depth == VOLUMES && thud_shapes_overlap(&shapes[i], &shapes[k]);
+            sum->exact += depth == VOLUMES && thud_geometry_overlap(&shapes[i], &shapes[k]);
         }
     free(all);
     return ok;

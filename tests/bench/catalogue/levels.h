@@ -17,7 +17,7 @@ typedef struct levels {
 
 /* Adds the counts of all pairs of the shapes to `sum`. False if a shape is not valid or memory runs
  * out. */
-bool levels_count(const thud_shape_instance *shapes, const bool *movable, int count, double margin,
+bool levels_count(const thud_geometry *shapes, const bool *movable, int count, double margin,
                   levels *sum);
 
 #endif

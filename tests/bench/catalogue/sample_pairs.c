@@ -7,11 +7,11 @@
 
 static const double TURN = 6.28318530717959;
 
-static thud_shape_instance random_shape(thud_shape_kind kind, scene_random *random) {
-    thud_shape_instance shape = {.kind = kind, .c = 1};
+static thud_geometry random_shape(thud_shape_kind kind, scene_random *random) {
+    thud_geometry shape = {.kind = kind, .c = 1};
     shape.hx = scene_random_range(random, 0.2, 1);
-    shape.hy = kind == THUD_CIRCLE ? 0 : scene_random_range(random, 0.2, 1);
-    if (kind == THUD_OBB) {
+    shape.hy = kind == THUD_SHAPE_CIRCLE ? 0 : scene_random_range(random, 0.2, 1);
+    if (kind == THUD_SHAPE_OBB) {
         double angle = scene_random_range(random, 0, TURN);
         shape.c = cos(angle);
         shape.s = sin(angle);
@@ -19,7 +19,7 @@ static thud_shape_instance random_shape(thud_shape_kind kind, scene_random *rand
     return shape;
 }
 
-static void place(thud_shape_instance *shape, double distance, scene_random *random) {
+static void place(thud_geometry *shape, double distance, scene_random *random) {
     double direction = scene_random_range(random, 0, TURN);
     shape->x = distance * cos(direction);
     shape->y = distance * sin(direction);
@@ -29,7 +29,7 @@ void sample_pairs_make(thud_shape_kind kind_a, thud_shape_kind kind_b, sample_pa
     scene_random random = {12};
     out->tolerance = 0x1p-10;
     for (int i = 0; i < SAMPLE_PAIRS; i++) {
-        thud_shape_instance a = random_shape(kind_a, &random), b = random_shape(kind_b, &random);
+        thud_geometry a = random_shape(kind_a, &random), b = random_shape(kind_b, &random);
         double reach = hypot(a.hx, a.hy) + hypot(b.hx, b.hy);
         out->a[i] = a;
         place(&b, scene_random_range(&random, 0, 2) * reach, &random);
@@ -38,10 +38,11 @@ void sample_pairs_make(thud_shape_kind kind_a, thud_shape_kind kind_b, sample_pa
         out->far_b[i] = b;
         /* A place near the origin, at which the second shape overlaps the first whatever their
          * sizes. */
-        thud_shape_instance end = b;
+        thud_geometry end = b;
         place(&end, 0.3 * scene_random_range(&random, 0, 1), &random);
-        out->motion[i] = (thud_motion){end.x - b.x, end.y - b.y,
-                                       kind_b == THUD_OBB ? scene_random_range(&random, -1, 1) : 0};
+        out->motion[i] =
+            (thud_motion){end.x - b.x, end.y - b.y,
+                          kind_b == THUD_SHAPE_OBB ? scene_random_range(&random, -1, 1) : 0};
         thud_minkowski_sum(&a, &b, &out->sum[i]);
     }
 }

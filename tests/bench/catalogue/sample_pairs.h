@@ -3,7 +3,7 @@
 #define THUD_BENCH_SAMPLE_PAIRS_H
 
 #include <thud/thud_minkowski.h>
-#include <thud/thud_shapes.h>
+#include <thud/thud_geometry.h>
 
 enum { SAMPLE_PAIRS = 256 }; /* a power of two, for wrapping indices */
 
@@ -11,10 +11,10 @@ enum { SAMPLE_PAIRS = 256 }; /* a power of two, for wrapping indices */
 typedef struct sample_pairs {
     /* The distance of the centres is up to twice the sum of the bounding radii: some pairs overlap.
      */
-    thud_shape_instance a[SAMPLE_PAIRS], b[SAMPLE_PAIRS];
+    thud_geometry a[SAMPLE_PAIRS], b[SAMPLE_PAIRS];
     /* Pairs that are apart, and a motion of the second shape that ends in the first, so that they
      * collide. */
-    thud_shape_instance far_b[SAMPLE_PAIRS];
+    thud_geometry far_b[SAMPLE_PAIRS];
     thud_motion motion[SAMPLE_PAIRS];
     thud_minkowski sum[SAMPLE_PAIRS];
     double tolerance; /* tolerance of the bisection */

@@ -17,18 +17,18 @@
 
 /* ---- levels ---- */
 
-static thud_shape_instance circle(double x, double y, double radius) {
-    return (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1, .hx = radius};
+static thud_geometry circle(double x, double y, double radius) {
+    return (thud_geometry){.kind = THUD_SHAPE_CIRCLE, .x = x, .y = y, .c = 1, .hx = radius};
 }
 
 /* An OBB turned by 45 degrees. */
-static thud_shape_instance bar(double x, double y, double hx, double hy) {
+static thud_geometry bar(double x, double y, double hx, double hy) {
     double half = sqrt(0.5);
-    return (thud_shape_instance){THUD_OBB, x, y, half, half, hx, hy};
+    return (thud_geometry){THUD_SHAPE_OBB, x, y, half, half, hx, hy};
 }
 
-static levels count_pair(thud_shape_instance a, thud_shape_instance b) {
-    thud_shape_instance shapes[] = {a, b};
+static levels count_pair(thud_geometry a, thud_geometry b) {
+    thud_geometry shapes[] = {a, b};
     bool movable[] = {true, false};
     levels sum = {0};
     assert_true(levels_count(shapes, movable, 2, 0.02, &sum));
@@ -49,25 +49,25 @@ static void levels_count_a_pair_up_to_the_volume_that_parts_it(void **state) {
      * parallel slanted bars 0.6 apart, whose AABBs overlap too; a circle and a box whose OBBs
      * overlap but not they themselves; two circles that overlap. */
     assert_levels(count_pair(circle(0, 0, 1), circle(9, 0, 1)), (levels){1, 0, 0, 0, 0, 0, 0});
-    assert_levels(count_pair((thud_shape_instance){THUD_AABB, 0, 0, 1, 0, 2, 0.1},
-                             (thud_shape_instance){THUD_AABB, 0, 1, 1, 0, 2, 0.1}),
+    assert_levels(count_pair((thud_geometry){THUD_SHAPE_AABB, 0, 0, 1, 0, 2, 0.1},
+                             (thud_geometry){THUD_SHAPE_AABB, 0, 1, 1, 0, 2, 0.1}),
                   (levels){1, 1, 0, 0, 0, 0, 0});
     assert_levels(count_pair(bar(0, 0, 2, 0.1), bar(0.6, -0.6, 2, 0.1)),
                   (levels){1, 1, 1, 0, 0, 0, 0});
     /* A circle's OBB is the square around it; the box's corner is in the square and not in the
      * circle. */
     assert_levels(count_pair(circle(0, 0, 1),
-                             (thud_shape_instance){THUD_AABB, 3.75, 1.25, 1, 0, 3, 0.5}),
+                             (thud_geometry){THUD_SHAPE_AABB, 3.75, 1.25, 1, 0, 3, 0.5}),
                   (levels){1, 1, 1, 1, 0, 0, 0});
     assert_levels(count_pair(circle(0, 0, 1), circle(1, 0, 1)), (levels){1, 1, 1, 1, 1, 1, 1});
 }
 
 static void levels_near_pairs_pass_the_sieve_and_corners_do_not_pass_the_exact_test(void **state) {
     (void)state;
-    thud_shape_instance box = {THUD_AABB, 0, 0, 1, 0, 1, 1};
-    thud_shape_instance beside = {THUD_AABB, 2.019, 0, 1, 0, 1, 1};
+    thud_geometry box = {THUD_SHAPE_AABB, 0, 0, 1, 0, 1, 1};
+    thud_geometry beside = {THUD_SHAPE_AABB, 2.019, 0, 1, 0, 1, 1};
     /* 0.019 apart along each axis, and 0.027 from corner to corner. */
-    thud_shape_instance across = {THUD_AABB, 2.019, 2.019, 1, 0, 1, 1};
+    thud_geometry across = {THUD_SHAPE_AABB, 2.019, 2.019, 1, 0, 1, 1};
     assert_levels(count_pair(box, beside), (levels){1, 1, 0, 0, 0, 1, 1});
     assert_levels(count_pair(box, across), (levels){1, 0, 0, 0, 0, 1, 0});
     assert_levels(count_pair(circle(0, 0, 1), circle(2.021, 0, 1)), (levels){1, 0, 0, 0, 0, 0, 0});
@@ -76,7 +76,7 @@ static void levels_near_pairs_pass_the_sieve_and_corners_do_not_pass_the_exact_t
 
 static void levels_leave_out_pairs_of_which_none_moves_and_add_up(void **state) {
     (void)state;
-    thud_shape_instance shapes[] = {circle(0, 0, 1), circle(1, 0, 1), circle(0, 1, 1)};
+    thud_geometry shapes[] = {circle(0, 0, 1), circle(1, 0, 1), circle(0, 1, 1)};
     bool movable[] = {false, false, true};
     levels sum = {0};
     assert_true(levels_count(shapes, movable, 3, 0.02, &sum));
@@ -86,7 +86,7 @@ static void levels_leave_out_pairs_of_which_none_moves_and_add_up(void **state) 
 
 static void levels_refuse_a_shape_that_is_not_valid(void **state) {
     (void)state;
-    thud_shape_instance shapes[] = {circle(0, 0, 1), circle(NAN, 0, 1)};
+    thud_geometry shapes[] = {circle(0, 0, 1), circle(NAN, 0, 1)};
     bool movable[] = {true, true};
     levels sum = {0};
     assert_false(levels_count(shapes, movable, 2, 0.02, &sum));
@@ -142,18 +142,18 @@ static void crowd_passes_through_itself_but_not_through_walls(void **state) {
     crowd_fill(&c, &lab.scene);
     assert_true(lab_open(&lab, &def));
     crowd_passes_through(lab.world);
-    double before = thud_world_measure(lab.world).kinetic_energy;
+    double before = thud_measure_of(lab.world).kinetic_energy;
     bool met = false;
     for (int i = 0; i < 300; i++) {
         assert_true(lab_run(&lab, 1, NULL));
-        met |= thud_world_stats(lab.world).contacts > 10;
+        met |= thud_stats_of(lab.world).contacts > 10;
     }
     assert_true(met);
     /* If circles, which overlap deeply, had collided, their energy would have changed. */
-    assert_true(fabs(thud_world_measure(lab.world).kinetic_energy / before - 1) < 0.01);
+    assert_true(fabs(thud_measure_of(lab.world).kinetic_energy / before - 1) < 0.01);
     double half = 0.5 * sqrt(c.area * c.bodies) + 2 * c.most;
     int count;
-    const thud_pose *poses = thud_world_poses(lab.world, (thud_pos){0, 0}, 1, &count);
+    const thud_pose *poses = thud_poses_of(lab.world, (thud_pos){0, 0}, 1, &count);
     for (int i = count - c.bodies; i < count; i++)
         assert_true(fabsf(poses[i].x) < half && fabsf(poses[i].y) < half);
     lab_close(&lab);
@@ -164,22 +164,22 @@ static void crowd_passes_through_itself_but_not_through_walls(void **state) {
 static void sample_pairs_are_apart_and_meet_on_their_way_whatever_their_kinds(void **state) {
     (void)state;
     static sample_pairs p;
-    for (int a = THUD_CIRCLE; a <= THUD_OBB; a++)
-        for (int b = a; b <= THUD_OBB; b++) {
+    for (int a = THUD_SHAPE_CIRCLE; a <= THUD_SHAPE_OBB; a++)
+        for (int b = a; b <= THUD_SHAPE_OBB; b++) {
             sample_pairs_make((thud_shape_kind)a, (thud_shape_kind)b, &p);
             int overlapping = 0;
             for (int i = 0; i < SAMPLE_PAIRS; i++) {
                 bool hit = false, collided = false;
                 double impact, collision;
                 thud_motion still = {0, 0, 0};
-                overlapping += thud_shapes_overlap(&p.a[i], &p.b[i]);
-                assert_false(thud_shapes_overlap(&p.a[i], &p.far_b[i]));
-                assert_int_equal(thud_shapes_time_of_impact(&p.a[i], still, &p.far_b[i],
-                                                            p.motion[i], 0, &hit, &impact),
+                overlapping += thud_geometry_overlap(&p.a[i], &p.b[i]);
+                assert_false(thud_geometry_overlap(&p.a[i], &p.far_b[i]));
+                assert_int_equal(thud_geometry_time_of_impact(&p.a[i], still, &p.far_b[i],
+                                                              p.motion[i], 0, &hit, &impact),
                                  THUD_OK);
-                assert_int_equal(thud_shapes_time_of_collision(&p.a[i], still, &p.far_b[i],
-                                                               p.motion[i], p.tolerance, &collided,
-                                                               &collision),
+                assert_int_equal(thud_geometry_time_of_collision(&p.a[i], still, &p.far_b[i],
+                                                                 p.motion[i], p.tolerance,
+                                                                 &collided, &collision),
                                  THUD_OK);
                 assert_true(hit && collided && impact > 0 && impact < 1);
             }

@@ -17,7 +17,7 @@ static bool profile(const bench_plan *plan, json *out) {
     for (int i = 0; ok && i < plan->steps; i++) {
         progress_show(plan->scene, (double)i / plan->steps);
         ok = lab_run(&lab, 1, NULL);
-        stats = thud_world_stats(lab.world);
+        stats = thud_stats_of(lab.world);
         total += stats.step_seconds;
         for (int k = 0; k < THUD_STAGE_COUNT; k++)
             stage[k] += stats.stage_seconds[k];

@@ -13,7 +13,7 @@ enum { TURN = 5, LEAST_TURNS = 5 };
 static bool step_once(lab_world *lab, lab_turns_times *times) {
     if (!lab_run(lab, 1, NULL))
         return false;
-    times->stats = thud_world_stats(lab->world);
+    times->stats = thud_stats_of(lab->world);
     return true;
 }
 

@@ -146,8 +146,8 @@ class Page(unittest.TestCase):
                          ["1,000", "60", "33", "31", "30"])
 
     def test_calls_leave_out_pairs_that_a_function_does_not_take(self):
-        self.assertEqual(row_of(page.calls(RESULTS), "`thud_circles_approach")[1:], ["25", ""])
-        self.assertEqual(row_of(page.calls(RESULTS), "`thud_shapes_overlap")[1:], ["9.87", "123"])
+        self.assertEqual(row_of(page.calls(RESULTS), "`thud_geometry_approach")[1:], ["25", ""])
+        self.assertEqual(row_of(page.calls(RESULTS), "`thud_geometry_overlap")[1:], ["9.87", "123"])
 
     def test_grounds_name_their_spacing_where_it_is_unusual(self):
         self.assertIn("| uniform, 100,000, 5 cm apart |", page.grounds(RESULTS))

@@ -15,11 +15,11 @@
 
 static inline thud_mover box_mover(double x, double y) {
     return thud_default_mover(
-        (thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1, .hx = 0.3, .hy = 0.5});
+        (thud_geometry){.kind = THUD_SHAPE_AABB, .x = x, .y = y, .c = 1, .hx = 0.3, .hy = 0.5});
 }
 
 static inline thud_mover circle_mover(double x, double y) {
-    thud_shape_instance circle = {.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1, .hx = 0.5};
+    thud_geometry circle = {.kind = THUD_SHAPE_CIRCLE, .x = x, .y = y, .c = 1, .hx = 0.5};
     return thud_default_mover(circle);
 }
 
@@ -48,12 +48,13 @@ static inline thud_world *world_with_slope(double slope) {
     thud_shape_def def = thud_default_shape_def();
     const thud_pos points[] = {{-20, 0}, {0, 0}, {8, 8 * slope}, {30, 8 * slope}};
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 4};
-    OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, 0, 0, 0), &def, &line, NULL));
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0), &def, &line,
+                                 NULL));
     return world;
 }
 
 static inline thud_body_id add_block(thud_world *world, double x, double y, float hx, float hy) {
-    thud_body_id body = add_body(world, THUD_STATIC, x, y, 0);
+    thud_body_id body = add_body(world, THUD_BODY_STATIC, x, y, 0);
     add_shape(world, body, hx, hy, true, NULL);
     return body;
 }

@@ -44,17 +44,17 @@ static void make_game(game *g, thud_world_def def) {
     bouncy.filter.category = 2;
     gate.sensor = true;
     thud_rule rule = thud_default_rule();
-    rule.most_impulse = 2;
+    rule.event_impulse = 2;
     OK(thud_world_set_rule(g->world, 2, 1, &rule));
-    add_shape(g->world, add_body(g->world, THUD_STATIC, 0, -1, 0), 20, 1, true, NULL);
-    add_shape(g->world, add_body(g->world, THUD_STATIC, 0, 4, 0), 1, 0.5f, true, &gate);
+    add_shape(g->world, add_body(g->world, THUD_BODY_STATIC, 0, -1, 0), 20, 1, true, NULL);
+    add_shape(g->world, add_body(g->world, THUD_BODY_STATIC, 0, 4, 0), 1, 0.5f, true, &gate);
     for (int i = 0; i < BALLS; i++) {
-        g->ball[i] = add_body(g->world, THUD_DYNAMIC, i - 5.5, 3 + 0.31 * i, 0);
+        g->ball[i] = add_body(g->world, THUD_BODY_DYNAMIC, i - 5.5, 3 + 0.31 * i, 0);
         add_shape(g->world, g->ball[i], 0.3f, 0, false, &bouncy);
     }
     g->box = add_box(g->world, 0, 30, 0.5f, 0.5f);
     g->buoy = add_box(g->world, 30, 0.5, 0.5f, 0.5f);
-    thud_joint_def tie = thud_default_joint_def(THUD_DISTANCE);
+    thud_joint_def tie = thud_default_joint_def(THUD_JOINT_DISTANCE);
     tie.body_a = g->ball[0];
     tie.body_b = g->ball[1];
     tie.break_force = 0.5f;
@@ -69,10 +69,10 @@ static void mix(uint64_t *told, uint32_t a, uint32_t b) {
 
 /* Counts the events of the last call, and adds them to the hashes. */
 static void count_events(game *g) {
-    thud_events e = thud_world_events(g->world);
+    thud_events e = thud_events_of(g->world);
     int ties, impulses;
-    const thud_joint_event *tie = thud_world_joint_events(g->world, &ties);
-    const thud_impulse_event *impulse = thud_world_impulses(g->world, &impulses);
+    const thud_joint_event *tie = thud_joint_events_of(g->world, &ties);
+    const thud_impulse_event *impulse = thud_impulse_events_of(g->world, &impulses);
     g->begins += e.begin_count;
     g->ends += e.end_count;
     g->hits += e.hit_count;
@@ -106,7 +106,8 @@ static void before(thud_world *world, void *context) {
     OK(thud_body_apply_buoyancy(world, g->buoy, &water));
     if (g->before % 50 == 0) { /* an edit, and a force for one step */
         OK(thud_body_set_velocity(world, g->ball[g->before % BALLS], (thud_vec2){1, 3}, 0));
-        OK(thud_body_apply_force(world, g->ball[0], (thud_vec2){3, 1}, 0.5f));
+        OK(thud_body_apply_center_force(world, g->ball[0], (thud_vec2){3, 1}));
+        OK(thud_body_apply_torque(world, g->ball[0], 0.5f));
     }
 }
 
@@ -115,15 +116,16 @@ static void before(thud_world *world, void *context) {
 static void after(thud_world *world, void *context) {
     game *g = context;
     g->after++;
-    if (thud_world_events(world).hit_count > 0) {
-        OK(thud_body_apply_force(world, g->ball[2], (thud_vec2){0.5f, 2}, 0));
+    if (thud_events_of(world).hit_count > 0) {
+        OK(thud_body_apply_center_force(world, g->ball[2], (thud_vec2){0.5f, 2}));
     }
 }
 
 /* Forces that the program applies before each call. */
 static void pull(game *g) {
-    OK(thud_body_apply_force(g->world, g->box, (thud_vec2){1.1f, 0.7f}, 0.3f));
-    OK(thud_body_apply_force(g->world, g->ball[4], (thud_vec2){0.1f, 0.2f}, 0));
+    OK(thud_body_apply_center_force(g->world, g->box, (thud_vec2){1.1f, 0.7f}));
+    OK(thud_body_apply_torque(g->world, g->box, 0.3f));
+    OK(thud_body_apply_center_force(g->world, g->ball[4], (thud_vec2){0.1f, 0.2f}));
 }
 
 /* Plays the game with one call for each step, as the reference. */
@@ -172,7 +174,7 @@ static void the_outcome_is_the_same_at_any_rate(void **state) {
             assert_int_equal(pictures.ties, steps.ties);
             assert_int_equal(pictures.impulses, steps.impulses);
             assert_memory_equal(pictures.told, steps.told, sizeof steps.told);
-            assert_true(thud_world_hash(pictures.world) == thud_world_hash(steps.world));
+            assert_true(thud_hash_of(pictures.world) == thud_hash_of(steps.world));
             thud_world_destroy(pictures.world);
         }
         thud_world_destroy(steps.world);
@@ -198,7 +200,7 @@ static void a_force_acts_for_the_time_of_its_picture(void **state) {
         uint64_t seed = 7;
         for (double passed = 0; passed < 2; passed += 1 / RATES[i]) {
             double force = random_in(&seed, -1, 3);
-            OK(thud_body_apply_force(world, ball, (thud_vec2){(float)force, 0}, 0));
+            OK(thud_body_apply_center_force(world, ball, (thud_vec2){(float)force, 0}));
             OK(thud_world_advance(world, 1 / RATES[i], 100, NULL, &alpha));
             given += force / RATES[i];
             left = 3 * alpha / 60; /* at most: the force of the time that is not stepped yet */
@@ -217,7 +219,7 @@ static void a_force_in_one_call_is_gone_in_the_next(void **state) {
     thud_world *world = make_world(def);
     thud_body_id ball = add_ball(world, 0, 0, 0.5f);
     double h = def.time_step, mass = (double)state_of(world, ball).mass;
-    OK(thud_body_apply_force(world, ball, (thud_vec2){1, 0}, 0));
+    OK(thud_body_apply_center_force(world, ball, (thud_vec2){1, 0}));
     OK(thud_world_advance(world, 2.5 * h, 9, NULL, NULL));
     near_to((double)state_of(world, ball).velocity.x, 2 * h / mass, 1e-7);
     OK(thud_world_advance(world, 2.5 * h, 9, NULL, NULL));
@@ -226,10 +228,10 @@ static void a_force_in_one_call_is_gone_in_the_next(void **state) {
     near_to((double)state_of(world, ball).velocity.x, 2.5 * h / mass, 1e-7);
     /* A force acts for no longer than its time: neither for time that is dropped (more than the
      * maximum of steps), nor in a call without time. */
-    OK(thud_body_apply_force(world, ball, (thud_vec2){1, 0}, 0));
+    OK(thud_body_apply_center_force(world, ball, (thud_vec2){1, 0}));
     OK(thud_world_advance(world, 10 * h, 1, NULL, NULL));
     near_to((double)state_of(world, ball).velocity.x, 3.5 * h / mass, 1e-7);
-    OK(thud_body_apply_force(world, ball, (thud_vec2){1, 0}, 0));
+    OK(thud_body_apply_center_force(world, ball, (thud_vec2){1, 0}));
     OK(thud_world_advance(world, 0, 1, NULL, NULL));
     OK(thud_world_advance(world, h, 1, NULL, NULL));
     near_to((double)state_of(world, ball).velocity.x, 3.5 * h / mass, 1e-7);
@@ -251,7 +253,7 @@ static void forces_leave_alone_who_does_not_heed_them(void **state) {
     OK(thud_body_set_transform(world, ball, (thud_pos){9, 9}, 0));
     OK(thud_body_set_velocity(world, ball, (thud_vec2){0, 0}, 0));
     OK(thud_world_set_gravity(world, (thud_vec2){0, 0}));
-    OK(thud_body_apply_force(world, ball, (thud_vec2){9, 0}, 0));
+    OK(thud_body_apply_center_force(world, ball, (thud_vec2){9, 0}));
     OK(thud_world_advance(world, 0.5 / 60, 9, NULL, NULL));
     OK(thud_body_set_enabled(world, ball, false));
     OK(thud_world_advance(world, 1.0 / 60, 9, NULL, NULL));
@@ -267,7 +269,7 @@ static void forces_are_of_the_body_that_was_pushed(void **state) {
     thud_world *world = make_world(weightless());
     thud_body_id ball = add_ball(world, 0, 0, 0.5f);
     OK(thud_world_step(world));
-    OK(thud_body_apply_force(world, ball, (thud_vec2){9, 0}, 0));
+    OK(thud_body_apply_center_force(world, ball, (thud_vec2){9, 0}));
     OK(thud_world_advance(world, 0.5 / 60, 9, NULL, NULL));
     OK(thud_body_destroy(world, ball));
     /* from here on the slot is free, while the rest of the time is not stepped yet */
@@ -284,7 +286,7 @@ static void forces_are_of_the_body_that_was_pushed(void **state) {
 /* An epilogue that pushes body b of each contact upward. */
 static void push_up(thud_world *world, const thud_contact *contact, void *context) {
     (void)context;
-    OK(thud_body_apply_force(world, contact->body_b, (thud_vec2){0, 40}, 0));
+    OK(thud_body_apply_center_force(world, contact->body_b, (thud_vec2){0, 40}));
 }
 
 /* Pushes of an epilogue act in the next step alone: four rates of calls, with and without a query
@@ -306,7 +308,7 @@ static void forces_of_listeners_act_in_one_step(void **state) {
                 ask(world);
             }
         }
-        hash[i] = thud_world_hash(world);
+        hash[i] = thud_hash_of(world);
         assert_true(hash[i] == hash[0]);
         thud_world_destroy(world);
     }
@@ -322,19 +324,19 @@ static void a_call_that_makes_no_step_tells_nothing(void **state) {
     OK(thud_body_set_velocity(world, ball, (thud_vec2){0, -5}, 0));
     double h = 1.0 / 60;
     OK(thud_world_advance(world, h, 1, NULL, NULL));
-    assert_int_equal(thud_world_events(world).begin_count, 1);
+    assert_int_equal(thud_events_of(world).begin_count, 1);
     /* Neither a refused call nor a query changes the events. */
     assert_int_equal(thud_world_advance(world, -1, 1, NULL, NULL), THUD_ERROR_INVALID);
-    assert_int_equal(thud_world_events(world).begin_count, 1);
+    assert_int_equal(thud_events_of(world).begin_count, 1);
     OK(thud_world_advance(world, 0.5 * h, 1, NULL, NULL));
-    assert_int_equal(thud_world_events(world).begin_count, 0);
-    assert_int_equal(thud_world_events(world).hit_count, 0);
+    assert_int_equal(thud_events_of(world).begin_count, 0);
+    assert_int_equal(thud_events_of(world).hit_count, 0);
     /* A step of thud_world_step has its own events. */
     OK(thud_body_set_transform(world, ball, (thud_pos){0, 5}, 0));
     OK(thud_world_advance(world, 2.5 * h, 9, NULL, NULL));
-    assert_int_equal(thud_world_events(world).end_count, 1);
+    assert_int_equal(thud_events_of(world).end_count, 1);
     OK(thud_world_step(world));
-    assert_int_equal(thud_world_events(world).end_count, 0);
+    assert_int_equal(thud_events_of(world).end_count, 0);
     thud_world_destroy(world);
 }
 
@@ -352,12 +354,12 @@ typedef struct guest {
  * the world are refused. */
 static void visit(thud_world *world, void *context) {
     guest *g = context;
-    thud_joint_def joint = thud_default_joint_def(THUD_HINGE);
+    thud_joint_def joint = thud_default_joint_def(THUD_JOINT_HINGE);
     size_t bytes;
     g->calls++;
     assert_int_equal(thud_world_step(world), THUD_ERROR_LOCKED);
     assert_int_equal(thud_world_advance(world, 1, 1, NULL, NULL), THUD_ERROR_LOCKED);
-    OK(thud_world_snapshot_size(world, &bytes));
+    OK(thud_world_get_snapshot_size(world, &bytes));
     g->snapshot = realloc(g->snapshot, bytes);
     OK(thud_world_snapshot(world, g->snapshot, bytes, &g->bytes));
     assert_int_equal(thud_world_restore(world, g->snapshot, g->bytes), THUD_ERROR_LOCKED);
@@ -367,7 +369,7 @@ static void visit(thud_world *world, void *context) {
     joint.body_a = g->made;
     joint.body_b = last;
     OK(thud_joint_create(world, &joint, NULL));
-    OK(thud_body_apply_force(world, g->made, (thud_vec2){0, 1}, 0));
+    OK(thud_body_apply_center_force(world, g->made, (thud_vec2){0, 1}));
 }
 
 static void calls_may_edit_and_not_step(void **state) {
@@ -377,7 +379,7 @@ static void calls_may_edit_and_not_step(void **state) {
     const thud_step_calls calls = {visit, visit, &g};
     OK(thud_world_advance_with(world, 3.5 / 60, 9, &calls, NULL, NULL));
     assert_int_equal(g.calls, 6);
-    assert_int_equal(thud_world_stats(world).bodies, 7);
+    assert_int_equal(thud_stats_of(world).bodies, 7);
     OK(thud_world_restore(world, g.snapshot, g.bytes));
     OK(thud_world_advance_with(world, 0, 9, &(thud_step_calls){NULL, NULL, NULL}, NULL, NULL));
     free(g.snapshot);
@@ -399,7 +401,7 @@ static void a_restored_world_goes_on_as_it_did(void **state) {
             OK(thud_world_advance(g.world, elapsed, 99, NULL, NULL));
         }
         size_t bytes;
-        OK(thud_world_snapshot_size(g.world, &bytes));
+        OK(thud_world_get_snapshot_size(g.world, &bytes));
         void *snapshot = malloc(bytes);
         OK(thud_world_snapshot(g.world, snapshot, bytes, NULL));
         for (int time = 0; time < 2; time++) {
@@ -410,7 +412,7 @@ static void a_restored_world_goes_on_as_it_did(void **state) {
                 count_events(&g);
                 pull(&g);
             }
-            hash[time] = thud_world_hash(g.world);
+            hash[time] = thud_hash_of(g.world);
             begins[time] = g.begins;
             OK(thud_world_restore(g.world, snapshot, bytes));
         }
@@ -464,7 +466,7 @@ static void steps_before_one_that_fails_are_told(void **state) {
         assert_int_equal(pictures.hits, steps.hits);
         assert_int_equal(pictures.gates, steps.gates);
         assert_memory_equal(pictures.told, steps.told, sizeof steps.told);
-        assert_true(thud_world_hash(pictures.world) == thud_world_hash(steps.world));
+        assert_true(thud_hash_of(pictures.world) == thud_hash_of(steps.world));
         thud_world_destroy(pictures.world);
     }
     assert_true(failures > 10 * RATE_COUNT);

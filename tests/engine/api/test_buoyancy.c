@@ -1,14 +1,16 @@
-/* test_buoyancy.c: thud_body_apply_buoyancy (thud_fields.h) and thud_shape_below, the area and
- * centroid of the part of a shape below a line. */
+/* test_buoyancy.c: thud_body_apply_buoyancy (thud_fields.h) and thud_geometry_area_below, the area
+ * and centroid of the part of a shape below a line. */
 #include "engine_support.h"
 
 #include <thud/thud_fields.h>
 
-/* thud_shape_below with the arguments of a water def. */
-static thud_result below(const thud_shape_instance *shape, thud_pos point, thud_vec2 normal,
-                         double *area, thud_pos *centroid) {
-    return thud_shape_below(shape, point.x, point.y, (double)normal.x, (double)normal.y, area,
-                            &centroid->x, &centroid->y);
+/* thud_geometry_area_below with the arguments of a water def. */
+static thud_result below(const thud_geometry *shape, thud_pos point, thud_vec2 normal, double *area,
+                         thud_pos *centroid) {
+    return thud_geometry_area_below(shape,
+                                    (thud_half_plane){point.x, point.y, (double)normal.x,
+                                                      (double)normal.y},
+                                    area, &centroid->x, &centroid->y);
 }
 
 static const double pi = 3.14159265358979323846;
@@ -16,14 +18,14 @@ static const double pi = 3.14159265358979323846;
 /* ---- area and centroid ---- */
 
 /* Reference: sums over slices parallel to the line, each as wide as the shape is there. */
-static void sum_slices(const thud_shape_instance *shape, double height, double nx, double ny,
+static void sum_slices(const thud_geometry *shape, double height, double nx, double ny,
                        double *area, thud_pos *centroid) {
     enum { SLICES = 20000 };
     double reach = shape->hx + shape->hy, sum[3] = {0};
     double top = fmin(reach, -height), thick = (top + reach) / SLICES;
     for (int i = 0; i < SLICES && thick > 0; i++) {
         double h = -reach + (i + 0.5) * thick, from = -2 * reach, to = 2 * reach;
-        if (shape->kind == THUD_CIRCLE) {
+        if (shape->kind == THUD_SHAPE_CIRCLE) {
             double half = shape->hx * shape->hx - h * h;
             to = half > 0 ? sqrt(half) : -1;
             from = -to;
@@ -57,13 +59,13 @@ static void parts_are_as_slices_sum_them(void **state) {
     (void)state;
     uint64_t seed = 7;
     for (int i = 0; i < 600; i++) {
-        thud_shape_instance shape = {.kind = (thud_shape_kind)(i % 3), .c = 1};
+        thud_geometry shape = {.kind = (thud_shape_kind)(i % 3), .c = 1};
         double angle = random_in(&seed, 0, 2 * pi), up = random_in(&seed, 0, 2 * pi);
         shape.x = random_in(&seed, -5, 5);
         shape.y = random_in(&seed, -5, 5);
         shape.hx = random_in(&seed, 0.2, 2);
-        shape.hy = shape.kind == THUD_CIRCLE ? 0 : random_in(&seed, 0.2, 2);
-        if (shape.kind == THUD_OBB) {
+        shape.hy = shape.kind == THUD_SHAPE_CIRCLE ? 0 : random_in(&seed, 0.2, 2);
+        if (shape.kind == THUD_SHAPE_OBB) {
             shape.c = cos(angle);
             shape.s = sin(angle);
         }
@@ -86,7 +88,7 @@ static void parts_of_circles_are_exact(void **state) {
     (void)state;
     for (int i = -1000; i <= 1000; i++) {
         double h = i / 1000.0, area;
-        thud_shape_instance circle = {.kind = THUD_CIRCLE, .c = 1, .hx = 1};
+        thud_geometry circle = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = 1};
         thud_pos centroid;
         OK(below(&circle, (thud_pos){3, -h}, (thud_vec2){0, 1}, &area, &centroid));
         double half = sqrt((1 - h) * (1 + h));
@@ -99,8 +101,8 @@ static void parts_of_circles_are_exact(void **state) {
 
 static void wrong_lines_are_refused(void **state) {
     (void)state;
-    const thud_shape_instance disc = {.kind = THUD_CIRCLE, .c = 1, .hx = 1};
-    const thud_shape_instance none = {.kind = THUD_CIRCLE, .c = 1, .hx = -1};
+    const thud_geometry disc = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = 1};
+    const thud_geometry none = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = -1};
     const thud_vec2 no_direction[] = {{0, 0}, {0, 1.01f}, {0.99f, 0}, {NAN, 1}, {INFINITY, 0}};
     thud_pos here = {0, 0}, centroid = {7, 7};
     double area = 7;
@@ -113,8 +115,12 @@ static void wrong_lines_are_refused(void **state) {
     assert_int_equal(below(&disc, (thud_pos){2e15, 0}, up, &area, &centroid), THUD_ERROR_INVALID);
     assert_int_equal(below(NULL, here, up, &area, &centroid), THUD_ERROR_NULL);
     assert_int_equal(below(&disc, here, up, NULL, &centroid), THUD_ERROR_NULL);
-    assert_int_equal(thud_shape_below(&disc, 0, 0, 0, 1, &area, NULL, &area), THUD_ERROR_NULL);
-    assert_int_equal(thud_shape_below(&disc, 0, 0, 0, 1, &area, &area, NULL), THUD_ERROR_NULL);
+    assert_int_equal(thud_geometry_area_below(&disc, (thud_half_plane){0, 0, 0, 1}, &area, NULL,
+                                              &area),
+                     THUD_ERROR_NULL);
+    assert_int_equal(thud_geometry_area_below(&disc, (thud_half_plane){0, 0, 0, 1}, &area, &area,
+                                              NULL),
+                     THUD_ERROR_NULL);
     assert_true(area == 7 && centroid.x == 7 && centroid.y == 7);
 }
 
@@ -133,7 +139,7 @@ static thud_body_id add_floating(thud_world *world, double y, double angle, floa
                                  float density) {
     thud_shape_def def = thud_default_shape_def();
     def.density = density;
-    thud_body_id body = add_body(world, THUD_DYNAMIC, 0, y, angle);
+    thud_body_id body = add_body(world, THUD_BODY_DYNAMIC, 0, y, angle);
     add_shape(world, body, hx, hy, false, &def);
     return body;
 }
@@ -151,7 +157,7 @@ static void boxes_and_circles_float_at_their_draught_and_sleep_there(void **stat
     (void)state;
     const float density[] = {0.25f, 0.5f, 0.75f};
     for (int i = 0; i < QUALITIES * 3; i++) {
-        thud_world_def def = thud_world_def_of(qualities[i / 3]);
+        thud_world_def def = thud_default_world_def_of(qualities[i / 3]);
         def.sleeping = false;
         thud_world *world = make_world(def);
         thud_water water = thud_default_water();
@@ -167,7 +173,7 @@ static void boxes_and_circles_float_at_their_draught_and_sleep_there(void **stat
         thud_body_id ball = add_floating(world, 8, 0, 0.5f, 0, d);
         float_for(world, ball, &water, 1200);
         s = state_of(world, ball);
-        thud_shape_instance disc = {.kind = THUD_CIRCLE, .y = s.position.y, .c = 1, .hx = 0.5};
+        thud_geometry disc = {.kind = THUD_SHAPE_CIRCLE, .y = s.position.y, .c = 1, .hx = 0.5};
         double area;
         thud_pos centroid;
         OK(below(&disc, water.point, water.normal, &area, &centroid));
@@ -195,11 +201,11 @@ static void tall_boxes_fall_over_and_the_flow_carries(void **state) {
 }
 
 /* Energy of a body of one shape, and of the water that it displaces. */
-static double energy_of(thud_world *world, thud_body_id body, const thud_shape_instance *shape,
+static double energy_of(thud_world *world, thud_body_id body, const thud_geometry *shape,
                         const thud_water *water) {
     thud_body_state s = state_of(world, body);
-    thud_shape_instance placed = *shape;
-    thud_measure m = thud_world_measure(world);
+    thud_geometry placed = *shape;
+    thud_measure m = thud_measure_of(world);
     thud_pos centroid;
     double area;
     placed.x = s.position.x;
@@ -213,16 +219,16 @@ static double energy_of(thud_world *world, thud_body_id body, const thud_shape_i
 static void what_bobs_never_gains_energy(void **state) {
     (void)state;
     for (int i = 0; i < QUALITIES * 2; i++) {
-        thud_world_def def = thud_world_def_of(qualities[i / 2]);
+        thud_world_def def = thud_default_world_def_of(qualities[i / 2]);
         def.sleeping = false;
         thud_world *world = make_world(def);
         thud_water water = thud_default_water();
         water.linear_drag = water.angular_drag = 0;
         float hy = i % 2 ? 0.3f : 0;
         thud_body_id body = add_floating(world, 0.2, 0.2, 1, hy, 0.5f);
-        thud_shape_instance shape = {.kind = i % 2 ? THUD_OBB : THUD_CIRCLE,
-                                     .hx = 1,
-                                     .hy = (double)hy};
+        thud_geometry shape = {.kind = i % 2 ? THUD_SHAPE_OBB : THUD_SHAPE_CIRCLE,
+                               .hx = 1,
+                               .hy = (double)hy};
         double most[6] = {0};
         for (int k = 0; k < 3600; k++) {
             float_for(world, body, &water, 1);
@@ -250,10 +256,10 @@ static void drag_only_brakes(void **state) {
             add_floating(world, random_in(&seed, -1, 1), 0.3, 1, i % 3 ? 0.5f : 0, 0.5f);
         thud_vec2 v = {(float)random_in(&seed, -9, 9), (float)random_in(&seed, -9, 9)};
         OK(thud_body_set_velocity(world, body, v, (float)random_in(&seed, -9, 9)));
-        double before = thud_world_measure(world).kinetic_energy;
+        double before = thud_measure_of(world).kinetic_energy;
         for (int k = 0; k < 5; k++) {
             float_for(world, body, &water, 1);
-            double after = thud_world_measure(world).kinetic_energy;
+            double after = thud_measure_of(world).kinetic_energy;
             assert_true(after <= before * (1 + 1e-5) + 1e-9);
             before = after;
         }

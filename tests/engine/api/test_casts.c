@@ -27,7 +27,7 @@ static void make_row(row *r, thud_job_system jobs) {
     memset(r, 0, sizeof *r);
     r->world = make_world(def);
     for (int i = 6; i >= 1; i--) {
-        r->body[i] = add_body(r->world, THUD_DYNAMIC, i, 0, 0);
+        r->body[i] = add_body(r->world, THUD_BODY_DYNAMIC, i, 0, 0);
         r->shape[i] = add_shape(r->world, r->body[i], 0.4f, 0, false, NULL);
     }
 }
@@ -55,7 +55,7 @@ static double listener(const thud_ray_hit *hit, void *context) {
 static int told(row *r, story *s) {
     s->row = r;
     s->count = 0;
-    OK(thud_world_cast_ray_each(r->world, (thud_pos){0, 0}, 10, 0, NULL, listener, s));
+    OK(thud_world_cast_ray_each(r->world, &(thud_ray){(thud_pos){0, 0}, 10, 0, NULL}, listener, s));
     for (int i = 1; i < s->count; i++) {
         assert_true(s->met[i] > s->met[i - 1]);
     }
@@ -93,7 +93,7 @@ static void destroy_next(row *r, int count) {
         add_ball(r->world, 3.7, 0, 0.4f);
         assert_int_equal(thud_world_step(r->world), THUD_ERROR_LOCKED);
     }
-    OK(thud_world_cast_ray(r->world, (thud_pos){0, 0}, 10, 0, NULL, &any, &hit));
+    OK(thud_world_cast_ray(r->world, &(thud_ray){(thud_pos){0, 0}, 10, 0, NULL}, &any, &hit));
     assert_true(any && hit.shape.index1 == r->shape[1].index1);
 }
 
@@ -157,7 +157,8 @@ static void the_job_system_is_asked_once_for_many_and_never_inside_a_callback(vo
     assert_true(outside[10].shape.index1 == r.shape[1].index1);
     assert_int_equal(outside[0].shape.index1, 0);
     assert_true(outside[0].fraction == 1 && outside[0].point.x == 0 && outside[0].point.y == -3);
-    OK(thud_world_cast_ray_each(r.world, (thud_pos){0, 0}, 10, 0, NULL, ask_many, r.world));
+    OK(thud_world_cast_ray_each(r.world, &(thud_ray){(thud_pos){0, 0}, 10, 0, NULL}, ask_many,
+                                r.world));
     assert_int_equal(calls, 1);
     OK(thud_world_cast_rays(r.world, NULL, 0, NULL));
     thud_world_destroy(r.world);
@@ -171,7 +172,7 @@ static void long_ways_and_crowds_are_told_as_in_a_list(void **state) {
     (void)state;
     enum { CROWD = 17000, TOLD = 40 };
     thud_world *world = make_world(weightless());
-    thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     thud_shape_def def = thud_default_shape_def();
     uint64_t seed = 3;
     for (int i = 0; i < CROWD; i++) {
@@ -179,21 +180,22 @@ static void long_ways_and_crowds_are_told_as_in_a_list(void **state) {
         OK(thud_shape_create_circle(world, ground, &def, at, 0.01f, NULL));
     }
     thud_terrain line = {.kind = THUD_TERRAIN_FLAT};
-    OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, 0, 0.5, 0), &def, &line,
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, 0.5, 0), &def, &line,
                                  NULL));
     const thud_ray ways[] = {{{-4, 1}, 8, -1, NULL}, {{-9e8, 9e8}, 1.8e9, -1.8e9, NULL}};
     for (int k = 0; k < 2; k++) {
         thud_ray_hit all[TOLD], first;
         int count = 0;
-        OK(thud_world_cast_ray_all(world, ways[k].origin, ways[k].dx, ways[k].dy, NULL, all, TOLD,
-                                   &count));
+        OK(thud_world_cast_ray_all(world, &(thud_ray){ways[k].origin, ways[k].dx, ways[k].dy, NULL},
+                                   all, TOLD, &count));
         assert_true(count > 1);
         OK(thud_world_cast_rays(world, &ways[k], 1, &first));
         assert_true(first.fraction == all[0].fraction);
         assert_int_equal(first.shape.index1, all[0].shape.index1);
         story s = {.answers = {1, 1, 1, 1, 1, 1, THUD_CAST_END}};
-        OK(thud_world_cast_ray_each(world, ways[k].origin, ways[k].dx, ways[k].dy, NULL, listener,
-                                    &s));
+        OK(thud_world_cast_ray_each(world,
+                                    &(thud_ray){ways[k].origin, ways[k].dx, ways[k].dy, NULL},
+                                    listener, &s));
         for (int i = 0; i < s.count; i++) {
             assert_true(s.met[i] == round(all[i].point.x + 0.4));
         }
@@ -206,7 +208,7 @@ static void long_ways_and_crowds_are_told_as_in_a_list(void **state) {
 
 static void check_bounds(thud_world *world, thud_shape_id shape, thud_pos low, thud_pos high) {
     thud_pos lower, upper;
-    OK(thud_shape_bounds(world, shape, &lower, &upper));
+    OK(thud_shape_get_bounds(world, shape, &lower, &upper));
     near_to(lower.x, low.x, 1e-6);
     near_to(lower.y, low.y, 1e-6);
     near_to(upper.x, high.x, 1e-6);
@@ -229,7 +231,7 @@ static void one_shape_has_bounds_points_and_a_surface_wherever_it_stands(void **
         thud_shape_def sensor = thud_default_shape_def();
         sensor.sensor = true;
         sensor.filter.mask = 0; /* the query does not use its filter */
-        thud_body_id body = add_body(world, THUD_DYNAMIC, x, 2, 0);
+        thud_body_id body = add_body(world, THUD_BODY_DYNAMIC, x, 2, 0);
         thud_shape_id box = add_shape(world, body, 2, 1, false, &sensor);
         OK(thud_body_set_transform(world, body, (thud_pos){x, 2}, acos(0.6)));
         check_bounds(world, box, (thud_pos){x - 2, -0.2}, (thud_pos){x + 2, 4.2});
@@ -237,13 +239,13 @@ static void one_shape_has_bounds_points_and_a_surface_wherever_it_stands(void **
         OK(thud_body_set_enabled(world, body, false));
         bool hit = false;
         thud_ray_hit ray;
-        OK(thud_shape_meets_ray(world, box, (thud_pos){x, 9}, 0, -14, &hit, &ray));
+        OK(thud_shape_cast_ray(world, box, (thud_pos){x, 9}, 0, -14, &hit, &ray));
         assert_true(hit && ray.shape.index1 == box.index1);
         near_to(ray.fraction, (9 - 2 - 1 / 0.6) / 14, 1e-7);
-        OK(thud_shape_meets_ray(world, box, (thud_pos){x, 9}, 0, 3, &hit, &ray));
+        OK(thud_shape_cast_ray(world, box, (thud_pos){x, 9}, 0, 3, &hit, &ray));
         assert_false(hit);
         thud_shape_id ball =
-            add_shape(world, add_body(world, THUD_STATIC, x + 8, 2, 0), 1.5f, 0, false, NULL);
+            add_shape(world, add_body(world, THUD_BODY_STATIC, x + 8, 2, 0), 1.5f, 0, false, NULL);
         thud_closest_hit closest;
         OK(thud_shape_closest_point(world, ball, (thud_pos){x + 4, 5}, &closest));
         near_to(closest.distance, 3.5, 1e-8);
@@ -262,7 +264,7 @@ static void a_terrain_has_the_bounds_of_its_line_and_is_solid_below(void **state
     const thud_pos points[] = {{0, 1}, {2, 3}, {5, -1}};
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 3};
     thud_shape_def def = thud_default_shape_def();
-    thud_body_id body = add_body(world, THUD_STATIC, 10, 20, 0);
+    thud_body_id body = add_body(world, THUD_BODY_STATIC, 10, 20, 0);
     thud_shape_id hill, plain;
     OK(thud_shape_create_terrain(world, body, &def, &line, &hill));
     check_bounds(world, hill, (thud_pos){10, 19}, (thud_pos){15, 23});
@@ -276,7 +278,7 @@ static void a_terrain_has_the_bounds_of_its_line_and_is_solid_below(void **state
     line = (thud_terrain){.kind = THUD_TERRAIN_FLAT};
     OK(thud_shape_create_terrain(world, body, &def, &line, &plain));
     thud_pos lower = {7, 7}, upper = {7, 7};
-    assert_int_equal(thud_shape_bounds(world, plain, &lower, &upper), THUD_ERROR_INVALID);
+    assert_int_equal(thud_shape_get_bounds(world, plain, &lower, &upper), THUD_ERROR_INVALID);
     assert_true(lower.x == 7 && upper.y == 7);
     thud_world_destroy(world);
 }
@@ -286,10 +288,10 @@ static double make_and_ask(const thud_ray_hit *hit, void *context) {
     thud_pos lower, upper;
     row *r = context;
     (void)hit;
-    thud_body_id body = add_body(r->world, THUD_STATIC, 1, 5, 0);
+    thud_body_id body = add_body(r->world, THUD_BODY_STATIC, 1, 5, 0);
     thud_shape_id made = add_shape(r->world, body, 1, 0, false, NULL);
-    assert_int_equal(thud_shape_bounds(r->world, made, &lower, &upper), THUD_ERROR_LOCKED);
-    OK(thud_shape_bounds(r->world, r->shape[2], &lower, &upper));
+    assert_int_equal(thud_shape_get_bounds(r->world, made, &lower, &upper), THUD_ERROR_LOCKED);
+    OK(thud_shape_get_bounds(r->world, r->shape[2], &lower, &upper));
     return THUD_CAST_END;
 }
 
@@ -297,7 +299,8 @@ static void shapes_made_inside_a_callback_have_no_place_yet(void **state) {
     (void)state;
     row r;
     make_row(&r, (thud_job_system){0});
-    OK(thud_world_cast_ray_each(r.world, (thud_pos){0, 0}, 10, 0, NULL, make_and_ask, &r));
+    OK(thud_world_cast_ray_each(r.world, &(thud_ray){(thud_pos){0, 0}, 10, 0, NULL}, make_and_ask,
+                                &r));
     thud_world_destroy(r.world);
 }
 

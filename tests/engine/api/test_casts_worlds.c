@@ -50,7 +50,7 @@ static void add_line(crowd *c, int i, uint64_t *seed) {
                          .points = points,
                          .count = 6};
     thud_shape_def def = draw_def(c, i, seed);
-    c->body[i] = add_body(c->world, THUD_STATIC, c->origin.x, c->origin.y - 9 - 2 * i % 3, 0);
+    c->body[i] = add_body(c->world, THUD_BODY_STATIC, c->origin.x, c->origin.y - 9 - 2 * i % 3, 0);
     OK(thud_shape_create_terrain(c->world, c->body[i], &def, &line, &c->shape[i]));
 }
 
@@ -113,20 +113,20 @@ static bool passes(const crowd *c, int i, const thud_query_filter *f) {
 typedef struct query {
     thud_pos at;
     double dx, dy;
-    thud_shape_instance shape;
+    thud_geometry shape;
     thud_query_filter filter;
 } query;
 
 static query draw_query(const crowd *c, uint64_t *seed) {
     static const int32_t groups[] = {0, 0, -3, 3};
-    query q = {.filter = thud_default_query_filter(), .shape = {.kind = THUD_CIRCLE, .c = 1}};
+    query q = {.filter = thud_default_query_filter(), .shape = {.kind = THUD_SHAPE_CIRCLE, .c = 1}};
     q.at = (thud_pos){c->origin.x + grid_in(seed, -28, 28), c->origin.y + grid_in(seed, -8, 28)};
     double reach = below(seed, 2) ? 60 : 5;
     q.dx = below(seed, 8) ? grid_in(seed, -reach, reach) : 0;
     q.dy = below(seed, 8) ? grid_in(seed, -reach, reach) : 0;
     q.shape.hx = random_in(seed, 0.1, 1.5);
     if (below(seed, 2)) {
-        q.shape.kind = THUD_AABB;
+        q.shape.kind = THUD_SHAPE_AABB;
         q.shape.hy = random_in(seed, 0.1, 1.5);
     }
     q.filter.mask = below(seed, 2) ? UINT32_MAX : (uint32_t)below(seed, 8);
@@ -162,7 +162,7 @@ static int ask_all(const crowd *c, const query *q, thud_ray_hit *hits) {
     int count = 0;
     for (int i = 0; i < SHAPES; i++) {
         bool hit = false;
-        OK(thud_shape_meets_ray(c->world, c->shape[i], q->at, q->dx, q->dy, &hit, &hits[count]));
+        OK(thud_shape_cast_ray(c->world, c->shape[i], q->at, q->dx, q->dy, &hit, &hits[count]));
         count += hit && passes(c, i, &q->filter);
     }
     qsort(hits, (size_t)count, sizeof *hits, by_order);
@@ -221,18 +221,22 @@ static void check_each(const crowd *c, const query *q, uint64_t *answers) {
     thud_ray_hit all[SHAPES], found[SHAPES];
     listener heard = {.seed = answers};
     int count = ask_all(c, q, all), listed = -1;
-    OK(thud_world_cast_ray_all(c->world, q->at, q->dx, q->dy, &q->filter, found, SHAPES, &listed));
+    OK(thud_world_cast_ray_all(c->world, &(thud_ray){q->at, q->dx, q->dy, &q->filter}, found,
+                               SHAPES, &listed));
     assert_int_equal(listed, count);
     for (int i = 0; i < count; i++) {
         assert_true(same_hit(&found[i], &all[i]));
     }
-    OK(thud_world_cast_ray_each(c->world, q->at, q->dx, q->dy, &q->filter, hear, &heard));
+    OK(thud_world_cast_ray_each(c->world, &(thud_ray){q->at, q->dx, q->dy, &q->filter}, hear,
+                                &heard));
     check_told(&heard, all, count);
-    OK(thud_world_cast_shape_all(c->world, q->at, &q->shape, q->dx, q->dy, &q->filter, all, SHAPES,
-                                 &count));
+    OK(thud_world_cast_shape_all(c->world,
+                                 &(thud_shape_cast){q->at, q->shape, q->dx, q->dy, &q->filter}, all,
+                                 SHAPES, &count));
     heard.count = 0;
-    OK(thud_world_cast_shape_each(c->world, q->at, &q->shape, q->dx, q->dy, &q->filter, hear,
-                                  &heard));
+    OK(thud_world_cast_shape_each(c->world,
+                                  &(thud_shape_cast){q->at, q->shape, q->dx, q->dy, &q->filter},
+                                  hear, &heard));
     check_told(&heard, all, count);
 }
 
@@ -265,9 +269,10 @@ static bool note(thud_shape_id shape, void *context) {
 /* Shape casts and overlaps report the shapes that pass the filter and overlap, and no others. */
 static void check_filters(const crowd *c, const query *q) {
     listener swept = {.count = 0}, over = {.count = 0};
-    thud_shape_instance disc = {.kind = THUD_CIRCLE, .c = 1, .hx = q->shape.hx};
-    OK(thud_world_cast_shape_each(c->world, q->at, &disc, 0, 0, &q->filter, hear, &swept));
-    OK(thud_world_overlap_shape(c->world, q->at, &disc, &q->filter, note, &over));
+    thud_geometry disc = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = q->shape.hx};
+    OK(thud_world_cast_shape_each(c->world, &(thud_shape_cast){q->at, disc, 0, 0, &q->filter}, hear,
+                                  &swept));
+    OK(thud_world_overlap_shape(c->world, q->at, disc, &q->filter, note, &over));
     bool wanted_any = false, found = false;
     double least = 20;
     int wanted = 0, slack = 0;
@@ -320,9 +325,11 @@ static void filters_hold_in_every_query(void **state) {
 static void check_one(const crowd *c, const query *q, const thud_ray_hit *got, bool ray) {
     thud_ray_hit one = {.fraction = 1, .point = {q->at.x + q->dx, q->at.y + q->dy}};
     if (ray) {
-        OK(thud_world_cast_ray(c->world, q->at, q->dx, q->dy, &q->filter, NULL, &one));
+        OK(thud_world_cast_ray(c->world, &(thud_ray){q->at, q->dx, q->dy, &q->filter}, NULL, &one));
     } else {
-        OK(thud_world_cast_shape(c->world, q->at, &q->shape, q->dx, q->dy, &q->filter, NULL, &one));
+        OK(thud_world_cast_shape(c->world,
+                                 &(thud_shape_cast){q->at, q->shape, q->dx, q->dy, &q->filter},
+                                 NULL, &one));
     }
     assert_true(same_hit(&one, got));
 }
@@ -336,7 +343,7 @@ static void check_many(const crowd *c, uint64_t seed, int count) {
     for (int i = 0; i < count; i++) {
         q[i] = draw_query(c, &seed);
         rays[i] = (thud_ray){q[i].at, q[i].dx, q[i].dy, &q[i].filter};
-        casts[i] = (thud_shape_cast){q[i].at, &q[i].shape, q[i].dx, q[i].dy, &q[i].filter};
+        casts[i] = (thud_shape_cast){q[i].at, q[i].shape, q[i].dx, q[i].dy, &q[i].filter};
     }
     hits[count].fraction = 42;
     OK(thud_world_cast_rays(c->world, rays, count, hits));

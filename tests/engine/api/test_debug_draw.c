@@ -4,14 +4,14 @@
 
 /* What a drawing called back with, by style. */
 typedef struct seen {
-    int circles[THUD_DRAW_STYLE_COUNT], boxes[THUD_DRAW_STYLE_COUNT];
-    int lines[THUD_DRAW_STYLE_COUNT], points[THUD_DRAW_STYLE_COUNT];
+    int circles[THUD_STYLE_COUNT], boxes[THUD_STYLE_COUNT];
+    int lines[THUD_STYLE_COUNT], points[THUD_STYLE_COUNT];
     thud_vec2 from[64], to[64]; /* ends of the lines of all styles */
     int line_count;
     float greatest; /* the greatest x of all circles */
 } seen;
 
-static void on_circle(thud_vec2 center, float radius, float c, float s, thud_draw_style style,
+static void on_circle(thud_vec2 center, float radius, float c, float s, thud_style style,
                       int island, void *context) {
     seen *k = context;
     (void)c, (void)s, (void)island;
@@ -19,13 +19,13 @@ static void on_circle(thud_vec2 center, float radius, float c, float s, thud_dra
     k->greatest = fmaxf(k->greatest, center.x + radius);
 }
 
-static void on_box(thud_vec2 center, thud_vec2 half, float c, float s, thud_draw_style style,
-                   int island, void *context) {
+static void on_box(thud_vec2 center, thud_vec2 half, float c, float s, thud_style style, int island,
+                   void *context) {
     (void)center, (void)half, (void)c, (void)s, (void)island;
     ((seen *)context)->boxes[style]++;
 }
 
-static void on_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context) {
+static void on_line(thud_vec2 a, thud_vec2 b, thud_style style, void *context) {
     seen *k = context;
     k->lines[style]++;
     if (k->line_count < 64) {
@@ -34,7 +34,7 @@ static void on_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *conte
     }
 }
 
-static void on_point(thud_vec2 p, thud_draw_style style, void *context) {
+static void on_point(thud_vec2 p, thud_style style, void *context) {
     (void)p;
     ((seen *)context)->points[style]++;
 }
@@ -79,11 +79,11 @@ static void motions_of_a_fast_ball_are_two_circles_and_two_tangents(void **state
     add_moving(world, add_ball(world, 0, 0, 0.5f), 60, 0); /* 1 m a step */
     /* 0.1 m a step, less than a quarter of its extent: not drawn */
     add_moving(world, add_ball(world, 0, 5, 0.5f), 6, 0);
-    assert_int_equal(draw(world, THUD_DRAW_MOTIONS).circles[THUD_DRAW_MOTION], 0);
+    assert_int_equal(draw(world, THUD_DRAW_MOTIONS).circles[THUD_STYLE_MOTION], 0);
     run(world, 1);
     seen k = draw(world, THUD_DRAW_MOTIONS);
-    assert_int_equal(k.circles[THUD_DRAW_MOTION], 2);
-    assert_int_equal(k.lines[THUD_DRAW_MOTION], 2);
+    assert_int_equal(k.circles[THUD_STYLE_MOTION], 2);
+    assert_int_equal(k.lines[THUD_STYLE_MOTION], 2);
     near_to(k.greatest, 1.5, 1e-5);
     for (int i = 0; i < 2; i++) {
         near_to(k.from[i].x, 0, 1e-5);
@@ -136,8 +136,8 @@ static void motions_of_a_box_are_joined_by_the_sides_of_its_hull(void **state) {
         thud_pos corners[8];
         corners_of(0, 0, 0.6, hy, corners);
         corners_of(end.position.x, end.angle, 0.6, hy, corners + 4);
-        assert_int_equal(k.boxes[THUD_DRAW_MOTION], 2);
-        assert_true(k.line_count >= 2 && k.lines[THUD_DRAW_MOTION] == k.line_count);
+        assert_int_equal(k.boxes[THUD_STYLE_MOTION], 2);
+        assert_true(k.line_count >= 2 && k.lines[THUD_STYLE_MOTION] == k.line_count);
         for (int line = 0; line < k.line_count; line++) {
             is_side_of_hull(k.from[line], k.to[line], corners);
         }
@@ -154,7 +154,7 @@ static void motions_out_of_sight_are_not_drawn(void **state) {
     add_moving(world, add_ball(world, 50, 0, 0.5f), 60, 0);
     run(world, 1);
     seen k = draw(world, THUD_DRAW_MOTIONS);
-    assert_int_equal(k.circles[THUD_DRAW_MOTION] + k.lines[THUD_DRAW_MOTION], 0);
+    assert_int_equal(k.circles[THUD_STYLE_MOTION] + k.lines[THUD_STYLE_MOTION], 0);
     thud_world_destroy(world);
 }
 
@@ -174,8 +174,8 @@ static void axes_of_a_plane_sweep_are_bars_in_rows_at_the_lower_edge(void **stat
     add_four(world);
     run(world, 1);
     seen k = draw(world, THUD_DRAW_AXES);
-    assert_int_equal(k.lines[THUD_DRAW_INTERVAL_OVERLAPPING], 2);
-    assert_int_equal(k.lines[THUD_DRAW_INTERVAL], 1);
+    assert_int_equal(k.lines[THUD_STYLE_INTERVAL_OVERLAPPING], 2);
+    assert_int_equal(k.lines[THUD_STYLE_INTERVAL], 1);
     assert_true(k.from[0].y > -10 && k.from[1].y > k.from[0].y && k.to[1].y < -8);
     near_to(k.from[2].y, k.from[0].y, 1e-6);
     near_to(0.5 * (k.from[1].x + k.to[1].x), 0.3, 1e-3);
@@ -191,11 +191,11 @@ static void axes_of_resting_shapes_stand_above_those_of_awake_ones(void **state)
     (void)state;
     thud_world *world = world_with(&thud_broadphase_sweep);
     add_ball(world, 0, 0, 0.5f);
-    thud_body_id wall = add_body(world, THUD_STATIC, 8, 0, 0);
+    thud_body_id wall = add_body(world, THUD_BODY_STATIC, 8, 0, 0);
     add_shape(world, wall, 0.5f, 3, true, NULL);
     run(world, 1);
     seen k = draw(world, THUD_DRAW_AXES);
-    assert_int_equal(k.lines[THUD_DRAW_INTERVAL], 2);
+    assert_int_equal(k.lines[THUD_STYLE_INTERVAL], 2);
     assert_true(k.from[1].y > k.from[0].y && k.from[1].x > 7);
     thud_world_destroy(world);
 }
@@ -209,8 +209,8 @@ static void cells_and_axes_are_drawn_only_of_the_broadphase_that_has_them(void *
         add_four(world);
         run(world, 1);
         seen k = draw(world, THUD_DRAW_CELLS | THUD_DRAW_AXES);
-        int bars = k.lines[THUD_DRAW_INTERVAL] + k.lines[THUD_DRAW_INTERVAL_OVERLAPPING];
-        assert_int_equal(k.boxes[THUD_DRAW_CELL], i == 0 ? 4 : 0);
+        int bars = k.lines[THUD_STYLE_INTERVAL] + k.lines[THUD_STYLE_INTERVAL_OVERLAPPING];
+        assert_int_equal(k.boxes[THUD_STYLE_CELL], i == 0 ? 4 : 0);
         assert_int_equal(bars, i == 1 ? 3 : 0);
         thud_world_destroy(world);
     }
@@ -227,7 +227,7 @@ static void cells_of_scattered_shapes_are_drawn_each(void **state) {
     }
     run(world, 1);
     seen k = draw(world, THUD_DRAW_CELLS);
-    assert_int_equal(k.boxes[THUD_DRAW_CELL], 200);
+    assert_int_equal(k.boxes[THUD_STYLE_CELL], 200);
     thud_world_destroy(world);
 }
 
@@ -242,8 +242,8 @@ static void pairs_are_lines_between_centers_and_tell_who_touches(void **state) {
     add_ball(world, 12, 0, 0.5f);
     run(world, 1);
     seen k = draw(world, THUD_DRAW_PAIRS);
-    assert_int_equal(k.lines[THUD_DRAW_PAIR], 1);
-    assert_int_equal(k.lines[THUD_DRAW_PAIR_TOUCHING], 1);
+    assert_int_equal(k.lines[THUD_STYLE_PAIR], 1);
+    assert_int_equal(k.lines[THUD_STYLE_PAIR_TOUCHING], 1);
     for (int i = 0; i < 2; i++) {
         bool touching = k.from[i].x > 2 || k.to[i].x > 2;
         near_to(k.from[i].x + k.to[i].x, touching ? 10.95 : 0.9, 0.01);
@@ -258,17 +258,45 @@ static void pairs_with_the_ground_go_straight_down_to_it(void **state) {
     thud_pos points[] = {{-10, 1}, {0, 1}, {10, 1}};
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 3};
     thud_shape_def def = thud_default_shape_def();
-    thud_body_id ground = add_body(world, THUD_STATIC, 0, -2, 0);
+    thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, -2, 0);
     OK(thud_shape_create_terrain(world, ground, &def, &line, NULL));
     add_ball(world, 4, -0.5, 0.5f); /* on the terrain, which is at -1 */
     run(world, 1);
     seen k = draw(world, THUD_DRAW_PAIRS);
     assert_int_equal(k.line_count, 1);
-    assert_int_equal(k.lines[THUD_DRAW_PAIR_TOUCHING], 1);
+    assert_int_equal(k.lines[THUD_STYLE_PAIR_TOUCHING], 1);
     near_to(k.from[0].x, 4, 1e-5);
     near_to(k.from[0].y, -1, 1e-5);
     near_to(k.to[0].y, -0.5, 1e-2);
     thud_world_destroy(world);
+}
+
+static bool veto(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
+                 void *context) {
+    (void)world, (void)contact, (void)settings, (void)context;
+    return false;
+}
+
+/* A box that hangs over the edge of a floor touches it aside of its centre. */
+static void contacts_are_drawn_unless_a_prologue_vetoes_them(void **state) {
+    (void)state;
+    for (int vetoed = 0; vetoed < 2; vetoed++) {
+        thud_world *world = world_with(NULL);
+        thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
+        add_shape(world, ground, 2, 0.5f, false, NULL);
+        add_box(world, 1.8, 1, 0.5f, 0.5f);
+        thud_listeners listeners = {.prologue = vetoed ? veto : NULL};
+        OK(thud_world_set_listeners(world, &listeners));
+        run(world, 1);
+        seen k = draw(world, THUD_DRAW_CONTACTS);
+        assert_int_equal(k.points[THUD_STYLE_CONTACT], vetoed ? 0 : 1);
+        assert_int_equal(k.lines[THUD_STYLE_NORMAL], vetoed ? 0 : 1);
+        if (!vetoed) {
+            near_to(k.from[0].x, 1.65, 1e-3); /* the middle of 1.3 .. 2 */
+            near_to(k.from[0].y, 0.5, 1e-2);
+        }
+        thud_world_destroy(world);
+    }
 }
 
 static void null_callbacks_are_skipped_and_no_flag_draws_nothing(void **state) {
@@ -315,6 +343,7 @@ int main(void) {
         cmocka_unit_test(cells_of_scattered_shapes_are_drawn_each),
         cmocka_unit_test(pairs_are_lines_between_centers_and_tell_who_touches),
         cmocka_unit_test(pairs_with_the_ground_go_straight_down_to_it),
+        cmocka_unit_test(contacts_are_drawn_unless_a_prologue_vetoes_them),
         cmocka_unit_test(null_callbacks_are_skipped_and_no_flag_draws_nothing),
         cmocka_unit_test(draw_refuses_null_and_places_out_of_range),
     };

@@ -67,20 +67,20 @@ static thud_body_state pushed_behind(thud_body_kind kind, double y, float half_y
 static void cover_is_partial(void **state) {
     (void)state;
     for (int rays = 1; rays <= THUD_EXPLOSION_RAYS_MAX; rays++) {
-        double all = (double)pushed_behind(THUD_STATIC, 0, 0, THUD_COVER_ALL, rays).velocity.x;
+        double all = (double)pushed_behind(THUD_BODY_STATIC, 0, 0, THUD_COVER_ALL, rays).velocity.x;
         near_to(all, 3, 0.03);
-        for (int kind = THUD_STATIC; kind <= THUD_DYNAMIC; kind++) {
+        for (int kind = THUD_BODY_STATIC; kind <= THUD_BODY_DYNAMIC; kind++) {
             thud_body_kind k = (thud_body_kind)kind;
             thud_body_state s = pushed_behind(k, 0, 2, THUD_COVER_ALL, rays);
             assert_true(s.velocity.x == 0 && s.angular_velocity == 0);
             s = pushed_behind(k, 0, 2, THUD_COVER_STATIC, rays);
-            near_to((double)s.velocity.x, k == THUD_DYNAMIC ? all : 0, 1e-6);
+            near_to((double)s.velocity.x, k == THUD_BODY_DYNAMIC ? all : 0, 1e-6);
             s = pushed_behind(k, 0, 2, THUD_COVER_NONE, rays);
             near_to((double)s.velocity.x, all, 1e-6);
         }
         /* The lower half of the box is covered: the impulse acts on the upper half, and turns the
          * box clockwise. */
-        thud_body_state s = pushed_behind(THUD_STATIC, -2.001, 2, THUD_COVER_ALL, rays);
+        thud_body_state s = pushed_behind(THUD_BODY_STATIC, -2.001, 2, THUD_COVER_ALL, rays);
         near_to((double)s.velocity.x, all * (double)((rays + 1) / 2) / (double)rays, 0.03);
         assert_true(rays == 1 || s.angular_velocity < -0.1f);
     }
@@ -95,7 +95,7 @@ static void ground_hides_and_the_edge_of_a_floor_does_not(void **state) {
     thud_shape_def def = thud_default_shape_def();
     thud_shape_id ground;
     thud_world *world = make_world(weightless());
-    OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, 0, 0, 0), &def, &line,
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0), &def, &line,
                                  &ground));
     thud_body_id behind = add_ball(world, 4, 0.5, 0.5f), before = add_ball(world, -6, 0.5, 0.5f);
     assert_int_equal(explode(world, blast_at(-4, 0.25)), 1);
@@ -124,13 +124,13 @@ static void filters_sensors_and_bodies_of_several_shapes(void **state) {
     thud_shape_def def = thud_default_shape_def(), sensor = def;
     sensor.sensor = true;
     def.filter.category = 2;
-    thud_body_id pair = add_body(world, THUD_DYNAMIC, 3, 0, 0),
+    thud_body_id pair = add_body(world, THUD_BODY_DYNAMIC, 3, 0, 0),
                  other = add_ball(world, -3, 0, 0.5f);
     thud_vec2 ahead = {-1, 0};
     thud_shape_id ball;
     OK(thud_shape_create_circle(world, pair, &def, (thud_vec2){0, 0}, 0.5f, &ball));
     OK(thud_shape_create_circle(world, pair, &def, ahead, 0.5f, &ball));
-    add_shape(world, add_body(world, THUD_STATIC, 1, 0, 0), 0.1f, 3, true, &sensor);
+    add_shape(world, add_body(world, THUD_BODY_STATIC, 1, 0, 0), 0.1f, 3, true, &sensor);
     thud_explosion blast = blast_at(0, 0);
     blast.rays = 1;
     blast.filter.mask = 2;

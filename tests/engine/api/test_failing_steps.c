@@ -84,7 +84,8 @@ static void epilogue_all(thud_world *world, const thud_contact *contacts, int co
 
 /* Joins the last two bodies. Some are far apart, so that the joint pulls hard. */
 static void tie(side *s, uint64_t *seed) {
-    const thud_joint_kind kinds[] = {THUD_HINGE, THUD_DISTANCE, THUD_WELD, THUD_WHEEL};
+    const thud_joint_kind kinds[] = {THUD_JOINT_HINGE, THUD_JOINT_DISTANCE, THUD_JOINT_WELD,
+                                     THUD_JOINT_WHEEL};
     thud_joint_def def = thud_default_joint_def(kinds[(int)random_in(seed, 0, 4)]);
     def.body_a = s->count > 1 ? s->body[s->count - 2] : def.body_a;
     def.body_b = s->body[s->count - 1];
@@ -105,14 +106,14 @@ static void add(side *s, const setting *set, uint64_t *seed) {
     thud_body_def def = thud_default_body_def();
     thud_shape_def shape = thud_default_shape_def();
     int what = (int)random_in(seed, 0, 20);
-    def.kind = what == 0 ? THUD_KINEMATIC : THUD_DYNAMIC;
+    def.kind = what == 0 ? THUD_BODY_KINEMATIC : THUD_BODY_DYNAMIC;
     def.position = (thud_pos){random_in(seed, -9, 9), random_in(seed, 1, 14)};
     def.velocity = (thud_vec2){(float)random_in(seed, -3, 3), (float)random_in(seed, -9, 1)};
     if (what == 1) {
         def.velocity.x *= 60; /* a fast body */
         def.detection = set->detection ? NULL : detections[(int)random_in(seed, 0, 5)];
     }
-    if (def.kind == THUD_KINEMATIC) {
+    if (def.kind == THUD_BODY_KINEMATIC) {
         def.velocity = (thud_vec2){(float)random_in(seed, -1, 1), 0};
     }
     shape.restitution = what % 4 ? 0 : 0.8f;
@@ -129,7 +130,7 @@ static void add(side *s, const setting *set, uint64_t *seed) {
 
 /* Creates a world with the setting. */
 static void make(side *s, const setting *set, thud_allocator allocator) {
-    thud_world_def def = thud_world_def_of(qualities[set->quality]);
+    thud_world_def def = thud_default_world_def_of(qualities[set->quality]);
     uint64_t seed = set->seed;
     *s = (side){.count = 0};
     def.allocator = allocator;
@@ -147,7 +148,7 @@ static void make(side *s, const setting *set, thud_allocator allocator) {
         OK(thud_world_set_listeners(s->world, &listeners));
     }
     if (set->tiles) {
-        thud_body_id ground = add_body(s->world, THUD_STATIC, 0, 0, 0);
+        thud_body_id ground = add_body(s->world, THUD_BODY_STATIC, 0, 0, 0);
         thud_shape_def plain = thud_default_shape_def();
         for (int i = -12; i < 12; i++) {
             OK(thud_shape_create_aabb(s->world, ground, &plain, (thud_vec2){(float)i, -0.5f},
@@ -163,8 +164,8 @@ static void make(side *s, const setting *set, thud_allocator allocator) {
         }
         thud_terrain hills = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 30};
         thud_shape_def plain = thud_default_shape_def();
-        OK(thud_shape_create_terrain(s->world, add_body(s->world, THUD_STATIC, 0, 0, 0), &plain,
-                                     &hills, &s->line));
+        OK(thud_shape_create_terrain(s->world, add_body(s->world, THUD_BODY_STATIC, 0, 0, 0),
+                                     &plain, &hills, &s->line));
     }
     for (int i = 0; i < 12; i++) {
         add(s, set, &seed);
@@ -202,7 +203,7 @@ static void deeds(side *s, const setting *set, uint64_t seed, int step) {
 
 /* A query that applies deferred edits; its result is not used. */
 static void ask(side *s) {
-    thud_world_cast_ray(s->world, (thud_pos){-10, 1}, 20, 0, NULL, NULL, NULL);
+    thud_world_cast_ray(s->world, &(thud_ray){(thud_pos){-10, 1}, 20, 0, NULL}, NULL, NULL);
 }
 
 /* ---- comparison ---- */
@@ -219,7 +220,7 @@ static void note(char *text, size_t size, const char *what, const thud_contact_e
 
 /* Writes all events of the last step, in their order, to `text`. */
 static const char *told(const side *s, char *text, size_t size) {
-    thud_events e = thud_world_events(s->world);
+    thud_events e = thud_events_of(s->world);
     text[0] = 0;
     note(text, size, "begin", e.begin, e.begin_count);
     note(text, size, "end", e.end, e.end_count);
@@ -236,7 +237,7 @@ static const char *told(const side *s, char *text, size_t size) {
 
 /* Writes the statistics and which bodies are awake to `text`. */
 static const char *awake(const side *s, char *text, size_t size) {
-    thud_stats stats = thud_world_stats(s->world);
+    thud_stats stats = thud_stats_of(s->world);
     snprintf(text, size,
              "bodies %d shapes %d awake %d pairs %d contacts %d impacts %d held %d:", stats.bodies,
              stats.shapes, stats.awake_bodies, stats.pairs, stats.contacts, stats.impacts,
@@ -245,7 +246,7 @@ static const char *awake(const side *s, char *text, size_t size) {
         size_t used = strlen(text);
         thud_body_state body = {0};
         if (thud_body_is_valid(s->world, s->body[i])) {
-            OK(thud_body_get(s->world, s->body[i], &body));
+            OK(thud_body_get_state(s->world, s->body[i], &body));
         }
         snprintf(text + used, size - used, body.awake ? "1" : "0");
     }
@@ -255,7 +256,7 @@ static const char *awake(const side *s, char *text, size_t size) {
 /* Makes one step with failing allocations; returns how many attempts failed. */
 static long step_with_failures(side *s, const setting *set) {
     static char before[1 << 17], after[1 << 17];
-    uint64_t hash = thud_world_hash(s->world), steps = thud_world_stats(s->world).steps;
+    uint64_t hash = thud_hash_of(s->world), steps = thud_stats_of(s->world).steps;
     told(s, before, sizeof before);
     for (long failures = 0;; failures++) {
         memory_allowed = failures;
@@ -269,9 +270,9 @@ static long step_with_failures(side *s, const setting *set) {
         }
         assert_int_equal(result, THUD_ERROR_MEMORY);
         if (set->callbacks && failures == 0) {
-            hash = thud_world_hash(s->world); /* deferred edits are applied by now */
+            hash = thud_hash_of(s->world); /* deferred edits are applied by now */
         }
-        assert_true(thud_world_hash(s->world) == hash && thud_world_stats(s->world).steps == steps);
+        assert_true(thud_hash_of(s->world) == hash && thud_stats_of(s->world).steps == steps);
         assert_string_equal(told(s, after, sizeof after), before);
         if (set->queries) {
             ask(s);
@@ -296,9 +297,9 @@ static long compare(const setting *set) {
             ask(&twin);
         }
         OK(thud_world_step(twin.world));
-        assert_int_equal(thud_world_events(twin.world).quarantined_count, 0);
+        assert_int_equal(thud_events_of(twin.world).quarantined_count, 0);
         failures += step_with_failures(&here, set);
-        bool same = thud_world_hash(here.world) == thud_world_hash(twin.world) &&
+        bool same = thud_hash_of(here.world) == thud_hash_of(twin.world) &&
                     strcmp(told(&here, a, sizeof a), told(&twin, b, sizeof b)) == 0;
         if (!same || strcmp(awake(&here, a, sizeof a), awake(&twin, b, sizeof b)) != 0) {
             fail_msg("step %d of seed %d, quality %d, detection %d, broadphase %d differs:\n%s\n%s",
@@ -358,7 +359,7 @@ static void advance_out_of_memory_tells_how_many_steps_it_made(void **state) {
     /* A pair that comes near in the third step from here needs an allocation, which fails. */
     thud_body_def fast = thud_default_body_def();
     thud_body_id body;
-    fast.kind = THUD_DYNAMIC;
+    fast.kind = THUD_BODY_DYNAMIC;
     fast.position = (thud_pos){5.3, 0};
     fast.velocity = (thud_vec2){-100, 0};
     OK(thud_body_create(world, &fast, &body));

@@ -5,7 +5,7 @@
 #include <thud/thud_fields.h>
 
 static double energy(thud_world *world) {
-    return thud_world_measure(world).kinetic_energy;
+    return thud_measure_of(world).kinetic_energy;
 }
 
 /* ---- wind ---- */
@@ -38,7 +38,7 @@ static void drag_over_edges_is_the_integral(void **state) {
     const double h[2] = {1, 0.4}, v[3] = {1.5, -0.5, 3}, wind[2] = {0.25, 0.5};
     thud_world *world = make_world(weightless());
     double angle = 0.4, sum[3] = {0}, c = cos(angle), s = sin(angle);
-    thud_body_id box = add_body(world, THUD_DYNAMIC, 5, 5, angle);
+    thud_body_id box = add_body(world, THUD_BODY_DYNAMIC, 5, 5, angle);
     add_shape(world, box, (float)h[0], (float)h[1], false, NULL);
     OK(thud_body_set_velocity(world, box, (thud_vec2){(float)v[0], (float)v[1]}, (float)v[2]));
     enum { PIECES = 100000 };
@@ -71,7 +71,7 @@ static void wings_and_spin_lift(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     /* A wing flies to +x with its nose up, and a ball with backspin. */
-    thud_body_id wing = add_body(world, THUD_DYNAMIC, 0, 0, 0.2),
+    thud_body_id wing = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0.2),
                  ball = add_ball(world, 9, 0, 0.5f);
     add_shape(world, wing, 1, 0.01f, false, NULL);
     float drag[2], up[2];
@@ -100,7 +100,7 @@ static void still_air_never_gives_energy(void **state) {
         thud_world_def def = weightless();
         def.time_step = i % 2 ? 1 : 1.0 / 60;
         thud_world *world = make_world(def);
-        thud_body_id body = add_body(world, THUD_DYNAMIC, 0, 0, random_in(&seed, -3, 3));
+        thud_body_id body = add_body(world, THUD_BODY_DYNAMIC, 0, 0, random_in(&seed, -3, 3));
         thud_shape_def shape = thud_default_shape_def();
         thud_shape_id id;
         thud_vec2 offset = {(float)random_in(&seed, -1, 1), (float)random_in(&seed, -1, 1)};
@@ -164,7 +164,7 @@ static void wind_takes_along_and_wakes_nobody(void **state) {
 static void balls_roll_to_a_stop(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
-        thud_world *world = make_world(thud_world_def_of(qualities[q]));
+        thud_world *world = make_world(thud_default_world_def_of(qualities[q]));
         add_floor(world, NULL);
         thud_body_id ball = add_ball(world, -20, 0.5, 0.5f);
         OK(thud_body_set_velocity(world, ball, (thud_vec2){3, 0}, -6));

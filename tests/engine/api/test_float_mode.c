@@ -11,19 +11,19 @@
 #include "share.h"
 #include "base/simd.h"
 
-#if !defined(TD_MODE_OWN)
-typedef unsigned td_mode;
-#define TD_MODE_OWN 0u
-#define TD_MODE_NOTES 0u
-#define TD_MODE_GET(mode) ((void)0)
-#define TD_MODE_SET(mode) ((void)0)
+#if !defined(TD_FLOAT_MODE_OWN)
+typedef unsigned td_float_mode;
+#define TD_FLOAT_MODE_OWN 0u
+#define TD_FLOAT_MODE_FLAGS 0u
+#define TD_FLOAT_MODE_GET(mode) ((void)0)
+#define TD_FLOAT_MODE_SET(mode) ((void)0)
 #endif
 
 static const struct {
     const char *name;
-    td_mode mode;
+    td_float_mode mode;
 } MODES[] = {
-    {"the usual one", TD_MODE_OWN},
+    {"the usual one", TD_FLOAT_MODE_OWN},
 #if defined(__SSE2__)
     {"denormals flushed", 0x1f80u | 0x8040u},
     {"rounding down", 0x1f80u | 0x2000u},
@@ -31,24 +31,26 @@ static const struct {
     {"rounding to zero, denormals flushed", 0x1f80u | 0x6000u | 0x8040u},
     {"trapping everything but inexact results", 0x1000u},
 #elif defined(__aarch64__)
-    {"denormals flushed", 1u << 24}, {"rounding up", 1u << 22},
-    {"rounding down", 2u << 22},     {"rounding to zero, denormals flushed", 3u << 22 | 1u << 24},
+    {"denormals flushed", 1u << 24},
+    {"rounding up", 1u << 22},
+    {"rounding down", 2u << 22},
+    {"rounding to zero, denormals flushed", 3u << 22 | 1u << 24},
 #endif
 };
 enum { MODE_COUNT = sizeof MODES / sizeof *MODES };
 
-static void set_mode(td_mode mode) {
+static void set_mode(td_float_mode mode) {
     (void)mode;
-    TD_MODE_SET(mode);
+    TD_FLOAT_MODE_SET(mode);
 }
 
-static td_mode mode_now(void) {
-    td_mode mode = TD_MODE_OWN;
-    TD_MODE_GET(mode);
-    return mode & ~(td_mode)TD_MODE_NOTES;
+static td_float_mode mode_now(void) {
+    td_float_mode mode = TD_FLOAT_MODE_OWN;
+    TD_FLOAT_MODE_GET(mode);
+    return mode & ~(td_float_mode)TD_FLOAT_MODE_FLAGS;
 }
 
-static td_mode callers; /* the mode of the calling thread, in the current run */
+static td_float_mode callers; /* the mode of the calling thread, in the current run */
 
 /* Makes the call in the caller's mode and evaluates everything around it in the usual one, so that
  * arguments do not depend on the mode. */
@@ -56,8 +58,8 @@ static td_mode callers; /* the mode of the calling thread, in the current run */
     do {                                    \
         set_mode(callers);                  \
         thud_result result_ = (call);       \
-        td_mode after_ = mode_now();        \
-        set_mode(TD_MODE_OWN);              \
+        td_float_mode after_ = mode_now();  \
+        set_mode(TD_FLOAT_MODE_OWN);        \
         assert_int_equal(result_, THUD_OK); \
         assert_true(after_ == callers);     \
     } while (0)
@@ -73,7 +75,7 @@ static uint64_t hash_of(const char *name, int size, int steps, const thud_world_
     for (int i = 0; i < steps; i++) {
         IN_MODE(thud_world_step(world));
     }
-    uint64_t hash = thud_world_hash(world);
+    uint64_t hash = thud_hash_of(world);
     thud_world_destroy(world);
     scene_free(&s);
     return hash;
@@ -98,7 +100,7 @@ static void scenes_end_with_the_same_bits_in_any_mode(void **state) {
 static void qualities_end_with_the_same_bits_in_any_mode(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
-        thud_world_def def = thud_world_def_of(qualities[q]);
+        thud_world_def def = thud_default_world_def_of(qualities[q]);
         uint64_t hash[MODE_COUNT];
         for (int m = 0; m < MODE_COUNT; m++) {
             callers = MODES[m].mode;
@@ -119,7 +121,7 @@ static void workers_in_any_mode_give_the_same_bits(void **state) {
         callers = MODES[m].mode;
         set_mode(callers);
         pool *p = pool_create(3);
-        set_mode(TD_MODE_OWN);
+        set_mode(TD_FLOAT_MODE_OWN);
         assert_non_null(p);
         thud_world_def def = thud_default_world_def();
         def.job_system = pool_job_system(p);
@@ -161,7 +163,7 @@ static void make_ground(deeds *d) {
     IN_MODE(thud_shape_dig(d->world, line, (thud_pos){3.3, 0.1}, 1.7));
     IN_MODE(thud_shape_raise(d->world, line, -7.1, 2.3, 0.77));
     thud_terrain made;
-    OK(thud_shape_terrain(d->world, line, &made));
+    OK(thud_shape_get_terrain(d->world, line, &made));
     see(d, made.points, (size_t)made.count * sizeof *made.points);
 }
 
@@ -171,7 +173,7 @@ static void make_bodies(deeds *d) {
     for (int i = 0; i < 30; i++) {
         thud_body_def def = thud_default_body_def();
         thud_body_id body;
-        def.kind = THUD_DYNAMIC;
+        def.kind = THUD_BODY_DYNAMIC;
         def.position = (thud_pos){-12.3 + 0.81 * i, 4.1 + 0.3 * (i % 5)};
         def.angle = i % 3 ? 0.123 * i : 0.0;
         def.velocity = (thud_vec2){1e-39f, 0.1f * (float)i};
@@ -186,7 +188,8 @@ static void make_bodies(deeds *d) {
         IN_MODE(
             thud_shape_create_circle(d->world, body, &shape, (thud_vec2){0.2f, 0.1f}, 0.23f, NULL));
         IN_MODE(thud_body_apply_impulse(d->world, body, (thud_vec2){0.1f, 1e-39f}, def.position));
-        IN_MODE(thud_body_apply_force(d->world, body, (thud_vec2){0.3f, 0.7f}, 0.11f));
+        IN_MODE(thud_body_apply_center_force(d->world, body, (thud_vec2){0.3f, 0.7f}));
+        IN_MODE(thud_body_apply_torque(d->world, body, 0.11f));
         if (i % 5 == 0) {
             IN_MODE(
                 thud_body_set_transform(d->world, body, (thud_pos){far, 9.1}, i % 3 ? 0.77 : 0));
@@ -202,10 +205,14 @@ static void ask(deeds *d, int step) {
     volatile double up = 0.1 * step;
     thud_ray_hit ray = {0};
     thud_closest_hit closest = {0};
-    IN_MODE(thud_world_cast_ray(d->world, (thud_pos){-15.3, 0.9}, 29.7, up, NULL, &hit, &ray));
-    see(d, &ray.fraction, sizeof ray.fraction);
-    IN_MODE(thud_world_cast_box(d->world, (thud_pos){-9.7, 8}, 0.3, 0.7, 0.3, 7.1, -9.3, NULL, &hit,
+    IN_MODE(thud_world_cast_ray(d->world, &(thud_ray){(thud_pos){-15.3, 0.9}, 29.7, up, NULL}, &hit,
                                 &ray));
+    see(d, &ray.fraction, sizeof ray.fraction);
+    IN_MODE(
+        thud_world_cast_shape(d->world,
+                              &(thud_shape_cast){(thud_pos){-9.7, 8},
+                                                 thud_obb_at(0, 0, 0.3, 0.7, 0.3), 7.1, -9.3, NULL},
+                              &hit, &ray));
     see(d, &ray.fraction, sizeof ray.fraction);
     IN_MODE(thud_world_closest(d->world, (thud_pos){1.3, 7.7}, 30, NULL, &hit, &closest));
     see(d, &closest.distance, sizeof closest.distance);
@@ -214,9 +221,9 @@ static void ask(deeds *d, int step) {
     see(d, &d->mover.shape.x, 2 * sizeof d->mover.shape.x);
     set_mode(callers);
     int count;
-    const thud_pose *poses = thud_world_poses(d->world, (thud_pos){0.1, 0.3}, 0.3, &count);
-    thud_measure measure = thud_world_measure(d->world);
-    set_mode(TD_MODE_OWN);
+    const thud_pose *poses = thud_poses_of(d->world, (thud_pos){0.1, 0.3}, 0.3, &count);
+    thud_measure measure = thud_measure_of(d->world);
+    set_mode(TD_FLOAT_MODE_OWN);
     see(d, poses + 1, (size_t)(count - 1) * sizeof *poses);
     see(d, &measure, sizeof measure);
 }
@@ -228,7 +235,7 @@ static uint64_t do_all(const thud_quality *quality) {
     def.length_scale = 0.7f;
     deeds d = {.seen = 1};
     d.mover = thud_default_mover(
-        (thud_shape_instance){.kind = THUD_CIRCLE, .x = -6.2, .y = 5.3, .c = 1, .hx = 0.4});
+        (thud_geometry){.kind = THUD_SHAPE_CIRCLE, .x = -6.2, .y = 5.3, .c = 1, .hx = 0.4});
     IN_MODE(thud_world_create(&def, &d.world));
     IN_MODE(thud_world_set_quality(d.world, quality));
     make_ground(&d);
@@ -240,7 +247,7 @@ static uint64_t do_all(const thud_quality *quality) {
         IN_MODE(thud_world_advance(d.world, 0.0171, 3, &steps, &alpha));
         see(&d, &alpha, sizeof alpha);
     }
-    uint64_t hash = thud_world_hash(d.world);
+    uint64_t hash = thud_hash_of(d.world);
     see(&d, &hash, sizeof hash);
     thud_world_destroy(d.world);
     return d.seen;
@@ -268,7 +275,7 @@ static bool prologue_notes_mode(thud_world *world, const thud_contact *contact,
     (void)world;
     (void)contact;
     (void)settings;
-    *(bool *)context = mode_now() == TD_MODE_OWN;
+    *(bool *)context = mode_now() == TD_FLOAT_MODE_OWN;
     return true;
 }
 

@@ -1,5 +1,6 @@
-/* test_lists_moved.c: which bodies thud_world_moved_bodies lists as moved: after steps and edits,
- * asleep and quarantined, where a slot is reused, with too small arrays, and after a restore. */
+/* test_lists_moved.c: which bodies thud_world_get_moved_bodies lists as moved: after steps and
+ * edits, asleep and quarantined, where a slot is reused, with too small arrays, and after a
+ * restore. */
 #include "lists_support.h"
 #include "resolution_support.h"
 #include "snapshot_support.h"
@@ -9,10 +10,10 @@
 static void moved_are_those_whose_pose_is_another(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
-        thud_world *world = make_world(thud_world_def_of(qualities[q]));
+        thud_world *world = make_world(thud_default_world_def_of(qualities[q]));
         watch w = {0};
         thud_body_id floor = add_floor(world, NULL),
-                     lift = add_body(world, THUD_KINEMATIC, 9, 9, 0);
+                     lift = add_body(world, THUD_BODY_KINEMATIC, 9, 9, 0);
         thud_body_id box = add_kind(world, 2, 0, 1, NULL);
         assert_int_equal(look(&w, world), 3); /* all are new */
         assert_int_equal(look(&w, world), 0);
@@ -54,9 +55,9 @@ static void body_that_turns_in_its_place_is_told(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     watch w = {0};
-    thud_body_id mill = add_body(world, THUD_KINEMATIC, 1, 2, 0), post;
+    thud_body_id mill = add_body(world, THUD_BODY_KINEMATIC, 1, 2, 0), post;
     add_shape(world, mill, 2, 0.1f, false, NULL);
-    post = add_body(world, THUD_STATIC, 9, 9, 0);
+    post = add_body(world, THUD_BODY_STATIC, 9, 9, 0);
     look(&w, world);
     OK(thud_body_set_velocity(world, mill, (thud_vec2){0, 0}, 0.5f));
     for (int i = 0; i < 10; i++) {
@@ -81,7 +82,8 @@ static void quarantined_body_is_listed_and_moves_no_more(void **state) {
     run(world, 1);
     assert_int_equal(look(&w, world), 2);
     for (int i = 0; i < 2; i++) { /* twice, so that the sum overflows float */
-        OK(thud_body_apply_force(world, wild, (thud_vec2){3e38f, 3e38f}, 3e38f));
+        OK(thud_body_apply_center_force(world, wild, (thud_vec2){3e38f, 3e38f}));
+        OK(thud_body_apply_torque(world, wild, 3e38f));
     }
     run(world, 1);
     assert_true(state_of(world, wild).quarantined);
@@ -101,14 +103,14 @@ static void slot_of_another_is_told_as_moved(void **state) {
     assert_int_equal(look(&w, world), 1);
     OK(thud_body_destroy(world, old));
     assert_int_equal(look(&w, world), 0);
-    OK(thud_world_body_at(world, 0, &got));
+    OK(thud_world_get_body_at(world, 0, &got));
     assert_int_equal(got.index1, 0);
     run(world, 1);
     thud_body_id young = add_ball(world, 0, 0, 0.5f);
     assert_int_equal(young.index1, old.index1);
     assert_int_equal(look(&w, world), 1);
     assert_true(told(&w, young));
-    OK(thud_world_body_at(world, (int)young.index1 - 1, &got));
+    OK(thud_world_get_body_at(world, (int)young.index1 - 1, &got));
     assert_true(same_body(got, young));
     OK(thud_body_destroy(world, young)); /* and no call comes before its slot is used again */
     run(world, 1);
@@ -130,20 +132,20 @@ static void moved_without_room_are_told_later_and_beyond_the_seen_never(void **s
     for (int i = 0; i < 6; i++) {
         bodies[i] = add_ball(world, 2 * i, 0, 0.5f);
     }
-    OK(thud_world_moved_bodies(world, seen, 4, NULL, 0, &count));
+    OK(thud_world_get_moved_bodies(world, seen, 4, NULL, 0, &count));
     assert_int_equal(count, 4);
     for (int left = 4; left > 0; left -= 3) {
         memset(list, 0, sizeof list);
-        OK(thud_world_moved_bodies(world, seen, 4, list, 3, &count));
+        OK(thud_world_get_moved_bodies(world, seen, 4, list, 3, &count));
         assert_int_equal(count, left);
         assert_int_equal(list[3].index1, 0);
         for (int i = 0; i < left && i < 3; i++) {
             assert_true(same_body(list[i], bodies[order++]));
         }
     }
-    OK(thud_world_moved_bodies(world, seen, 4, list, 3, &count));
+    OK(thud_world_get_moved_bodies(world, seen, 4, list, 3, &count));
     assert_int_equal(count, 0);
-    OK(thud_world_moved_bodies(world, NULL, 0, list, 3, &count));
+    OK(thud_world_get_moved_bodies(world, NULL, 0, list, 3, &count));
     assert_int_equal(count, 0);
     thud_world_destroy(world);
 }
@@ -158,15 +160,15 @@ static void restore_tells_who_is_elsewhere(void **state) {
     int all = look(&w, y.world), awake[2], shapes[2], sensed[2];
     thud_shape_id sensor = {0};
     thud_shape_id list[ROOM];
-    OK(thud_world_shapes(y.world, list, ROOM, &shapes[0]));
+    OK(thud_world_get_shapes(y.world, list, ROOM, &shapes[0]));
     for (int i = 0; i < shapes[0]; i++) {
         thud_shape_state s;
-        OK(thud_shape_get(y.world, list[i], &s));
+        OK(thud_shape_get_state(y.world, list[i], &s));
         sensor = s.sensor ? list[i] : sensor;
     }
     sensed[0] = sensed_by(y.world, sensor);
     assert_true(sensed[0] > 1);
-    OK(thud_world_awake_bodies(y.world, NULL, 0, &awake[0]));
+    OK(thud_world_get_awake_bodies(y.world, NULL, 0, &awake[0]));
     saved kept = save(y.world);
     assert_int_equal(all, 16);
     OK(thud_body_destroy(y.world, y.box));
@@ -175,8 +177,8 @@ static void restore_tells_who_is_elsewhere(void **state) {
     back_to(y.world, kept);
     assert_int_equal(look(&w, y.world), 14); /* all bodies but the ground's and the sensor's */
     assert_true(told(&w, y.box));
-    OK(thud_world_awake_bodies(y.world, NULL, 0, &awake[1]));
-    OK(thud_world_shapes(y.world, NULL, 0, &shapes[1]));
+    OK(thud_world_get_awake_bodies(y.world, NULL, 0, &awake[1]));
+    OK(thud_world_get_shapes(y.world, NULL, 0, &shapes[1]));
     sensed[1] = sensed_by(y.world, sensor);
     assert_int_equal(awake[1], awake[0]);
     assert_int_equal(shapes[1], shapes[0]);

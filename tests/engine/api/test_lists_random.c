@@ -1,6 +1,7 @@
 /* test_lists_random.c: random worlds whose bodies and shapes are created, destroyed, moved, put to
  * sleep, disabled and restored. After every edit and step each list equals a reference that the
- * test keeps: from what it created and destroyed, from thud_body_get, and from sensor events. */
+ * test keeps: from what it created and destroyed, from thud_body_get_state, and from sensor events.
+ */
 #include "every_choice.h"
 #include "lists_support.h"
 #include "snapshot_support.h"
@@ -25,7 +26,7 @@ typedef struct chaos {
     uint64_t seed;
     model now, kept;
     saved snapshot;
-    thud_body_seen seen[MOST]; /* state of thud_world_moved_bodies */
+    thud_body_seen seen[MOST]; /* state of thud_world_get_moved_bodies */
     bool known[MOST];          /* the test's own record of the same */
     thud_body_id last[MOST];
     thud_body_state was[MOST];
@@ -72,7 +73,7 @@ static void add_some_shape(chaos *c, thud_body_id body) {
 }
 
 static void add_some_body(chaos *c) {
-    thud_body_kind kind = (thud_body_kind)(pick(c, 5) ? THUD_DYNAMIC : pick(c, 2));
+    thud_body_kind kind = (thud_body_kind)(pick(c, 5) ? THUD_BODY_DYNAMIC : pick(c, 2));
     thud_body_id id = add_body(c->world, kind, random_in(&c->seed, -4, 4),
                                random_in(&c->seed, 0.5, 6), random_in(&c->seed, -3, 3));
     assert_true(id.index1 > 0 && id.index1 <= MOST);
@@ -114,7 +115,7 @@ static void destroy_some_shape(chaos *c) {
 /* Makes a step, and updates the sensor overlaps of the reference by its events. */
 static void step(chaos *c) {
     OK(thud_world_step(c->world));
-    thud_events e = thud_world_events(c->world);
+    thud_events e = thud_events_of(c->world);
     for (int i = 0; i < e.sensor_end_count + e.sensor_begin_count; i++) {
         bool ends = i < e.sensor_end_count;
         const thud_contact_event *at =
@@ -147,12 +148,12 @@ static void edit(chaos *c, thud_body_id body) {
         OK(thud_body_set_enabled(c->world, body, pick(c, 2)));
         break;
     case 2:
-        if (state_of(c->world, body).kind == THUD_DYNAMIC) {
+        if (state_of(c->world, body).kind == THUD_BODY_DYNAMIC) {
             OK(thud_body_set_awake(c->world, body, pick(c, 2)));
         }
         break;
     case 3:
-        if (state_of(c->world, body).kind != THUD_STATIC) {
+        if (state_of(c->world, body).kind != THUD_BODY_STATIC) {
             OK(thud_body_set_velocity(c->world, body, (thud_vec2){1, 2}, 3));
         }
         break;
@@ -229,12 +230,12 @@ static void bodies_are(chaos *c, list_bodies_fn *ask, const uint64_t *naive, int
 static void compare_bodies(chaos *c) {
     uint64_t all[MOST], awake[MOST];
     int count = 0, woken = 0, slots;
-    OK(thud_world_slots(c->world, &slots, NULL));
+    OK(thud_world_get_slot_counts(c->world, &slots, NULL));
     for (int i = 0; i < MOST; i++) {
         thud_body_id id = c->now.body[i], there = {0};
         assert_true(i < slots || !id.index1);
         if (i < slots) {
-            OK(thud_world_body_at(c->world, i, &there));
+            OK(thud_world_get_body_at(c->world, i, &there));
             assert_true(id.index1 ? same_body(there, id) : !there.index1 && !there.generation);
         }
         if (id.index1) {
@@ -245,8 +246,8 @@ static void compare_bodies(chaos *c) {
         }
     }
     c->asleep += count > woken;
-    bodies_are(c, thud_world_bodies, all, count);
-    bodies_are(c, thud_world_awake_bodies, awake, woken);
+    bodies_are(c, thud_world_get_bodies, all, count);
+    bodies_are(c, thud_world_get_awake_bodies, awake, woken);
 }
 
 /* Asserts that a list of shapes has the reference's entries. */
@@ -273,7 +274,7 @@ static void compare_sensed(chaos *c, int sensor) {
         }
     }
     thud_result result =
-        thud_sensor_overlaps(c->world, c->now.shape[sensor], list, capacity, &count);
+        thud_shape_get_sensor_overlaps(c->world, c->now.shape[sensor], list, capacity, &count);
     shapes_are(result, list, count, capacity, naive, wanted);
     c->sensed += wanted;
 }
@@ -283,12 +284,12 @@ static void compare_shapes(chaos *c) {
     uint64_t all[MOST];
     thud_shape_id list[MOST] = {0};
     int wanted = 0, count, slots, capacity = pick_capacity(c);
-    OK(thud_world_slots(c->world, NULL, &slots));
+    OK(thud_world_get_slot_counts(c->world, NULL, &slots));
     for (int i = 0; i < MOST; i++) {
         thud_shape_id id = c->now.shape[i], there = {0};
         assert_true(i < slots || !id.index1);
         if (i < slots) {
-            OK(thud_world_shape_at(c->world, i, &there));
+            OK(thud_world_get_shape_at(c->world, i, &there));
             assert_true(id.index1 ? same_shape(there, id) : !there.index1 && !there.generation);
         }
         if (id.index1) {
@@ -298,7 +299,7 @@ static void compare_shapes(chaos *c) {
             }
         }
     }
-    thud_result result = thud_world_shapes(c->world, list, capacity, &count);
+    thud_result result = thud_world_get_shapes(c->world, list, capacity, &count);
     shapes_are(result, list, count, capacity, all, wanted);
 }
 
@@ -327,7 +328,7 @@ static void compare_moved(chaos *c) {
             }
         }
     }
-    OK(thud_world_moved_bodies(c->world, c->seen, MOST, list, capacity, &count));
+    OK(thud_world_get_moved_bodies(c->world, c->seen, MOST, list, capacity, &count));
     for (int i = 0; i < MOST; i++) {
         bits[i] = bits_of_body(list[i]);
     }
@@ -338,7 +339,7 @@ static void lists_are_what_naive_ones_are(void **state) {
     (void)state;
     int sensed = 0, asleep = 0;
     for (int round = 0; round < ROUNDS; round++) {
-        thud_world_def def = thud_world_def_of(qualities[round % QUALITIES]);
+        thud_world_def def = thud_default_world_def_of(qualities[round % QUALITIES]);
         def.detection = detections[round / QUALITIES % 2 + round % 3];
         def.broadphase = broadphases[round % 3];
         chaos *c = calloc(1, sizeof *c);
@@ -347,7 +348,7 @@ static void lists_are_what_naive_ones_are(void **state) {
         c->seed = 77 + (uint64_t)round * 1000003;
         thud_body_id floor = add_floor(c->world, NULL);
         thud_shape_id top;
-        OK(thud_body_shapes(c->world, floor, &top, 1, NULL));
+        OK(thud_body_get_shapes(c->world, floor, &top, 1, NULL));
         c->now.body[floor.index1 - 1] = c->now.owner[top.index1 - 1] = floor;
         c->now.shape[top.index1 - 1] = top;
         c->now.bodies = c->now.shapes = 1;

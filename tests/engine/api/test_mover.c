@@ -53,7 +53,7 @@ static void step_of_0_3_is_climbed_and_one_of_0_6_is_not(void **state) {
  * it. */
 static void ride_platform(int kind, thud_vec2 platform, float spin) {
     thud_world *world = make_world(weightless());
-    thud_body_id body = add_body(world, THUD_KINEMATIC, 0, 0, 0);
+    thud_body_id body = add_body(world, THUD_BODY_KINEMATIC, 0, 0, 0);
     add_shape(world, body, 2, 0.25f, spin == 0, NULL);
     OK(thud_body_set_velocity(world, body, platform, spin));
     thud_mover mover = mover_of(kind, 0.5, 0.8);
@@ -114,7 +114,7 @@ static void wall_takes_only_the_normal_part_of_a_flight(void **state) {
 static void mover_seen_from_above_slides_along_slanting_walls_and_has_no_ground(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
-    add_shape(world, add_body(world, THUD_STATIC, 0, -1, 0.4), 40, 1, false, NULL);
+    add_shape(world, add_body(world, THUD_BODY_STATIC, 0, -1, 0.4), 40, 1, false, NULL);
     thud_mover mover = circle_mover(0, 3);
     mover.up = (thud_vec2){0, 0};
     thud_mover_report report;
@@ -183,7 +183,7 @@ static void one_way_platform_is_passed_from_below_and_carries_from_above(void **
     add_floor(world, NULL);
     thud_shape_def def = thud_default_shape_def();
     def.filter.category = 2;
-    thud_body_id platform = add_body(world, THUD_STATIC, 0, 1.5, 0);
+    thud_body_id platform = add_body(world, THUD_BODY_STATIC, 0, 1.5, 0);
     add_shape(world, platform, 3, 0.1f, true, &def);
     thud_one_way one_way = {.categories = 2};
     thud_mover mover = box_mover(0, 0.6);
@@ -219,9 +219,10 @@ static void scripted_walk_ends_at_the_same_bits_on_every_machine(void **state) {
     thud_shape_def def = thud_default_shape_def();
     const thud_pos points[] = {{-10, 0}, {2, 0.5}, {5, 3}, {9, 2}, {30, 4}};
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 5};
-    OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, 0, 0, 0), &def, &line, NULL));
-    add_shape(world, add_body(world, THUD_STATIC, 12, 3, 0.3), 1, 0.5f, false, NULL);
-    add_shape(world, add_body(world, THUD_STATIC, 17, 4, 0), 1, 0, false, NULL);
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0), &def, &line,
+                                 NULL));
+    add_shape(world, add_body(world, THUD_BODY_STATIC, 12, 3, 0.3), 1, 0.5f, false, NULL);
+    add_shape(world, add_body(world, THUD_BODY_STATIC, 17, 4, 0), 1, 0, false, NULL);
     thud_mover mover = circle_mover(0, 2);
     for (int i = 0; i < 300; i++) {
         thud_vec2 velocity = {i % 100 < 80 ? 6 : -4, i % 50 < 10 ? 7 : -5};
@@ -277,7 +278,7 @@ static void bad_input_is_refused_and_changes_nothing(void **state) {
             bad.shape.x = 2e9;
             break;
         case 4:
-            bad.shape.kind = THUD_TERRAIN;
+            bad.shape.kind = THUD_SHAPE_TERRAIN;
             break;
         case 5:
             bad.up = (thud_vec2){0, 2};

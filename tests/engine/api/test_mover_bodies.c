@@ -32,7 +32,7 @@ static void kinematic_body_follows_and_dynamic_bodies_meet_it(void **state) {
     thud_world *world = make_world(thud_default_world_def());
     add_floor(world, NULL);
     thud_mover mover = box_mover(0, 0.6);
-    mover.body = add_body(world, THUD_KINEMATIC, 0, 0.6, 0);
+    mover.body = add_body(world, THUD_BODY_KINEMATIC, 0, 0.6, 0);
     add_shape(world, mover.body, 0.3f, 0.5f, true, NULL);
     thud_body_id ball = add_ball(world, 3, 0.3, 0.3f);
     thud_vec2 velocity = {0, 0};
@@ -55,7 +55,7 @@ static void mover_pressed_by_a_moving_wall_is_pushed_out_and_told_where_it_canno
     (void)state;
     thud_world *world = make_world(weightless());
     add_floor(world, NULL);
-    thud_body_id press = add_body(world, THUD_KINEMATIC, -2, 10.1, 0);
+    thud_body_id press = add_body(world, THUD_BODY_KINEMATIC, -2, 10.1, 0);
     add_shape(world, press, 0.5f, 10, true, NULL);
     OK(thud_body_set_velocity(world, press, (thud_vec2){2, 0}, 0));
     thud_mover mover = box_mover(0, 0.6);
@@ -114,9 +114,9 @@ static void random_moves_in_a_level_never_enter_anything(void **state) {
             velocity.y = report.velocity.y;
             on_ground += mover.on_ground;
             int inside = 0;
-            thud_shape_instance shape = mover.shape;
+            thud_geometry shape = mover.shape;
             thud_pos origin = {0, 0};
-            OK(thud_world_overlap_shape(world, origin, &shape, NULL, count_one, &inside));
+            OK(thud_world_overlap_shape(world, origin, shape, NULL, count_one, &inside));
             assert_int_equal(inside, 0);
             assert_true(report.depth == 0);
         }
@@ -136,7 +136,7 @@ static void body_follows_in_the_shortest_of_times_by_a_speed_that_is_a_number(vo
     thud_body_id crate = add_box(world, 1, 0.52, 0.5f, 0.5f);
     thud_mover mover = box_mover(0, 0.6);
     mover.push_force = 1e9;
-    mover.body = add_body(world, THUD_KINEMATIC, 5, 0.6, 0);
+    mover.body = add_body(world, THUD_BODY_KINEMATIC, 5, 0.6, 0);
     OK(thud_mover_move(world, &mover, (thud_vec2){3e38f, 0}, 1e-39, NULL));
     near_to((double)state_of(world, mover.body).velocity.x, -1e30, 1e24);
     assert_true(state_of(world, crate).velocity.x > 0);

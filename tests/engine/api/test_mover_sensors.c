@@ -8,13 +8,13 @@
 
 static thud_mover box_mover(double x, double y) {
     return thud_default_mover(
-        (thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1, .hx = 0.3, .hy = 0.5});
+        (thud_geometry){.kind = THUD_SHAPE_AABB, .x = x, .y = y, .c = 1, .hx = 0.3, .hy = 0.5});
 }
 
 static thud_shape_id add_sensor(thud_world *world, double x, double y, float hx, float hy) {
     thud_shape_def def = thud_default_shape_def();
     def.sensor = true;
-    return add_shape(world, add_body(world, THUD_STATIC, x, y, 0), hx, hy, true, &def);
+    return add_shape(world, add_body(world, THUD_BODY_STATIC, x, y, 0), hx, hy, true, &def);
 }
 
 static bool is_listed(const thud_mover_report *report, thud_shape_id sensor) {
@@ -38,11 +38,11 @@ static void hero_s_body_collects_coins(void **state) {
         coins[i] = add_sensor(world, 2 + i, 0.5, 0.2f, 0);
     }
     thud_mover mover = box_mover(0, 0.6);
-    mover.body = add_body(world, THUD_KINEMATIC, 0, 0.6, 0);
+    mover.body = add_body(world, THUD_BODY_KINEMATIC, 0, 0.6, 0);
     thud_shape_id hero = add_shape(world, mover.body, 0.3f, 0.5f, true, NULL);
     for (int step = 0; step < 150; step++) {
         run(world, 1);
-        thud_events e = thud_world_events(world);
+        thud_events e = thud_events_of(world);
         for (int i = 0; i < COINS; i++) {
             for (int k = 0; k < e.sensor_begin_count; k++) {
                 assert_memory_equal(&e.sensor_begin[k].shape_b, &hero, sizeof hero);
@@ -68,12 +68,13 @@ static thud_world *make_way(bool sensors) {
     thud_shape_def def = thud_default_shape_def();
     const thud_pos points[] = {{-20, 0}, {4, 0}, {8, 2}, {12, 2}, {16, 0}, {40, 0}};
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 6};
-    OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, 0, 0, 0), &def, &line, NULL));
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0), &def, &line,
+                                 NULL));
     for (int i = 0; i < 3; i++) {
-        add_shape(world, add_body(world, THUD_STATIC, 2 + 0.5 * i, 0.1 + 0.1 * i, 0), 0.25f,
+        add_shape(world, add_body(world, THUD_BODY_STATIC, 2 + 0.5 * i, 0.1 + 0.1 * i, 0), 0.25f,
                   0.1f + 0.1f * (float)i, true, NULL);
     }
-    add_shape(world, add_body(world, THUD_STATIC, 24, 2, 0), 0.5f, 2, true, NULL);
+    add_shape(world, add_body(world, THUD_BODY_STATIC, 24, 2, 0), 0.5f, 2, true, NULL);
     for (int i = 0; i < 160 && sensors; i++) {
         add_sensor(world, -2 + 0.2 * i, 0.1 * (i % 30), 0.15f, i % 3 ? 0.2f : 0);
     }
@@ -117,12 +118,12 @@ static void mover_reports_the_sensors_on_its_way_once_and_in_order(void **state)
     }
     def.sensor = true;
     def.filter.category = 2;
-    other = add_shape(world, add_body(world, THUD_STATIC, 3, 0, 0), 0.5f, 0, false, &def);
-    add_shape(world, add_body(world, THUD_STATIC, 9, 0, 0), 1, 4, true, NULL);
+    other = add_shape(world, add_body(world, THUD_BODY_STATIC, 3, 0, 0), 0.5f, 0, false, &def);
+    add_shape(world, add_body(world, THUD_BODY_STATIC, 9, 0, 0), 1, 4, true, NULL);
     add_sensor(world, 9, 0, 0.5f, 0.5f); /* behind the wall */
     thud_mover mover = box_mover(0, 0);
     thud_mover_report report;
-    mover.body = add_body(world, THUD_KINEMATIC, 0, 0, 0);
+    mover.body = add_body(world, THUD_BODY_KINEMATIC, 0, 0, 0);
     def.filter.category = 1;
     /* a sensor of the mover's own body is not reported to it */
     add_shape(world, mover.body, 1, 0, false, &def);
@@ -155,7 +156,7 @@ static void sensor_above_a_step_too_high_is_not_reported(void **state) {
         thud_mover_report report;
         mover.filter.sensors = true;
         add_floor(world, NULL);
-        add_shape(world, add_body(world, THUD_STATIC, 1.5, 0, 0), 1, high ? 0.6f : 0.2f, true,
+        add_shape(world, add_body(world, THUD_BODY_STATIC, 1.5, 0, 0), 1, high ? 0.6f : 0.2f, true,
                   NULL);
         thud_shape_id prize = add_sensor(world, 0.4, 1.15, 0.05f, 0.05f);
         bool reported = false;
@@ -181,7 +182,7 @@ static void crowd_of_sensors_hides_no_wall(void **state) {
         for (int i = 0; i < 60; i++) {
             add_sensor(world, 0.05 * i, 0, 0.5f, 0.5f);
         }
-        add_shape(world, add_body(world, THUD_STATIC, 5, 0, 0), 0.5f, 2, true, NULL);
+        add_shape(world, add_body(world, THUD_BODY_STATIC, 5, 0, 0), 0.5f, 2, true, NULL);
         OK(thud_mover_move(world, &mover, (thud_vec2){30, 0}, 1, &report));
         near_to(mover.shape.x, 4.2 - mover.skin, 1e-6);
         assert_int_equal(report.sensor_count, wants ? THUD_MOVER_SENSORS : 0);

@@ -19,9 +19,9 @@ static bool count_one(thud_shape_id shape, void *context) {
 }
 
 /* Whether the shape overlaps anything in the world. */
-static bool is_inside(thud_world *world, const thud_shape_instance *shape) {
+static bool is_inside(thud_world *world, const thud_geometry *shape) {
     int count = 0;
-    OK(thud_world_overlap_shape(world, (thud_pos){0, 0}, shape, NULL, count_one, &count));
+    OK(thud_world_overlap_shape(world, (thud_pos){0, 0}, *shape, NULL, count_one, &count));
     return count > 0;
 }
 
@@ -37,18 +37,20 @@ static void add_ground(thud_world *world, source *r) {
         x += draw(r, 0.2, 4);
     }
     thud_shape_def def = thud_default_shape_def();
-    OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, 0, -6, 0), &def, &line, NULL));
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, -6, 0), &def, &line,
+                                 NULL));
 }
 
 static thud_world *make_random_world(source *r) {
     thud_world *world = make_world(weightless());
     add_ground(world, r);
     for (int i = 0; i < SOLIDS; i++) {
-        thud_shape_instance shape = draw_shape(r);
-        double angle = shape.kind == THUD_OBB ? draw(r, -3, 3) : 0;
-        thud_body_id body = add_body(world, THUD_STATIC, draw(r, -20, 20), draw(r, -5, 20), angle);
+        thud_geometry shape = draw_shape(r);
+        double angle = shape.kind == THUD_SHAPE_OBB ? draw(r, -3, 3) : 0;
+        thud_body_id body =
+            add_body(world, THUD_BODY_STATIC, draw(r, -20, 20), draw(r, -5, 20), angle);
         add_shape(world, body, (float)fmax(2 * shape.hx, 0.02), (float)(2 * shape.hy),
-                  shape.kind == THUD_AABB, NULL);
+                  shape.kind == THUD_SHAPE_AABB, NULL);
     }
     return world;
 }
@@ -73,9 +75,9 @@ static void random_moves_in_random_worlds_never_enter_anything(void **state) {
     long cases = wanted ? strtol(wanted, NULL, 10) : 20000, on_ground = 0;
     for (long k = 0; k < cases;) {
         thud_world *world = make_random_world(&r);
-        thud_shape_instance shape = {.kind = (thud_shape_kind)draw_below(&r, 3), .c = 1};
+        thud_geometry shape = {.kind = (thud_shape_kind)draw_below(&r, 3), .c = 1};
         shape.hx = draw(&r, 0.2, 0.8);
-        shape.hy = shape.kind == THUD_CIRCLE ? 0 : draw(&r, 0.2, 0.8);
+        shape.hy = shape.kind == THUD_SHAPE_CIRCLE ? 0 : draw(&r, 0.2, 0.8);
         set_angle(&shape, draw(&r, -3, 3));
         thud_mover mover = thud_default_mover(shape);
         thud_vec2 velocity = {0, 0};
@@ -85,7 +87,7 @@ static void random_moves_in_random_worlds_never_enter_anything(void **state) {
                 velocity = (thud_vec2){(float)draw(&r, -15, 15), (float)draw(&r, -20, 15)};
             }
             velocity.y -= 20.0f / 60;
-            thud_shape_instance before = mover.shape;
+            thud_geometry before = mover.shape;
             thud_mover_report report;
             OK(thud_mover_move(world, &mover, velocity, DT, &report));
             assert_false(is_inside(world, &mover.shape));
@@ -106,22 +108,22 @@ static void move_out_of_the_world_is_refused_before_anything_is_done(void **stat
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     add_floor(world, NULL);
-    thud_body_id box = add_body(world, THUD_DYNAMIC, 0, 0.5, 0);
+    thud_body_id box = add_body(world, THUD_BODY_DYNAMIC, 0, 0.5, 0);
     add_shape(world, box, 0.5f, 0.5f, false, NULL);
     run(world, 120);
     assert_false(state_of(world, box).awake);
-    thud_mover mover = thud_default_mover((thud_shape_instance){THUD_CIRCLE, 1e9, 5, 1, 0, 0.5, 0});
+    thud_mover mover = thud_default_mover((thud_geometry){THUD_SHAPE_CIRCLE, 1e9, 5, 1, 0, 0.5, 0});
     mover.pass = NULL;
     OK(thud_body_set_velocity(world, box, (thud_vec2){1, 0}, 0));
-    uint64_t hash = thud_world_hash(world);
+    uint64_t hash = thud_hash_of(world);
     const thud_mover before = mover;
     for (int i = 0; i < 2; i++) {
         thud_vec2 velocity = {i == 0 ? 20.0f : 0.0f, i == 1 ? 20.0f : 0.0f};
         mover.shape.x = i == 1 ? 0 : before.shape.x;
         mover.shape.y = i == 1 ? 1e9 : before.shape.y;
         assert_int_equal(thud_mover_move(world, &mover, velocity, DT, NULL), THUD_ERROR_INVALID);
-        assert_true(thud_world_hash(world) == hash);
-        assert_int_equal(thud_world_stats(world).awake_bodies, 0);
+        assert_true(thud_hash_of(world) == hash);
+        assert_int_equal(thud_stats_of(world).awake_bodies, 0);
     }
     mover.shape.y = 5;
     mover.shape.x = 1e9 - 10;

@@ -11,7 +11,7 @@ static void ray_finds_the_first_shape_of_many(void **state) {
         x[i] = random_in(&seed, -20, 20);
         y[i] = random_in(&seed, -20, 20);
         r[i] = (double)(float)random_in(&seed, 0.1, 1);
-        ids[i] = add_body(world, i % 2 ? THUD_STATIC : THUD_DYNAMIC, x[i], y[i], 0);
+        ids[i] = add_body(world, i % 2 ? THUD_BODY_STATIC : THUD_BODY_DYNAMIC, x[i], y[i], 0);
         add_shape(world, ids[i], (float)r[i], 0, false, NULL);
     }
     for (int k = 0; k < 300; k++) {
@@ -30,11 +30,11 @@ static void ray_finds_the_first_shape_of_many(void **state) {
         }
         bool hit;
         thud_ray_hit found;
-        OK(thud_world_cast_ray(world, (thud_pos){ox, oy}, dx, dy, NULL, &hit, &found));
+        OK(thud_world_cast_ray(world, &(thud_ray){(thud_pos){ox, oy}, dx, dy, NULL}, &hit, &found));
         assert_int_equal(hit, first >= 0);
         if (hit) {
             thud_shape_state shape;
-            OK(thud_shape_get(world, found.shape, &shape));
+            OK(thud_shape_get_state(world, found.shape, &shape));
             assert_int_equal(shape.body.index1, ids[first].index1);
             near_to(found.fraction, best, 1e-6);
             near_to(hypot((double)found.normal.x, (double)found.normal.y), 1, 1e-5);
@@ -49,17 +49,17 @@ static void ray_meets_the_ground_and_heeds_filters(void **state) {
     thud_shape_def def = thud_default_shape_def();
     def.filter.category = 4;
     thud_terrain flat = {.kind = THUD_TERRAIN_FLAT};
-    thud_body_id ground = add_body(world, THUD_STATIC, 0, -2, 0);
+    thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, -2, 0);
     OK(thud_shape_create_terrain(world, ground, &def, &flat, NULL));
     bool hit;
     thud_ray_hit found;
-    OK(thud_world_cast_ray(world, (thud_pos){0, 8}, 0, -20, NULL, &hit, &found));
+    OK(thud_world_cast_ray(world, &(thud_ray){(thud_pos){0, 8}, 0, -20, NULL}, &hit, &found));
     assert_true(hit);
     near_to(found.point.y, -2, 1e-9);
     near_to((double)found.normal.y, 1, 1e-9);
     thud_query_filter others = thud_default_query_filter();
     others.mask = 1;
-    OK(thud_world_cast_ray(world, (thud_pos){0, 8}, 0, -20, &others, &hit, &found));
+    OK(thud_world_cast_ray(world, &(thud_ray){(thud_pos){0, 8}, 0, -20, &others}, &hit, &found));
     assert_false(hit);
     thud_world_destroy(world);
 }
@@ -84,8 +84,8 @@ static void overlap_tells_in_order_of_slots_until_told_to_stop(void **state) {
     assert_int_equal(found[0], 3);
     assert_true(found[1] == 3 && found[2] == 4 && found[3] == 5);
     int one[8] = {0};
-    thud_shape_instance disc = {.kind = THUD_CIRCLE, .c = 1, .hx = 0.2};
-    OK(thud_world_overlap_shape(world, (thud_pos){4, 0.5}, &disc, NULL, gather, one));
+    thud_geometry disc = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = 0.2};
+    OK(thud_world_overlap_shape(world, (thud_pos){4, 0.5}, disc, NULL, gather, one));
     assert_int_equal(one[0], 1);
     assert_int_equal(one[1], 2);
     thud_world_destroy(world);
@@ -99,15 +99,15 @@ static void poses_interpolate_and_mark_free_slots(void **state) {
     OK(thud_body_destroy(world, gone));
     run(world, 10);
     int count;
-    const thud_pose *poses = thud_world_poses(world, (thud_pos){10, 0}, 1, &count);
+    const thud_pose *poses = thud_poses_of(world, (thud_pos){10, 0}, 1, &count);
     assert_int_equal(count, 2);
     assert_true(isnan(poses[gone.index1 - 1].x));
     near_to((double)poses[ball.index1 - 1].x, 1, 1e-5);
     near_to((double)poses[ball.index1 - 1].s, sin(0.5), 1e-5);
-    poses = thud_world_poses(world, (thud_pos){10, 0}, 0.5, &count);
+    poses = thud_poses_of(world, (thud_pos){10, 0}, 0.5, &count);
     near_to((double)poses[ball.index1 - 1].x, 0.95, 1e-5);
     near_to((double)poses[ball.index1 - 1].s, sin(0.475), 1e-5);
-    assert_null(thud_world_poses(world, (thud_pos){NAN, 0}, 0.5, &count));
+    assert_null(thud_poses_of(world, (thud_pos){NAN, 0}, 0.5, &count));
     thud_world_destroy(world);
 }
 
@@ -125,7 +125,7 @@ static void advance_runs_whole_steps_and_keeps_the_rest(void **state) {
     OK(thud_world_advance(world, 100, 4, &steps, &alpha));
     assert_int_equal(steps, 4);
     assert_true(alpha >= 0 && alpha < 1);
-    assert_int_equal(thud_world_stats(world).steps, 7);
+    assert_int_equal(thud_stats_of(world).steps, 7);
     thud_world_destroy(world);
 }
 
@@ -137,7 +137,7 @@ static void raised_ground_lifts_what_rests_on_it(void **state) {
     thud_pos points[5] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
     thud_terrain line = {
         .kind = THUD_TERRAIN_UNIFORM, .x0 = -4, .spacing = 2, .points = points, .count = 5};
-    thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     thud_shape_id shape;
     OK(thud_shape_create_terrain(world, ground, &def, &line, &shape));
     thud_body_id box = add_box(world, 0, 0.5, 0.5f, 0.5f);

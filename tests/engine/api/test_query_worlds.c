@@ -17,8 +17,8 @@ typedef struct worlds {
     thud_pos origin; /* of all positions below */
     int count;
     thud_shape_id ids[SHAPES];
-    thud_shape_instance placed[SHAPES];
-    thud_terrain terrain[SHAPES]; /* of kind THUD_TERRAIN, whose origin is that of `placed` */
+    thud_geometry placed[SHAPES];
+    thud_terrain terrain[SHAPES]; /* of kind THUD_SHAPE_TERRAIN, whose origin is that of `placed` */
     thud_pos points[SHAPES][6];
     thud_filter filter[SHAPES];
     bool sensor[SHAPES];
@@ -44,10 +44,10 @@ static void add_terrain(worlds *w, source *r, const thud_shape_def *def) {
     int n = w->count++;
     thud_pos at = {(float)draw(r, -10, 10), (float)draw(r, -30, -10)};
     w->terrain[n] = draw_terrain(r, w->points[n]);
-    w->placed[n] = (thud_shape_instance){.kind = THUD_TERRAIN, .x = at.x, .y = at.y};
+    w->placed[n] = (thud_geometry){.kind = THUD_SHAPE_TERRAIN, .x = at.x, .y = at.y};
     for (int b = 0; b < BROADPHASES; b++) {
         thud_body_id body =
-            add_body(w->world[b], THUD_STATIC, w->origin.x + at.x, w->origin.y + at.y, 0);
+            add_body(w->world[b], THUD_BODY_STATIC, w->origin.x + at.x, w->origin.y + at.y, 0);
         OK(thud_shape_create_terrain(w->world[b], body, def, &w->terrain[n], &w->ids[n]));
     }
 }
@@ -55,10 +55,10 @@ static void add_terrain(worlds *w, source *r, const thud_shape_def *def) {
 /* Adds the same circle or box to the three worlds. */
 static void add_solid(worlds *w, source *r, const thud_shape_def *def) {
     int n = w->count++;
-    thud_shape_instance shape = draw_shape(r);
+    thud_geometry shape = draw_shape(r);
     shape.hx = (float)fmax(shape.hx, 1e-3);
     shape.hy = (float)shape.hy;
-    double angle = shape.kind == THUD_OBB ? draw(r, -3, 3) : 0;
+    double angle = shape.kind == THUD_SHAPE_OBB ? draw(r, -3, 3) : 0;
     shape.x = (float)draw(r, -25, 25);
     shape.y = (float)draw(r, -20, 25);
     set_angle(&shape, angle);
@@ -68,7 +68,7 @@ static void add_solid(worlds *w, source *r, const thud_shape_def *def) {
         thud_body_id body =
             add_body(w->world[b], kind, w->origin.x + shape.x, w->origin.y + shape.y, angle);
         w->ids[n] = add_shape(w->world[b], body, (float)shape.hx, (float)shape.hy,
-                              shape.kind == THUD_AABB, def);
+                              shape.kind == THUD_SHAPE_AABB, def);
     }
 }
 
@@ -123,16 +123,16 @@ static bool passes(const worlds *w, int i, const thud_query_filter *filter) {
 }
 
 /* The shape with its extents enlarged by `by`. */
-static thud_shape_instance grown(const thud_shape_instance *shape, double by) {
-    thud_shape_instance p = *shape;
+static thud_geometry grown(const thud_geometry *shape, double by) {
+    thud_geometry p = *shape;
     p.hx = fmax(p.hx + by, 1e-9);
-    p.hy = p.kind == THUD_CIRCLE ? 0 : fmax(p.hy + by, 1e-9);
+    p.hy = p.kind == THUD_SHAPE_CIRCLE ? 0 : fmax(p.hy + by, 1e-9);
     return p;
 }
 
 /* A random query at (x, y), which moves by (dx, dy) where it is a cast. */
 typedef struct query {
-    thud_shape_instance shape; /* about (0, 0), in the worlds' frame; not used by rays and points */
+    thud_geometry shape; /* about (0, 0), in the worlds' frame; not used by rays and points */
     bool pointlike;
     double x, y, dx, dy;
     thud_query_filter filter;
@@ -143,41 +143,42 @@ static bool meets(const worlds *w, int i, const query *q, double by, double *fra
     double x = q->x, y = q->y;
     bool hit = false;
     *fraction = 2;
-    if (w->placed[i].kind == THUD_TERRAIN) {
+    if (w->placed[i].kind == THUD_SHAPE_TERRAIN) {
         x -= w->placed[i].x;
         y -= w->placed[i].y;
         if (q->pointlike) {
-            return thud_terrain_cast_ray(&w->terrain[i], x, y - by, q->dx, q->dy, fraction, NULL,
-                                         NULL);
+            return thud_terrain_cast_ray(&w->terrain[i], (thud_segment){x, y - by, q->dx, q->dy},
+                                         fraction, NULL, NULL);
         }
-        thud_shape_instance moving = grown(&q->shape, by);
+        thud_geometry moving = grown(&q->shape, by);
         moving.x = x;
         moving.y = y;
         OK(thud_terrain_time_of_impact(&w->terrain[i], &moving, (thud_motion){q->dx, q->dy, 0}, 0,
                                        &hit, fraction));
         return hit;
     }
-    thud_shape_instance still = grown(&w->placed[i], by), moving = q->shape;
+    thud_geometry still = grown(&w->placed[i], by), moving = q->shape;
     if (q->pointlike) {
-        return thud_shape_cast_ray(&still, x, y, q->dx, q->dy, fraction, NULL, NULL);
+        return thud_geometry_cast_ray(&still, (thud_segment){x, y, q->dx, q->dy}, fraction, NULL,
+                                      NULL);
     }
     moving.x = x;
     moving.y = y;
-    OK(thud_shapes_time_of_impact(&moving, (thud_motion){q->dx, q->dy, 0}, &still, (thud_motion){0},
-                                  0, &hit, fraction));
+    OK(thud_geometry_time_of_impact(&moving, (thud_motion){q->dx, q->dy, 0}, &still,
+                                    (thud_motion){0}, 0, &hit, fraction));
     return hit;
 }
 
 /* Distance of shape i from another one, by the geometry functions (reference). */
-static double distance_to(const worlds *w, int i, const thud_shape_instance *shape) {
+static double distance_to(const worlds *w, int i, const thud_geometry *shape) {
     thud_closest c;
-    thud_shape_instance other = *shape;
-    if (w->placed[i].kind == THUD_TERRAIN) {
+    thud_geometry other = *shape;
+    if (w->placed[i].kind == THUD_SHAPE_TERRAIN) {
         other.x -= w->placed[i].x;
         other.y -= w->placed[i].y;
         OK(thud_terrain_closest(&w->terrain[i], &other, &c));
     } else {
-        OK(thud_shapes_closest(&w->placed[i], &other, &c));
+        OK(thud_geometry_closest(&w->placed[i], &other, &c));
     }
     return c.distance;
 }
@@ -212,11 +213,12 @@ static int cast_all(const worlds *w, int b, const query *q, thud_ray_hit *hits, 
     int count = -1;
     thud_pos at = {w->origin.x + q->x, w->origin.y + q->y};
     if (q->pointlike) {
-        OK(thud_world_cast_ray_all(w->world[b], at, q->dx, q->dy, &q->filter, hits, capacity,
-                                   &count));
+        OK(thud_world_cast_ray_all(w->world[b], &(thud_ray){at, q->dx, q->dy, &q->filter}, hits,
+                                   capacity, &count));
     } else {
-        OK(thud_world_cast_shape_all(w->world[b], at, &q->shape, q->dx, q->dy, &q->filter, hits,
-                                     capacity, &count));
+        OK(thud_world_cast_shape_all(w->world[b],
+                                     &(thud_shape_cast){at, q->shape, q->dx, q->dy, &q->filter},
+                                     hits, capacity, &count));
     }
     return count;
 }
@@ -225,9 +227,11 @@ static bool cast_first(const worlds *w, int b, const query *q, thud_ray_hit *hit
     bool any = false;
     thud_pos at = {w->origin.x + q->x, w->origin.y + q->y};
     if (q->pointlike) {
-        OK(thud_world_cast_ray(w->world[b], at, q->dx, q->dy, &q->filter, &any, hit));
+        OK(thud_world_cast_ray(w->world[b], &(thud_ray){at, q->dx, q->dy, &q->filter}, &any, hit));
     } else {
-        OK(thud_world_cast_shape(w->world[b], at, &q->shape, q->dx, q->dy, &q->filter, &any, hit));
+        OK(thud_world_cast_shape(w->world[b],
+                                 &(thud_shape_cast){at, q->shape, q->dx, q->dy, &q->filter}, &any,
+                                 hit));
     }
     return any;
 }
@@ -241,14 +245,14 @@ static bool same_hit(const thud_ray_hit *a, const thud_ray_hit *b) {
 /* Asserts that the hit's point is on the surface of the shape, and that the query's shape touches
  * it at that fraction. */
 static void check_hit(const worlds *w, const query *q, const thud_ray_hit *hit) {
-    thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1, .hx = 1e-9};
+    thud_geometry point = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = 1e-9};
     int i = index_of(w, hit->shape);
     point.x = hit->point.x - w->origin.x;
     point.y = hit->point.y - w->origin.y;
     near_to(distance_to(w, i, &point), 0, GRAZE);
     near_to(hypot((double)hit->normal.x, (double)hit->normal.y), 1, 1e-5);
     if (!q->pointlike) {
-        thud_shape_instance there = q->shape;
+        thud_geometry there = q->shape;
         there.x = q->x + hit->fraction * q->dx;
         there.y = q->y + hit->fraction * q->dy;
         double distance = distance_to(w, i, &there);
@@ -310,12 +314,12 @@ static bool append(thud_shape_id shape, void *context) {
 /* Checks an overlap against the distances of all shapes, with each broadphase. */
 static void check_overlap(const worlds *w, const query *q) {
     list found[BROADPHASES] = {0};
-    thud_shape_instance there = q->shape;
+    thud_geometry there = q->shape;
     there.x = q->x;
     there.y = q->y;
     for (int b = 0; b < BROADPHASES; b++) {
         thud_pos at = {w->origin.x + q->x, w->origin.y + q->y};
-        OK(thud_world_overlap_shape(w->world[b], at, &q->shape, &q->filter, append, &found[b]));
+        OK(thud_world_overlap_shape(w->world[b], at, q->shape, &q->filter, append, &found[b]));
         assert_int_equal(found[b].count, found[0].count);
         assert_memory_equal(found[b].index1, found[0].index1, sizeof found[0].index1);
     }
@@ -333,7 +337,7 @@ static void check_overlap(const worlds *w, const query *q) {
 /* Checks the closest shape to a point against the distances of all shapes, with each broadphase. */
 static void check_closest(const worlds *w, source *r, const query *q) {
     double most = draw_below(r, 2) ? draw(r, 0, 5) : draw(r, 0, 200), least = 1e300;
-    thud_shape_instance point = {.kind = THUD_CIRCLE, .x = q->x, .y = q->y, .c = 1, .hx = 1e-9};
+    thud_geometry point = {.kind = THUD_SHAPE_CIRCLE, .x = q->x, .y = q->y, .c = 1, .hx = 1e-9};
     for (int i = 0; i < w->count; i++) {
         double distance = distance_to(w, i, &point) + 1e-9;
         least = passes(w, i, &q->filter) && distance < least ? distance : least;

@@ -7,6 +7,7 @@
 
 #include <thud/thud_joint.h>
 #include <thud/thud_rules.h>
+#include <thud/thud_testing.h>
 
 /* Steps before and after a snapshot; greatest size of a scene. */
 enum { BEFORE = 60, AFTER = 70, SIZE_MOST = 200 };
@@ -75,13 +76,13 @@ static thud_world *wild_world(thud_world_def def, int steps) {
     add_floor(world, &belt);
     for (int side = -1; side <= 1; side += 2) {
         double far_out = side * 9e8 * (double)def.length_scale;
-        add_shape(world, add_body(world, THUD_DYNAMIC, far_out, far_out, 0),
+        add_shape(world, add_body(world, THUD_BODY_DYNAMIC, far_out, far_out, 0),
                   0.001f * def.length_scale, 5 * def.length_scale, false, NULL);
     }
     for (int i = 0; i < 300; i++) {
         thud_body_def body = thud_default_body_def();
         thud_body_id id;
-        body.kind = i % 7 == 0 ? THUD_KINEMATIC : THUD_DYNAMIC;
+        body.kind = i % 7 == 0 ? THUD_BODY_KINEMATIC : THUD_BODY_DYNAMIC;
         body.position = (thud_pos){i % 20 - 10, 1 + i / 20};
         body.linear_damping = i % 3 ? 0.5f : 0;
         body.velocity = (thud_vec2){(float)(i % 5), (float)(i % 3)};
@@ -144,10 +145,10 @@ static void every_setting_restored_goes_the_same_way(void **state) {
                                                   &thud_broadphase_grid, &thud_broadphase_grid};
     for (int n = 0; n < 3; n++) {
         for (int i = 0; i < 4; i++) {
-            thud_world_def def = thud_world_def_of(qualities[i]);
+            thud_world_def def = thud_default_world_def_of(qualities[i]);
             def.detection = detections[(i + n) % 4];
             def.broadphase = broadphases[i];
-            def.baseline_simd = i == 1;
+            thud_world_def_set_baseline_simd(&def, i == 1);
             thud_listeners listeners = {.prologue = i == 2 ? veto : NULL,
                                         .epilogue = i == 3 || n == 2 ? push : NULL};
             restored_anywhere(scenes_find(names[n]), &def, &listeners, 40, 30, names[n]);
@@ -159,10 +160,10 @@ static void sleeping_island_restored_sleeps_and_wakes_as_before(void **state) {
     (void)state;
     float scale;
     thud_world *world = scene_world(scenes_find("tall_stack"), NULL, &scale);
-    for (int i = 0; i < 1000 && thud_world_stats(world).awake_bodies; i++) {
+    for (int i = 0; i < 1000 && thud_stats_of(world).awake_bodies; i++) {
         run(world, 1);
     }
-    assert_int_equal(thud_world_stats(world).awake_bodies, 0);
+    assert_int_equal(thud_stats_of(world).awake_bodies, 0);
     saved snapshot = save(world);
     trail first = {0};
     for (int round = 0; round < 2; round++) {
@@ -173,9 +174,9 @@ static void sleeping_island_restored_sleeps_and_wakes_as_before(void **state) {
         } else {
             walks_again(world, &first, "woken");
         }
-        assert_true(thud_world_stats(world).awake_bodies > 1);
+        assert_true(thud_stats_of(world).awake_bodies > 1);
         back_to(world, snapshot);
-        assert_int_equal(thud_world_stats(world).awake_bodies, 0);
+        assert_int_equal(thud_stats_of(world).awake_bodies, 0);
     }
     thud_world_destroy(world);
     free(snapshot.bytes);
@@ -198,7 +199,7 @@ static void every_step_on_the_way_to_sleep_is_restored(void **state) {
         run(y.world, 1);
         digests[i] = digest_of(y.world);
     }
-    assert_true(thud_world_stats(y.world).awake_bodies < 7); /* of 14 */
+    assert_true(thud_stats_of(y.world).awake_bodies < 7); /* of 14 */
     for (int i = 0; i < 2 * STEPS; i++) {
         int from = i * 37 % STEPS;
         back_to(others[i % 2], kept[from]);
@@ -223,7 +224,8 @@ static void edit(const yard *y) {
     OK(thud_body_set_enabled(y->world, y->heap[5], false));
     OK(thud_shape_destroy(y->world, y->ball_shape));
     add_shape(y->world, y->ball, 0.3f, 0.2f, false, NULL);
-    OK(thud_body_apply_force(y->world, y->box, (thud_vec2){40, 10}, 3));
+    OK(thud_body_apply_center_force(y->world, y->box, (thud_vec2){40, 10}));
+    OK(thud_body_apply_torque(y->world, y->box, 3));
     OK(thud_body_set_awake(y->world, y->heap[6], false));
     add_ball(y->world, 1, 14, 0.4f);
 }
@@ -272,12 +274,12 @@ static void settings_with_a_setter_are_restored(void **state) {
                         .contact_damping = 2,
                         .detection = &thud_detection_bisect,
                         .islands = &thud_islands_direct,
-                        .sag_limit = 0.5f,
+                        .overlap_limit = 0.5f,
                         .island_limit = 1,
                         .island_work = 1,
-                        .island_patience = 1000};
+                        .island_slow_steps = 1000};
     for (int i = 0; i < QUALITIES; i++) {
-        thud_world_def def = thud_world_def_of(qualities[i]);
+        thud_world_def def = thud_default_world_def_of(qualities[i]);
         def.sleeping = i != 2;
         yard y = make_yard(&def);
         run(y.world, 50);
@@ -347,14 +349,14 @@ static void lines_that_came_went_or_grew_are_restored(void **state) {
     saved snapshot = save(y.world);
     trail first = walk(y.world, 40);
     thud_shape_state ground;
-    OK(thud_shape_get(y.world, y.ground, &ground));
+    OK(thud_shape_get_state(y.world, y.ground, &ground));
     OK(thud_body_destroy(y.world, ground.body));
     run(y.world, 2);
     thud_pos points[] = {{-50, -1}, {0, -2}, {50, -1}};
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 3};
     thud_shape_def plain = thud_default_shape_def();
     for (int i = 0; i < 3; i++) {
-        OK(thud_shape_create_terrain(y.world, add_body(y.world, THUD_STATIC, 0, -i, 0), &plain,
+        OK(thud_shape_create_terrain(y.world, add_body(y.world, THUD_BODY_STATIC, 0, -i, 0), &plain,
                                      &line, NULL));
     }
     run(y.world, 5);

@@ -179,14 +179,14 @@ static void null_and_small_buffer_are_refused(void **state) {
     size_t bytes = 7;
     char *before = malloc(r.snapshot.size);
     memcpy(before, r.snapshot.bytes, r.snapshot.size);
-    assert_int_equal(thud_world_snapshot_size(NULL, &bytes), THUD_ERROR_NULL);
-    assert_int_equal(thud_world_snapshot_size(r.y.world, NULL), THUD_ERROR_NULL);
+    assert_int_equal(thud_world_get_snapshot_size(NULL, &bytes), THUD_ERROR_NULL);
+    assert_int_equal(thud_world_get_snapshot_size(r.y.world, NULL), THUD_ERROR_NULL);
     assert_int_equal(thud_world_snapshot(NULL, before, 9, &bytes), THUD_ERROR_NULL);
     assert_int_equal(thud_world_snapshot(r.y.world, NULL, 9, &bytes), THUD_ERROR_NULL);
     assert_int_equal(thud_world_restore(NULL, before, 9), THUD_ERROR_NULL);
     assert_int_equal(thud_world_restore(r.y.world, NULL, 9), THUD_ERROR_NULL);
     run(r.y.world, 1);
-    OK(thud_world_snapshot_size(r.y.world, &bytes));
+    OK(thud_world_get_snapshot_size(r.y.world, &bytes));
     assert_int_equal(thud_world_snapshot(r.y.world, before, bytes - 1, NULL), THUD_ERROR_INVALID);
     assert_memory_equal(before, r.snapshot.bytes, r.snapshot.size);
     free(before);
@@ -206,7 +206,7 @@ static bool ask(thud_world *world, const thud_contact *contact, thud_contact_set
     (void)settings;
     inside *i = context;
     size_t bytes;
-    assert_int_equal(thud_world_snapshot_size(world, &bytes), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_world_get_snapshot_size(world, &bytes), THUD_ERROR_LOCKED);
     if (i->snapshot.bytes) {
         assert_int_equal(thud_world_snapshot(world, i->snapshot.bytes, i->snapshot.size, &bytes),
                          THUD_ERROR_LOCKED);
@@ -241,7 +241,7 @@ static thud_world *small_world(const thud_world_def *def, bool had_line) {
     }
     yard y = make_yard(def);
     thud_shape_state ground;
-    OK(thud_shape_get(y.world, y.ground, &ground));
+    OK(thud_shape_get_state(y.world, y.ground, &ground));
     OK(thud_body_destroy(y.world, ground.body));
     run(y.world, 1);
     return y.world;
@@ -292,7 +292,7 @@ static void restoring_again_and_again_takes_no_more_memory(void **state) {
         }
         run(r.y.world, 3);
         back_to(r.y.world, r.snapshot);
-        uint64_t now = thud_world_stats(r.y.world).bytes;
+        uint64_t now = thud_stats_of(r.y.world).bytes;
         assert_true(i < 2 || now == allocated);
         allocated = now;
     }

@@ -15,7 +15,7 @@ static uint64_t hash_after(const char *name, int size, int steps, thud_job_syste
     thud_world *world;
     OK(scene_build_thud(&s, &def, &world, NULL, NULL));
     run(world, steps);
-    uint64_t hash = thud_world_hash(world);
+    uint64_t hash = thud_hash_of(world);
     thud_world_destroy(world);
     scene_free(&s);
     return hash;

@@ -22,7 +22,7 @@ static void add_random(chaos *c) {
     double y = random_in(&c->seed, -c->width, c->width);
     /* The logarithm of sizes is uniform, so small ones are as frequent as large ones. */
     float size = (float)(c->small * pow(c->large / c->small, random_in(&c->seed, 0, 1)));
-    thud_body_id id = add_body(c->world, fixed ? THUD_STATIC : THUD_DYNAMIC, x, y, 0);
+    thud_body_id id = add_body(c->world, fixed ? THUD_BODY_STATIC : THUD_BODY_DYNAMIC, x, y, 0);
     int kind = (int)random_in(&c->seed, 0, 3);
     add_shape(c->world, id, size, kind ? size * 0.7f : 0, kind == 1, NULL);
     if (!fixed) {
@@ -49,7 +49,8 @@ static bool has_contact(const thud_world *w, int a, int b) {
 
 /* The bounds that the broadphase used in the last step. */
 static const td_bounds *bounds_seen(const thud_world *w, int shape) {
-    return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_at(&w->was, shape) : td_fat_at(w, shape);
+    return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_at(&w->previous_fat, shape)
+                                                  : td_fat_at(w, shape);
 }
 
 /* Asserts that contacts and overlapping bounds are the same pairs. Bounds may have grown after the
@@ -188,7 +189,7 @@ static void crowd_in_one_place_has_bounded_contacts_and_comes_apart(void **state
         thud_body_def body = thud_default_body_def();
         thud_shape_def shape = thud_default_shape_def();
         thud_body_id id;
-        body.kind = THUD_DYNAMIC;
+        body.kind = THUD_BODY_DYNAMIC;
         body.position = (thud_pos){random_in(&seed, -0.05, 0.05), random_in(&seed, -0.05, 0.05)};
         OK(thud_body_create(world, &body, &id));
         OK(thud_shape_create_circle(world, id, &shape, (thud_vec2){0, 0}, 0.25f, NULL));
@@ -198,7 +199,7 @@ static void crowd_in_one_place_has_bounded_contacts_and_comes_apart(void **state
         check(world, true);
         assert_true(world->constraints.live < 96 * CIRCLES);
     }
-    assert_true(thud_world_measure(world).penetration_max < 0.25);
+    assert_true(thud_measure_of(world).penetration_max < 0.25);
     check(world, false);
     thud_world_destroy(world);
 }

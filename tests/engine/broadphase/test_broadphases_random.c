@@ -60,7 +60,7 @@ static void tell(thud_world *world, const thud_contact *contact, void *context) 
 /* ---- edits ---- */
 
 static void add_random(life *l, int i) {
-    thud_body_kind kind = pick(l, 7) ? THUD_DYNAMIC : (thud_body_kind)pick(l, 2);
+    thud_body_kind kind = pick(l, 7) ? THUD_BODY_DYNAMIC : (thud_body_kind)pick(l, 2);
     l->bodies[i] =
         add_body(l->world, kind, random_in(&l->seed, -9, 9), random_in(&l->seed, 0.5, 7), 0);
     for (int shapes = pick(l, 4) == 0; shapes >= 0; shapes--) {
@@ -71,7 +71,7 @@ static void add_random(life *l, int i) {
         float x = (float)random_in(&l->seed, 0.05, 0.7), y = (float)random_in(&l->seed, 0.05, 0.7);
         add_shape(l->world, l->bodies[i], x, pick(l, 3) ? y : 0, pick(l, 2), &def);
     }
-    if (kind != THUD_STATIC) {
+    if (kind != THUD_BODY_STATIC) {
         double most = pick(l, 4) ? 3 : 90;
         thud_vec2 v = {(float)random_in(&l->seed, -most, most),
                        (float)random_in(&l->seed, -most, most)};
@@ -84,7 +84,7 @@ static void add_tiles(life *l) {
     for (int i = 0; i < 64; i++) {
         int at = i * 29 % 64;
         double x = at < 48 ? at % 24 - 12 : 12, y = at < 48 ? -1.5 - at / 24 : at - 50;
-        thud_body_id tile = add_body(l->world, THUD_STATIC, x, y, 0);
+        thud_body_id tile = add_body(l->world, THUD_BODY_STATIC, x, y, 0);
         add_shape(l->world, tile, 0.5f, 0.5f, i % 2, NULL);
     }
 }
@@ -100,7 +100,7 @@ static void add_line(life *l) {
                          .x0 = -12.0,
                          .spacing = 1.0};
     thud_shape_def def = thud_default_shape_def();
-    l->ground = add_body(l->world, THUD_STATIC, 0, random_in(&l->seed, 0, 2), 0);
+    l->ground = add_body(l->world, THUD_BODY_STATIC, 0, random_in(&l->seed, 0, 2), 0);
     OK(thud_shape_create_terrain(l->world, l->ground, &def, &line, &l->line));
     l->lines_made++;
 }
@@ -169,7 +169,7 @@ static void note(life *l, uint64_t hash[4]) {
             mix_int(&hash[0], (uint32_t)c->child);
         }
     }
-    thud_events e = thud_world_events(w);
+    thud_events e = thud_events_of(w);
     mix_pairs(&hash[1], e.begin, e.begin_count);
     mix_pairs(&hash[1], e.end, e.end_count);
     mix_pairs(&hash[1], e.sensor_begin, e.sensor_begin_count);

@@ -20,7 +20,7 @@ typedef struct crowd {
 /* Adds circles in one spot with the shape def `def`, whose filter decides whether they collide. */
 static void fill(crowd *c, int count, const thud_shape_def *def) {
     for (int i = 0; i < count; i++) {
-        thud_body_id id = add_body(c->world, THUD_DYNAMIC, random_in(&c->seed, -0.05, 0.05),
+        thud_body_id id = add_body(c->world, THUD_BODY_DYNAMIC, random_in(&c->seed, -0.05, 0.05),
                                    random_in(&c->seed, -0.05, 0.05), 0);
         add_shape(c->world, id, 0.25f, 0, false, def);
         c->bodies[i] = id;
@@ -30,7 +30,7 @@ static void fill(crowd *c, int count, const thud_shape_def *def) {
 /* Steps the world, and counts sensor overlaps and contacts that began. */
 static void step(crowd *c) {
     run(c->world, 1);
-    thud_events e = thud_world_events(c->world);
+    thud_events e = thud_events_of(c->world);
     c->sensed += e.sensor_begin_count - e.sensor_end_count;
     c->met += e.begin_count;
 }
@@ -73,7 +73,7 @@ static void sensor_in_a_crowd_of_mates_reports_all(void **state) {
     (void)state;
     for (int k = 0; k < 12; k++) {
         crowd c = mates(120, broadphases[k % 3], k / 3 % 2);
-        add_sensor(&c, k / 6 ? THUD_DYNAMIC : THUD_KINEMATIC);
+        add_sensor(&c, k / 6 ? THUD_BODY_DYNAMIC : THUD_BODY_KINEMATIC);
         step(&c);
         assert_int_equal(c.sensed, 120);
         thud_world_destroy(c.world);
@@ -102,7 +102,7 @@ static void sensor_in_a_great_crowd_reports_all_within_steps_that_are_stated(voi
     (void)state;
     for (int k = 0; k < 3; k++) {
         crowd c = mates(1000, broadphases[k], true);
-        add_sensor(&c, THUD_KINEMATIC);
+        add_sensor(&c, THUD_BODY_KINEMATIC);
         int steps = 0;
         for (; steps < 1000 / 64 + 1 && c.sensed < 1000; steps++) {
             step(&c);
@@ -110,7 +110,7 @@ static void sensor_in_a_great_crowd_reports_all_within_steps_that_are_stated(voi
         assert_int_equal(c.sensed, 1000);
         /* A second sensor, created when nothing moves, finds all circles, and the sensors find each
          * other. */
-        add_sensor(&c, THUD_KINEMATIC);
+        add_sensor(&c, THUD_BODY_KINEMATIC);
         for (steps = 0; steps < 1000 / 64 + 1 && c.sensed < 2002; steps++) {
             step(&c);
         }
@@ -132,15 +132,15 @@ static void crowd_that_stays_gets_all_pairs_within_steps_that_are_stated(void **
         set_listeners(c.world, let_through, NULL, NULL);
         fill(&c, COUNT, NULL);
         step(&c);
-        assert_true(thud_world_stats(c.world).pairs < 64 * COUNT); /* not all pairs in one step */
+        assert_true(thud_stats_of(c.world).pairs < 64 * COUNT); /* not all pairs in one step */
         int steps = 1;
-        for (; steps < 4 * COUNT && thud_world_stats(c.world).pairs < ALL; steps++) {
+        for (; steps < 4 * COUNT && thud_stats_of(c.world).pairs < ALL; steps++) {
             step(&c);
             for (int b = 0; b < COUNT && steps % 50 == 49; b++) {
                 OK(thud_body_set_awake(c.world, c.bodies[b], true));
             }
         }
-        assert_int_equal(thud_world_stats(c.world).pairs, ALL);
+        assert_int_equal(thud_stats_of(c.world).pairs, ALL);
         thud_world_destroy(c.world);
     }
 }
@@ -164,7 +164,7 @@ static void crowd_that_comes_apart_gets_no_more_pairs_than_there_are_places(void
         saved kept = {0};
         for (int i = 0; i < STEPS; i++) {
             run(world, 1);
-            int pairs = thud_world_stats(world).pairs;
+            int pairs = thud_stats_of(world).pairs;
             assert_in_range(pairs, i < KEPT ? PLACES / 2 * COUNT : 1, PLACES * COUNT);
             if (i == KEPT - 1) {
                 kept = save(world);

@@ -8,9 +8,11 @@
 #include "pool.h"
 #include "snapshot_support.h"
 
+#include <thud/thud_testing.h>
+
 static thud_joint_def rod_of(thud_body_id a, thud_body_id b, thud_vec2 at_a, thud_vec2 at_b,
                              float length) {
-    thud_joint_def def = between(THUD_DISTANCE, a, b, at_a, at_b);
+    thud_joint_def def = between(THUD_JOINT_DISTANCE, a, b, at_a, at_b);
     def.length = length;
     def.collide_connected = true;
     return def;
@@ -45,8 +47,8 @@ static double stretch_after(thud_world *world, const thud_joint_id *rods, int co
  * the lowest height of its bob. */
 static double swing(const thud_quality *quality, double *least) {
     thud_world *world = world_at(quality);
-    thud_body_id hook = add_body(world, THUD_STATIC, 0, 10, 0);
-    thud_body_id bob = add_body(world, THUD_DYNAMIC, 2, 10, 0);
+    thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 10, 0);
+    thud_body_id bob = add_body(world, THUD_BODY_DYNAMIC, 2, 10, 0);
     add_shape(world, bob, 0.2f, 0, false, NULL);
     thud_joint_id rod = tie(world, hook, bob, middle, middle, 2);
     double worst = 0;
@@ -74,22 +76,22 @@ static void pendulum_keeps_its_length_and_passes_its_lowest_place(void **state) 
 static double chain(const thud_quality *quality, int *direct) {
     enum { LINKS = 10 };
     thud_world *world = world_at(quality);
-    thud_body_id last = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id last = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     thud_joint_id rods[LINKS + 1];
     for (int i = 0; i < LINKS; i++) {
-        thud_body_id next = add_body(world, THUD_DYNAMIC, 0, -1.0 - i, 0);
+        thud_body_id next = add_body(world, THUD_BODY_DYNAMIC, 0, -1.0 - i, 0);
         add_shape(world, next, 0.1f, 0, false, NULL);
         rods[i] = tie(world, last, next, middle, middle, 1);
         last = next;
     }
     thud_shape_def heavy = thud_default_shape_def();
     heavy.density = 1000;
-    thud_body_id weight = add_body(world, THUD_DYNAMIC, 0, -1.0 - LINKS, 0);
+    thud_body_id weight = add_body(world, THUD_BODY_DYNAMIC, 0, -1.0 - LINKS, 0);
     add_shape(world, weight, 0.1f, 0, false, &heavy);
     rods[LINKS] = tie(world, last, weight, middle, middle, 1);
     stretch_after(world, rods, LINKS + 1, 240);
     double worst = stretch_after(world, rods, LINKS + 1, 60);
-    *direct = thud_world_stats(world).direct_bodies;
+    *direct = thud_stats_of(world).direct_bodies;
     thud_world_destroy(world);
     return worst;
 }
@@ -111,8 +113,8 @@ static void rod_at_the_end_of_a_plank_turns_it(void **state) {
     (void)state;
     for (int i = 0; i < QUALITIES; i++) {
         thud_world *world = world_at(qualities[i]);
-        thud_body_id hook = add_body(world, THUD_STATIC, -1, 3, 0);
-        thud_body_id plank = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+        thud_body_id hook = add_body(world, THUD_BODY_STATIC, -1, 3, 0);
+        thud_body_id plank = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
         add_shape(world, plank, 1, 0.1f, false, NULL);
         thud_joint_id rod = tie(world, plank, hook, (thud_vec2){-1, 0}, middle, 3);
         run(world, 10);
@@ -130,7 +132,7 @@ static void rods_and_contacts_share_an_island_in_the_direct_solver(void **state)
     thud_body_id beside = add_box(world, 3, 0.5, 0.5f, 0.5f);
     thud_joint_id rod = tie(world, ids[0], beside, middle, middle, 3);
     run(world, 120);
-    thud_stats stats = thud_world_stats(world);
+    thud_stats stats = thud_stats_of(world);
     assert_int_equal(stats.direct_islands, 1);
     assert_int_equal(stats.direct_bodies, 4);
     assert_true(stretch_of(world, rod) < 1e-5);
@@ -149,7 +151,8 @@ static thud_world *net(thud_world_def def) {
     for (int y = 0; y < UP; y++) {
         for (int x = 0; x < ACROSS; x++) {
             bool hangs = y == 0 && (x == 0 || x == ACROSS - 1);
-            knots[y][x] = add_body(world, hangs ? THUD_STATIC : THUD_DYNAMIC, x, 8 - y, 0);
+            knots[y][x] =
+                add_body(world, hangs ? THUD_BODY_STATIC : THUD_BODY_DYNAMIC, x, 8 - y, 0);
             add_shape(world, knots[y][x], 0.3f, 0, false, NULL);
             if (x > 0) {
                 tie(world, knots[y][x], knots[y][x - 1], middle, middle, 1);
@@ -169,7 +172,7 @@ static thud_world *net(thud_world_def def) {
 static uint64_t net_after(thud_world_def def, int steps) {
     thud_world *world = net(def);
     run(world, steps);
-    uint64_t hash = thud_world_hash(world);
+    uint64_t hash = thud_hash_of(world);
     thud_world_destroy(world);
     return hash;
 }
@@ -179,7 +182,7 @@ static void net_ends_in_the_same_bits_with_any_workers_and_width(void **state) {
     for (int i = 0; i < QUALITIES; i++) {
         thud_world_def def = def_of(qualities[i]);
         uint64_t alone = net_after(def, 90);
-        def.baseline_simd = true;
+        thud_world_def_set_baseline_simd(&def, true);
         assert_true(net_after(def, 90) == alone);
         for (int workers = 2; workers <= 4; workers += 2) {
             pool *p = pool_create(workers);
@@ -238,9 +241,9 @@ static void bodies_that_a_rod_ties_fall_asleep_and_wake_together(void **state) {
 static void rod_to_a_disabled_body_lets_go_until_it_is_enabled(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
-    thud_body_id hook = add_body(world, THUD_DYNAMIC, 0, 0, 0);
-    thud_body_id bob = add_body(world, THUD_DYNAMIC, 0, -1, 0);
-    thud_body_id nail = add_body(world, THUD_STATIC, 0, 1, 0);
+    thud_body_id hook = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
+    thud_body_id bob = add_body(world, THUD_BODY_DYNAMIC, 0, -1, 0);
+    thud_body_id nail = add_body(world, THUD_BODY_STATIC, 0, 1, 0);
     add_shape(world, hook, 0.1f, 0, false, NULL);
     add_shape(world, bob, 0.1f, 0, false, NULL);
     tie(world, nail, hook, middle, middle, 1);
@@ -260,8 +263,8 @@ static void rod_to_a_disabled_body_lets_go_until_it_is_enabled(void **state) {
 static void body_that_is_destroyed_takes_its_rods_away(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
-    thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
-    thud_body_id bob = add_body(world, THUD_DYNAMIC, 0, -1, 0);
+    thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
+    thud_body_id bob = add_body(world, THUD_BODY_DYNAMIC, 0, -1, 0);
     add_shape(world, bob, 0.1f, 0, false, NULL);
     thud_joint_id rod = tie(world, hook, bob, middle, middle, 1);
     run(world, 10);
@@ -277,8 +280,8 @@ static void body_that_is_destroyed_takes_its_rods_away(void **state) {
 static void rod_that_is_destroyed_lets_go_of_sleepers(void **state) {
     (void)state;
     thud_world *world = make_world(def_of(&thud_quality_default));
-    thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
-    thud_body_id bob = add_body(world, THUD_DYNAMIC, 0, -1, 0);
+    thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
+    thud_body_id bob = add_body(world, THUD_BODY_DYNAMIC, 0, -1, 0);
     add_shape(world, bob, 0.1f, 0, false, NULL);
     thud_joint_id rod = tie(world, hook, bob, middle, middle, 1);
     run(world, 120);
@@ -313,7 +316,7 @@ static void restored_net_goes_on_to_the_same_bits(void **state) {
     thud_world_destroy(world);
 }
 
-static void count_lines(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context) {
+static void count_lines(thud_vec2 a, thud_vec2 b, thud_style style, void *context) {
     (void)a, (void)b, (void)style;
     ++*(int *)context;
 }
@@ -321,8 +324,8 @@ static void count_lines(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *c
 static void colours_of_rods_are_drawn(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
-    thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
-    thud_body_id bob = add_body(world, THUD_DYNAMIC, 0, -1, 0);
+    thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
+    thud_body_id bob = add_body(world, THUD_BODY_DYNAMIC, 0, -1, 0);
     add_shape(world, bob, 0.1f, 0, false, NULL);
     tie(world, hook, bob, middle, middle, 1);
     run(world, 1);
@@ -337,9 +340,9 @@ static void colours_of_rods_are_drawn(void **state) {
     draw.flags = THUD_DRAW_CONTACTS | THUD_DRAW_PAIRS | THUD_DRAW_STAGES | THUD_DRAW_MANIFOLDS;
     OK(thud_world_draw(world, &draw));
     assert_int_equal(lines, 1);
-    assert_true(thud_world_measure(world).penetration_max == 0);
-    assert_int_equal(thud_world_stats(world).pairs, 0);
-    assert_int_equal(thud_world_stats(world).contacts, 0);
+    assert_true(thud_measure_of(world).penetration_max == 0);
+    assert_int_equal(thud_stats_of(world).pairs, 0);
+    assert_int_equal(thud_stats_of(world).contacts, 0);
     thud_world_destroy(world);
 }
 
@@ -348,12 +351,12 @@ static void colours_of_rods_are_drawn(void **state) {
 static void error_report_has_the_speed_that_a_rod_misses(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_draft);
-    thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
-    thud_body_id bob = add_body(world, THUD_DYNAMIC, 0, -1, 0);
+    thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
+    thud_body_id bob = add_body(world, THUD_BODY_DYNAMIC, 0, -1, 0);
     add_shape(world, bob, 0.1f, 0, false, NULL);
     tie(world, hook, bob, middle, middle, 0.5f);
     run(world, 1);
-    thud_step_error error = thud_world_error(world);
+    thud_step_error error = thud_step_error_of(world);
     assert_true(error.residual > 1e-3);
     assert_true(error.penetration_max == 0 && error.overlaps == 0);
     thud_world_destroy(world);
@@ -362,9 +365,9 @@ static void error_report_has_the_speed_that_a_rod_misses(void **state) {
 static void wrong_rods_are_refused(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
-    thud_body_id a = add_body(world, THUD_STATIC, 0, 0, 0),
-                 b = add_body(world, THUD_STATIC, 1, 0, 0);
-    thud_body_id c = add_body(world, THUD_DYNAMIC, 2, 0, 0);
+    thud_body_id a = add_body(world, THUD_BODY_STATIC, 0, 0, 0),
+                 b = add_body(world, THUD_BODY_STATIC, 1, 0, 0);
+    thud_body_id c = add_body(world, THUD_BODY_DYNAMIC, 2, 0, 0);
     const thud_joint_def wrong[] = {rod_of(a, b, middle, middle, 1),
                                     rod_of(c, c, middle, middle, 1),
                                     rod_of(a, c, middle, middle, 0),
@@ -399,20 +402,21 @@ static void floor_bears_what_is_reeled_in(void **state) {
         float length = 4.3f, speed = speeds[i / QUALITIES / 16];
         def.detection = detections[detection];
         thud_world *world = make_world(def);
-        thud_body_id hook = add_body(world, THUD_STATIC, 0, -4, 0);
-        thud_body_id floor = add_body(world, THUD_STATIC, 0, -0.25, 0);
+        thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, -4, 0);
+        thud_body_id floor = add_body(world, THUD_BODY_STATIC, 0, -0.25, 0);
         add_shape(world, floor, 5, 0.25f, true, NULL);
         thud_body_id load =
             box ? add_box(world, 0, 0.3, 0.3f, 0.3f) : add_ball(world, 0, 0.3, 0.3f);
         thud_joint_def joint = rod_of(hook, load, middle, middle, length);
-        joint.drive[THUD_ALONG].limited = rope;
-        joint.drive[THUD_ALONG].upper = length;
+        joint.drive[THUD_DIRECTION_ALONG].limited = rope;
+        joint.drive[THUD_DIRECTION_ALONG].upper = length;
         thud_joint_id id = make(world, joint);
         double height = 0;
         for (int k = 0; k < 300; k++) {
             length = fmaxf(length - speed / 60, 1);
-            joint.drive[THUD_ALONG].upper = length;
-            OK(rope ? thud_joint_set_drive(world, id, THUD_ALONG, &joint.drive[THUD_ALONG])
+            joint.drive[THUD_DIRECTION_ALONG].upper = length;
+            OK(rope ? thud_joint_set_drive(world, id, THUD_DIRECTION_ALONG,
+                                           &joint.drive[THUD_DIRECTION_ALONG])
                     : thud_joint_set_length(world, id, length));
             run(world, 1);
             height = state_of(world, load).position.y;
@@ -423,7 +427,7 @@ static void floor_bears_what_is_reeled_in(void **state) {
             assert_true(height > 0.15);
         }
         if (!box) {
-            near_to(thud_world_error(world).joint_gap_max, 4 + height - (double)length, 1e-3);
+            near_to(thud_step_error_of(world).joint_gap_max, 4 + height - (double)length, 1e-3);
         }
         assert_true(height > 0.26);
         thud_world_destroy(world);
@@ -436,22 +440,22 @@ static void floor_bears_what_is_reeled_in(void **state) {
  * greatest speed of ball and box in m/s. */
 static double speed_of_reeled_in(const thud_world_def *def) {
     thud_world *world = make_world(*def);
-    thud_body_id hook = add_body(world, THUD_STATIC, 12, 4, 0);
-    thud_body_id wall = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id hook = add_body(world, THUD_BODY_STATIC, 12, 4, 0);
+    thud_body_id wall = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     thud_shape_def solid = thud_default_shape_def();
     OK(thud_shape_create_aabb(world, wall, &solid, (thud_vec2){7, 5}, (thud_vec2){2, 8}, NULL));
     OK(thud_shape_create_aabb(world, wall, &solid, (thud_vec2){0, -1}, (thud_vec2){9, 1}, NULL));
     thud_body_id ball = add_ball(world, 4.5, 0.5, 0.4f), box = add_box(world, 4.5, 1.4, 0.4f, 0.3f);
     thud_joint_def rope = rod_of(hook, ball, middle, middle, 1);
-    rope.drive[THUD_ALONG].limited = true;
-    rope.drive[THUD_ALONG].upper = (float)hypot(7.5, 3.5);
+    rope.drive[THUD_DIRECTION_ALONG].limited = true;
+    rope.drive[THUD_DIRECTION_ALONG].upper = (float)hypot(7.5, 3.5);
     thud_joint_id id = make(world, rope);
-    thud_drive drive = rope.drive[THUD_ALONG];
+    thud_drive drive = rope.drive[THUD_DIRECTION_ALONG];
     double worst = 0;
     for (double time = 0; time < 4; time += def->time_step) {
-        float taut = (float)joint_of(world, id).value[THUD_ALONG] - 0.1f;
+        float taut = (float)joint_of(world, id).value[THUD_DIRECTION_ALONG] - 0.1f;
         drive.upper = fmaxf(drive.upper - 3 * (float)def->time_step, taut);
-        OK(thud_joint_set_drive(world, id, THUD_ALONG, &drive));
+        OK(thud_joint_set_drive(world, id, THUD_DIRECTION_ALONG, &drive));
         run(world, 1);
         for (int k = 0; k < 2; k++) {
             thud_body_state s = state_of(world, k ? box : ball);

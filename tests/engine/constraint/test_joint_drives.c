@@ -14,14 +14,15 @@ static double rests_at(const thud_quality *quality, bool swapped, const float *t
     thud_world_def def = weightless();
     def.quality = quality;
     thud_world *world = make_world(def);
-    thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     thud_body_id ball = add_ball(world, 3, 0, 0.1f);
     thud_joint_def spring =
-        between(THUD_DISTANCE, swapped ? ball : hook, swapped ? hook : ball, middle, middle);
+        between(THUD_JOINT_DISTANCE, swapped ? ball : hook, swapped ? hook : ball, middle, middle);
     spring.length = 2;
-    spring.drive[THUD_ALONG].frequency = 5;
-    spring.drive[THUD_ALONG].damping = 1;
-    spring.drive[THUD_ALONG].target = target ? *target : spring.drive[THUD_ALONG].target;
+    spring.drive[THUD_DIRECTION_ALONG].frequency = 5;
+    spring.drive[THUD_DIRECTION_ALONG].damping = 1;
+    spring.drive[THUD_DIRECTION_ALONG].target =
+        target ? *target : spring.drive[THUD_DIRECTION_ALONG].target;
     thud_joint_id id = make(world, spring);
     if (later > 0) {
         run(world, 10);
@@ -30,10 +31,11 @@ static double rests_at(const thud_quality *quality, bool swapped, const float *t
     /* Setting the drive that was read changes nothing. */
     thud_joint_def copy;
     OK(thud_joint_get_def(world, id, &copy));
-    assert_true(copy.drive[THUD_ALONG].target == spring.drive[THUD_ALONG].target);
-    OK(thud_joint_set_drive(world, id, THUD_ALONG, &copy.drive[THUD_ALONG]));
+    assert_true(copy.drive[THUD_DIRECTION_ALONG].target ==
+                spring.drive[THUD_DIRECTION_ALONG].target);
+    OK(thud_joint_set_drive(world, id, THUD_DIRECTION_ALONG, &copy.drive[THUD_DIRECTION_ALONG]));
     run(world, 120);
-    double at = joint_of(world, id).value[THUD_ALONG];
+    double at = joint_of(world, id).value[THUD_DIRECTION_ALONG];
     thud_world_destroy(world);
     return at;
 }
@@ -56,9 +58,9 @@ static void spring_of_a_distance_rests_at_its_length(void **state) {
 static void only_a_distance_has_a_length_for_a_target(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
-    thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     thud_body_id ball = add_ball(world, 3, 0, 0.1f);
-    for (int kind = THUD_HINGE; kind <= THUD_TARGET; kind++) {
+    for (int kind = THUD_JOINT_HINGE; kind <= THUD_JOINT_TARGET; kind++) {
         thud_joint_def def = between((thud_joint_kind)kind, hook, ball, middle, middle);
         for (int k = 0; k < THUD_DIRECTION_COUNT; k++) {
             assert_true(def.drive[k].target == 0);
@@ -66,10 +68,10 @@ static void only_a_distance_has_a_length_for_a_target(void **state) {
         }
         assert_int_equal(thud_joint_create(world, &def, NULL), THUD_ERROR_INVALID);
     }
-    thud_joint_def def = between(THUD_DISTANCE, hook, ball, middle, middle);
+    thud_joint_def def = between(THUD_JOINT_DISTANCE, hook, ball, middle, middle);
     const float wrong[] = {-1, INFINITY, NAN};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        def.drive[THUD_ALONG].target = wrong[i];
+        def.drive[THUD_DIRECTION_ALONG].target = wrong[i];
         assert_int_equal(thud_joint_create(world, &def, NULL), THUD_ERROR_INVALID);
     }
     thud_world_destroy(world);
@@ -81,18 +83,19 @@ static void only_a_distance_has_a_length_for_a_target(void **state) {
 static void limits_and_targets_reach_pi(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
-    thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     thud_body_id ball = add_ball(world, 0, 0, 0.1f);
-    thud_joint_def def = between(THUD_HINGE, hook, ball, middle, middle);
+    thud_joint_def def = between(THUD_JOINT_HINGE, hook, ball, middle, middle);
     float pi = (float)PI;
-    def.drive[THUD_TURN].limited = true;
-    def.drive[THUD_TURN].lower = -pi;
-    def.drive[THUD_TURN].upper = pi;
-    def.drive[THUD_TURN].target = pi;
+    def.drive[THUD_DIRECTION_TURN].limited = true;
+    def.drive[THUD_DIRECTION_TURN].lower = -pi;
+    def.drive[THUD_DIRECTION_TURN].upper = pi;
+    def.drive[THUD_DIRECTION_TURN].target = pi;
     thud_joint_id hinge = make(world, def);
-    thud_drive more = def.drive[THUD_TURN];
+    thud_drive more = def.drive[THUD_DIRECTION_TURN];
     more.upper = nextafterf(pi, 4);
-    assert_int_equal(thud_joint_set_drive(world, hinge, THUD_TURN, &more), THUD_ERROR_INVALID);
+    assert_int_equal(thud_joint_set_drive(world, hinge, THUD_DIRECTION_TURN, &more),
+                     THUD_ERROR_INVALID);
     thud_world_destroy(world);
 }
 
@@ -106,32 +109,33 @@ static void limit_spring_and_motor_are_told_apart(void **state) {
     for (int i = 0; i < 2 * QUALITIES; i++) {
         bool swapped = i % 2;
         thud_world *world = world_at(qualities[i / 2]);
-        thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
-        thud_body_id ball = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+        thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
+        thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
         add_shape(world, ball, 0.5f, 0.5f, false, NULL); /* mass: 1 kg */
-        thud_joint_def def =
-            between(THUD_SLIDER, swapped ? ball : hook, swapped ? hook : ball, middle, middle);
+        thud_joint_def def = between(THUD_JOINT_SLIDER, swapped ? ball : hook,
+                                     swapped ? hook : ball, middle, middle);
         def.frame_a.angle = def.frame_b.angle = PI / 2;
         double up = swapped ? -1 : 1; /* seen from the ball, the hook rises as the ball falls */
-        def.drive[THUD_ALONG] = (thud_drive){.limited = true,
-                                             .lower = swapped ? -1 : 0,
-                                             .upper = swapped ? 0 : 1,
-                                             .frequency = (float)frequency,
-                                             .damping = 1,
-                                             .target = (float)(up * 0.5 * G / (omega * omega)),
-                                             .spring_force = 1e6f,
-                                             .motor_force = (float)(0.25 * G)};
+        def.drive[THUD_DIRECTION_ALONG] =
+            (thud_drive){.limited = true,
+                         .lower = swapped ? -1 : 0,
+                         .upper = swapped ? 0 : 1,
+                         .frequency = (float)frequency,
+                         .damping = 1,
+                         .target = (float)(up * 0.5 * G / (omega * omega)),
+                         .spring_force = 1e6f,
+                         .motor_force = (float)(0.25 * G)};
         thud_joint_id slider = make(world, def);
         run(world, 60);
         thud_joint_state s = joint_of(world, slider);
-        const thud_drive_forces *along = &s.drive[THUD_ALONG];
+        const thud_drive_forces *along = &s.drive[THUD_DIRECTION_ALONG];
         near_to(along->spring, up * 0.5 * G, 0.01 * G);
         near_to(along->limit + along->motor, up * 0.5 * G, 0.01 * G);
         assert_true(fabs((double)along->motor) <= 0.2501 * G);
         assert_true(up * (double)along->limit >= 0.24 * G);
         near_to(s.force.y, up * G, 0.01 * G);
         near_to(along->limit + along->spring + along->motor, s.force.y, 1e-4 * G);
-        for (int k = THUD_ACROSS; k <= THUD_TURN; k++) {
+        for (int k = THUD_DIRECTION_ACROSS; k <= THUD_DIRECTION_TURN; k++) {
             const thud_drive_forces *none = &s.drive[k];
             assert_true(none->limit == 0 && none->spring == 0 && none->motor == 0);
         }
@@ -148,7 +152,7 @@ static double worst_pull(const thud_quality *quality, thud_vec2 to, bool motors,
     enum { ROWS = 12, PULLED = 8, STEPS = 90 };
     const float most = 200;
     thud_world *world = world_of(quality);
-    thud_body_id post = add_body(world, THUD_STATIC, 0, 0, 0), box = {0};
+    thud_body_id post = add_body(world, THUD_BODY_STATIC, 0, 0, 0), box = {0};
     for (int row = 0; row < ROWS; row++) {
         for (int i = 0; i < ROWS - row; i++) {
             thud_body_id id = add_box(world, i + 0.5 * row, row + 0.5, 0.5f, 0.5f);
@@ -156,8 +160,8 @@ static double worst_pull(const thud_quality *quality, thud_vec2 to, bool motors,
         }
     }
     run(world, 30);
-    thud_joint_def def = between(THUD_TARGET, post, box, to, middle);
-    for (int k = THUD_ALONG; k <= THUD_ACROSS; k++) {
+    thud_joint_def def = between(THUD_JOINT_TARGET, post, box, to, middle);
+    for (int k = THUD_DIRECTION_ALONG; k <= THUD_DIRECTION_ACROSS; k++) {
         thud_drive *d = &def.drive[k];
         d->frequency = motors ? 0 : 20;
         d->spring_force = most;
@@ -170,12 +174,12 @@ static double worst_pull(const thud_quality *quality, thud_vec2 to, bool motors,
         run(world, 1);
         thud_joint_state now = joint_of(world, target);
         double pull[2];
-        for (int k = THUD_ALONG; k <= THUD_ACROSS; k++) {
+        for (int k = THUD_DIRECTION_ALONG; k <= THUD_DIRECTION_ACROSS; k++) {
             thud_drive_forces force = now.drive[k];
             pull[k] = (double)(motors ? force.motor : force.spring);
         }
         worst = fmax(worst, hypot(pull[0], pull[1]) / (double)most);
-        *direct += thud_world_stats(world).direct_islands > 0;
+        *direct += thud_stats_of(world).direct_islands > 0;
     }
     thud_world_destroy(world);
     return worst;
@@ -229,9 +233,9 @@ typedef struct pulled {
 
 /* Sets both directions of the joint to pull in this direction, in radians. */
 static void aim(const pulled *p, double angle) {
-    for (int k = THUD_ALONG; k <= THUD_ACROSS; k++) {
-        double part = k == THUD_ALONG ? cos(angle) : sin(angle);
-        thud_drive drive = thud_default_joint_def(THUD_TARGET).drive[k];
+    for (int k = THUD_DIRECTION_ALONG; k <= THUD_DIRECTION_ACROSS; k++) {
+        double part = k == THUD_DIRECTION_ALONG ? cos(angle) : sin(angle);
+        thud_drive drive = thud_default_joint_def(THUD_JOINT_TARGET).drive[k];
         drive.frequency = p->how.motors ? 0 : 3;
         drive.target = (float)(1000 * part);
         drive.spring_force = p->how.most[k];
@@ -247,18 +251,19 @@ static pulled begin_pull(pull how, double angle) {
     def.quality = how.quality;
     def.detection = how.detection;
     pulled p = {.world = make_world(def), .how = how};
-    thud_body_id post = add_body(p.world, how.kinematic ? THUD_KINEMATIC : THUD_STATIC, 0, 0, 0);
+    thud_body_id post =
+        add_body(p.world, how.kinematic ? THUD_BODY_KINEMATIC : THUD_BODY_STATIC, 0, 0, 0);
     thud_shape_def smooth = thud_default_shape_def();
     smooth.friction = 0;
-    p.box = add_body(p.world, THUD_DYNAMIC, 0, 0, 0); /* mass: 1 kg */
+    p.box = add_body(p.world, THUD_BODY_DYNAMIC, 0, 0, 0); /* mass: 1 kg */
     add_shape(p.world, p.box, 0.5f, 0.5f, false, &smooth);
     if (how.by == CORNER) {
-        add_shape(p.world, add_body(p.world, THUD_STATIC, 1.5, 0, 0), 1, 3, false, &smooth);
-        add_shape(p.world, add_body(p.world, THUD_STATIC, 0, 1.5, 0), 3, 1, false, &smooth);
+        add_shape(p.world, add_body(p.world, THUD_BODY_STATIC, 1.5, 0, 0), 1, 3, false, &smooth);
+        add_shape(p.world, add_body(p.world, THUD_BODY_STATIC, 0, 1.5, 0), 3, 1, false, &smooth);
     } else if (how.by == WELDED) {
-        make(p.world, between(THUD_WELD, post, p.box, middle, middle));
+        make(p.world, between(THUD_JOINT_WELD, post, p.box, middle, middle));
     }
-    p.target = make(p.world, between(THUD_TARGET, post, p.box, middle, middle));
+    p.target = make(p.world, between(THUD_JOINT_TARGET, post, p.box, middle, middle));
     aim(&p, angle);
     return p;
 }
@@ -267,7 +272,7 @@ static pulled begin_pull(pull how, double angle) {
 static thud_vec2 force_now(const pulled *p) {
     thud_joint_state now = joint_of(p->world, p->target);
     thud_vec2 force = {0, 0};
-    for (int k = THUD_ALONG; k <= THUD_ACROSS; k++) {
+    for (int k = THUD_DIRECTION_ALONG; k <= THUD_DIRECTION_ACROSS; k++) {
         thud_drive_forces all = now.drive[k];
         *(k ? &force.y : &force.x) = p->how.motors ? all.motor : all.spring;
     }
@@ -342,8 +347,8 @@ static void direction_that_is_left_alone_has_its_whole_cap(void **state) {
         how.most[0] = how.most[1] = 50;
         pulled p = begin_pull(how, PI / 4);
         run(p.world, 5);
-        thud_drive none = thud_default_joint_def(THUD_TARGET).drive[THUD_ALONG];
-        OK(thud_joint_set_drive(p.world, p.target, THUD_ALONG, &none));
+        thud_drive none = thud_default_joint_def(THUD_JOINT_TARGET).drive[THUD_DIRECTION_ALONG];
+        OK(thud_joint_set_drive(p.world, p.target, THUD_DIRECTION_ALONG, &none));
         run(p.world, 5);
         near_to(force_now(&p).x, 0, 1e-6);
         near_to(force_now(&p).y, 50, 0.5);
@@ -390,10 +395,11 @@ static void motor_of_both_directions_is_friction(void **state) {
             double angle = k * PI / 12, push = i % 2 ? 9.5 : 12;
             def.gravity = (thud_vec2){(float)(push * cos(angle)), (float)(push * sin(angle))};
             thud_world *world = make_world(def);
-            thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0);
+            thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
             thud_body_id box = add_box(world, 0, 0, 0.5f, 0.5f); /* mass: 1 kg */
-            thud_joint_def rub = between(THUD_TARGET, ground, box, middle, middle);
-            rub.drive[THUD_ALONG].motor_force = rub.drive[THUD_ACROSS].motor_force = 10;
+            thud_joint_def rub = between(THUD_JOINT_TARGET, ground, box, middle, middle);
+            rub.drive[THUD_DIRECTION_ALONG].motor_force =
+                rub.drive[THUD_DIRECTION_ACROSS].motor_force = 10;
             make(world, rub);
             run(world, 60);
             thud_body_state s = state_of(world, box);

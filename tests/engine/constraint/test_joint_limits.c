@@ -40,12 +40,12 @@ static void slider_stops_at_a_limit_that_it_reaches_within_a_step(void **state) 
     (void)state;
     for (int i = 0; i < 4 * QUALITIES; i++) {
         thud_world *world = limits_world(i, 0);
-        thud_body_id rail = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id rail = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         thud_body_id box = add_box(world, 0, 0, 0.25f, 0.25f);
-        thud_joint_id slider =
-            limited(world, between(THUD_SLIDER, rail, box, middle, middle), THUD_ALONG, 1);
+        thud_joint_id slider = limited(world, between(THUD_JOINT_SLIDER, rail, box, middle, middle),
+                                       THUD_DIRECTION_ALONG, 1);
         OK(thud_body_set_velocity(world, box, (thud_vec2){i % 2 ? 100 : -100, 0}, 0));
-        assert_true(beyond(world, slider, THUD_ALONG, 1, 30) < 1e-5);
+        assert_true(beyond(world, slider, THUD_DIRECTION_ALONG, 1, 30) < 1e-5);
         thud_world_destroy(world);
     }
 }
@@ -54,12 +54,12 @@ static void hinge_stops_at_its_limit(void **state) {
     (void)state;
     for (int i = 0; i < 4 * QUALITIES; i++) {
         thud_world *world = limits_world(i, 0);
-        thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         thud_body_id bar = add_box(world, 0, 0, 0.5f, 0.1f);
-        thud_joint_id hinge =
-            limited(world, between(THUD_HINGE, hook, bar, middle, middle), THUD_TURN, 0.1f);
+        thud_joint_id hinge = limited(world, between(THUD_JOINT_HINGE, hook, bar, middle, middle),
+                                      THUD_DIRECTION_TURN, 0.1f);
         OK(thud_body_set_velocity(world, bar, middle, 10));
-        assert_true(beyond(world, hinge, THUD_TURN, 0.1, 30) < 1e-5);
+        assert_true(beyond(world, hinge, THUD_DIRECTION_TURN, 0.1, 30) < 1e-5);
         thud_world_destroy(world);
     }
 }
@@ -78,14 +78,14 @@ static void suspension_takes_a_landing(void **state) {
             thud_body_id tyre = add_ball(world, x, 0.55, 0.3f);
             OK(thud_body_set_velocity(world, tyre, (thud_vec2){0, -10}, 0));
             thud_joint_def def =
-                between(THUD_WHEEL, car, tyre, (thud_vec2){(float)x, -0.45f}, middle);
+                between(THUD_JOINT_WHEEL, car, tyre, (thud_vec2){(float)x, -0.45f}, middle);
             def.frame_a.angle = def.frame_b.angle = PI / 2;
-            def.drive[THUD_ALONG].frequency = 4;
-            wheel[k] = limited(world, def, THUD_ALONG, 0.1f);
+            def.drive[THUD_DIRECTION_ALONG].frequency = 4;
+            wheel[k] = limited(world, def, THUD_DIRECTION_ALONG, 0.1f);
         }
         double worst = 0;
         for (int k = 0; k < 60; k++) {
-            worst = fmax(worst, beyond(world, wheel[k % 2], THUD_ALONG, 0.1, 1));
+            worst = fmax(worst, beyond(world, wheel[k % 2], THUD_DIRECTION_ALONG, 0.1, 1));
         }
         assert_true(worst < (i / 4 ? 1e-3 : 2e-3));
         thud_world_destroy(world);
@@ -102,16 +102,16 @@ static void limit_bears_a_heavy_load(void **state) {
         def.push_speed = i % 2 ? 3 : 0;
         def.sleeping = false;
         thud_world *world = make_world(def);
-        thud_body_id rail = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id rail = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         thud_body_id box = add_box(world, 0, 0, 0.5f, 0.5f);
         thud_body_id load = add_heavy(world, 0, -1, 0.5f, 1e4f);
-        thud_joint_def slides = between(THUD_SLIDER, rail, box, middle, middle);
+        thud_joint_def slides = between(THUD_JOINT_SLIDER, rail, box, middle, middle);
         slides.frame_a.angle = slides.frame_b.angle = PI / 2;
-        slides.drive[THUD_ALONG] = (thud_drive){.limited = true, .upper = 1};
+        slides.drive[THUD_DIRECTION_ALONG] = (thud_drive){.limited = true, .upper = 1};
         thud_joint_id slider = make(world, slides);
-        make(world, between(THUD_WELD, box, load, (thud_vec2){0, -1}, middle));
+        make(world, between(THUD_JOINT_WELD, box, load, (thud_vec2){0, -1}, middle));
         run(world, 600);
-        assert_true(joint_of(world, slider).value[THUD_ALONG] > -most[i / 2]);
+        assert_true(joint_of(world, slider).value[THUD_DIRECTION_ALONG] > -most[i / 2]);
         thud_world_destroy(world);
     }
 }

@@ -13,11 +13,12 @@ static void hinged_bar_swings_as_its_formula_says(void **state) {
     double wanted = 2 * PI * sqrt((1.0 / 12 * (1 + 0.04) + 0.25) / (G * 0.5));
     for (int i = 0; i < QUALITIES; i++) {
         thud_world *world = world_at(qualities[i]);
-        thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
-        thud_body_id bar = add_body(world, THUD_DYNAMIC, 0.5 * sin(0.05), -0.5 * cos(0.05), 0.05);
+        thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
+        thud_body_id bar =
+            add_body(world, THUD_BODY_DYNAMIC, 0.5 * sin(0.05), -0.5 * cos(0.05), 0.05);
         add_shape(world, bar, 0.1f, 0.5f, false, NULL);
         thud_joint_id hinge =
-            make(world, between(THUD_HINGE, hook, bar, middle, (thud_vec2){0, 0.5f}));
+            make(world, between(THUD_JOINT_HINGE, hook, bar, middle, (thud_vec2){0, 0.5f}));
         int crossings = 0;
         double first = 0, last = 0, before = 0.05;
         for (int k = 1; k <= 1200; k++) {
@@ -42,13 +43,13 @@ static void pendulum_keeps_its_energy(void **state) {
     const double most[QUALITIES] = {0.2, 0.02, 1e-5, 1e-5};
     for (int i = 0; i < QUALITIES; i++) {
         thud_world *world = world_at(qualities[i]);
-        thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         thud_body_id bar = add_box(world, 0.5, 0, 0.5f, 0.1f);
-        make(world, between(THUD_HINGE, hook, bar, middle, (thud_vec2){-0.5f, 0}));
-        thud_measure before = thud_world_measure(world);
+        make(world, between(THUD_JOINT_HINGE, hook, bar, middle, (thud_vec2){-0.5f, 0}));
+        thud_measure before = thud_measure_of(world);
         double full = state_of(world, bar).mass * G * 0.5;
         run(world, 3600);
-        thud_measure after = thud_world_measure(world);
+        thud_measure after = thud_measure_of(world);
         double gained = after.kinetic_energy + after.potential_energy - before.kinetic_energy -
                         before.potential_energy;
         near_to(gained / full, 0, most[i]);
@@ -64,18 +65,18 @@ static void chain_with_a_weight_swings_without_stretching(void **state) {
     const double gap[QUALITIES] = {0, 0.03, 5e-4, 5e-4}, energy[QUALITIES] = {0, 0.05, 0.01, 0.01};
     for (int i = 1; i < QUALITIES; i++) {
         thud_world *world = world_at(qualities[i]);
-        thud_body_id last = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id last = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         thud_joint_id hinge[30];
         thud_shape_def heavy = thud_default_shape_def();
         heavy.density = 1000;
         for (int k = 0; k < 30; k++) {
-            thud_body_id next = add_body(world, THUD_DYNAMIC, 0.25 + 0.5 * k, 0, 0);
+            thud_body_id next = add_body(world, THUD_BODY_DYNAMIC, 0.25 + 0.5 * k, 0, 0);
             add_shape(world, next, 0.25f, 0.0625f, false, k == 29 ? &heavy : NULL);
-            hinge[k] = make(world, between(THUD_HINGE, last, next, (thud_vec2){k ? 0.25f : 0, 0},
-                                           (thud_vec2){-0.25f, 0}));
+            hinge[k] = make(world, between(THUD_JOINT_HINGE, last, next,
+                                           (thud_vec2){k ? 0.25f : 0, 0}, (thud_vec2){-0.25f, 0}));
             last = next;
         }
-        thud_measure before = thud_world_measure(world);
+        thud_measure before = thud_measure_of(world);
         double worst = 0, full = state_of(world, last).mass * G * 15;
         for (int n = 0; n < 600; n++) {
             run(world, 1);
@@ -83,7 +84,7 @@ static void chain_with_a_weight_swings_without_stretching(void **state) {
                 worst = fmax(worst, joint_of(world, hinge[k]).gap);
             }
         }
-        thud_measure after = thud_world_measure(world);
+        thud_measure after = thud_measure_of(world);
         assert_true(worst < gap[i]);
         near_to((after.kinetic_energy + after.potential_energy - before.kinetic_energy -
                  before.potential_energy) /
@@ -110,13 +111,13 @@ static void hung_chain_hangs_still(void **state) {
     for (int i = 0; i < 2; i++) {
         enum { LINKS = 10 };
         thud_world *world = world_at(both[i]);
-        thud_body_id last = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id last = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         thud_joint_id hinge[LINKS];
         for (int k = 0; k < LINKS; k++) {
-            thud_body_id next = add_body(world, THUD_DYNAMIC, 0, -0.25 - 0.5 * k, 0);
+            thud_body_id next = add_body(world, THUD_BODY_DYNAMIC, 0, -0.25 - 0.5 * k, 0);
             add_shape(world, next, 0.0625f, 0.25f, false, NULL);
-            hinge[k] = make(world, between(THUD_HINGE, last, next, (thud_vec2){0, k ? -0.25f : 0},
-                                           (thud_vec2){0, 0.25f}));
+            hinge[k] = make(world, between(THUD_JOINT_HINGE, last, next,
+                                           (thud_vec2){0, k ? -0.25f : 0}, (thud_vec2){0, 0.25f}));
             last = next;
         }
         run(world, 300);
@@ -136,19 +137,19 @@ static void soft_joint_gives_way_to_a_heavy_load_by_little(void **state) {
     const double times[] = {200, 1000}, gap[] = {0.02, 0.2}, past[] = {0.05, 0.6};
     for (int i = 0; i < 2; i++) {
         thud_world *world = world_at(&soft);
-        thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         thud_body_id bar = add_box(world, 0.5, 0, 0.5f, 0.1f);
-        thud_body_id load = add_body(world, THUD_DYNAMIC, 1, 0, 0);
+        thud_body_id load = add_body(world, THUD_BODY_DYNAMIC, 1, 0, 0);
         thud_shape_def heavy = thud_default_shape_def();
         heavy.density = (float)times[i];
         add_shape(world, load, 0.25f, 0.25f, false, &heavy);
-        thud_joint_def def = between(THUD_HINGE, hook, bar, middle, (thud_vec2){-0.5f, 0});
-        def.drive[THUD_TURN] = (thud_drive){.limited = true, .upper = 1};
+        thud_joint_def def = between(THUD_JOINT_HINGE, hook, bar, middle, (thud_vec2){-0.5f, 0});
+        def.drive[THUD_DIRECTION_TURN] = (thud_drive){.limited = true, .upper = 1};
         thud_joint_id hinge = make(world, def);
-        make(world, between(THUD_HINGE, bar, load, (thud_vec2){0.5f, 0}, middle));
+        make(world, between(THUD_JOINT_HINGE, bar, load, (thud_vec2){0.5f, 0}, middle));
         run(world, 600);
         assert_true(joint_of(world, hinge).gap < gap[i]);
-        near_to(joint_of(world, hinge).value[THUD_TURN], 0, past[i]);
+        near_to(joint_of(world, hinge).value[THUD_DIRECTION_TURN], 0, past[i]);
         thud_world_destroy(world);
     }
 }
@@ -158,23 +159,24 @@ static void hinge_stops_at_its_limits_and_turns_by_its_motor(void **state) {
     for (int i = 0; i < QUALITIES; i++) {
         for (int swapped = 0; swapped < 2; swapped++) {
             thud_world *world = world_at(qualities[i]);
-            thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+            thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
             thud_body_id bar = add_box(world, 0.5, 0, 0.5f, 0.1f);
             thud_vec2 end = {-0.5f, 0};
-            thud_joint_def def = swapped ? between(THUD_HINGE, bar, hook, end, middle)
-                                         : between(THUD_HINGE, hook, bar, middle, end);
+            thud_joint_def def = swapped ? between(THUD_JOINT_HINGE, bar, hook, end, middle)
+                                         : between(THUD_JOINT_HINGE, hook, bar, middle, end);
             float sign = swapped ? -1.0f : 1.0f;
-            def.drive[THUD_TURN].limited = true;
-            def.drive[THUD_TURN].lower = -1;
-            def.drive[THUD_TURN].upper = 1;
+            def.drive[THUD_DIRECTION_TURN].limited = true;
+            def.drive[THUD_DIRECTION_TURN].lower = -1;
+            def.drive[THUD_DIRECTION_TURN].upper = 1;
             thud_joint_id hinge = make(world, def);
             run(world, 240);
             near_to(state_of(world, bar).angle, -1, 0.02);
-            near_to(joint_of(world, hinge).value[THUD_TURN], -sign, 0.02);
+            near_to(joint_of(world, hinge).value[THUD_DIRECTION_TURN], -sign, 0.02);
             near_to(sign * joint_of(world, hinge).torque, 0.2 * G * 0.5 * cos(1), 0.05);
-            def.drive[THUD_TURN].motor_speed = sign * 0.5f;
-            def.drive[THUD_TURN].motor_force = 10;
-            OK(thud_joint_set_drive(world, hinge, THUD_TURN, &def.drive[THUD_TURN]));
+            def.drive[THUD_DIRECTION_TURN].motor_speed = sign * 0.5f;
+            def.drive[THUD_DIRECTION_TURN].motor_force = 10;
+            OK(thud_joint_set_drive(world, hinge, THUD_DIRECTION_TURN,
+                                    &def.drive[THUD_DIRECTION_TURN]));
             run(world, 60);
             near_to(state_of(world, bar).angle, -0.5, 0.03);
             near_to(state_of(world, bar).angular_velocity, 0.5, 0.02);
@@ -193,12 +195,12 @@ static void welded_beam_carries_itself(void **state) {
     (void)state;
     for (int i = 1; i < QUALITIES; i++) {
         thud_world *world = world_at(qualities[i]);
-        thud_body_id last = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id last = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         thud_joint_id first = {0, 0};
         for (int k = 0; k < 10; k++) {
             thud_body_id next = add_box(world, 0.25 + 0.5 * k, 0, 0.25f, 0.25f);
             thud_joint_id weld =
-                make(world, between(THUD_WELD, last, next, (thud_vec2){k ? 0.25f : 0, 0},
+                make(world, between(THUD_JOINT_WELD, last, next, (thud_vec2){k ? 0.25f : 0, 0},
                                     (thud_vec2){-0.25f, 0}));
             first = k ? first : weld;
             last = next;
@@ -215,15 +217,15 @@ static void weld_with_a_spring_sags_by_its_formula(void **state) {
     (void)state;
     for (int i = 0; i < QUALITIES; i++) {
         thud_world *world = world_at(qualities[i]);
-        thud_body_id wall = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id wall = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         thud_body_id box = add_box(world, 0, 0, 0.5f, 0.5f);
-        thud_joint_def def = between(THUD_WELD, wall, box, middle, middle);
-        def.drive[THUD_ACROSS].frequency = 2;
+        thud_joint_def def = between(THUD_JOINT_WELD, wall, box, middle, middle);
+        def.drive[THUD_DIRECTION_ACROSS].frequency = 2;
         thud_joint_id weld = make(world, def);
         run(world, 600);
         near_to(state_of(world, box).position.y, -G / (16 * PI * PI), 2e-3);
         near_to(state_of(world, box).position.x, 0, 1e-4);
-        near_to(joint_of(world, weld).value[THUD_ACROSS], -G / (16 * PI * PI), 2e-3);
+        near_to(joint_of(world, weld).value[THUD_DIRECTION_ACROSS], -G / (16 * PI * PI), 2e-3);
         near_to(joint_of(world, weld).force.y, G, 0.01 * G);
         assert_true(joint_of(world, weld).angle_gap < 1e-4);
         thud_world_destroy(world);
@@ -236,20 +238,20 @@ static void slider_stays_on_its_line_and_stops_at_its_limit(void **state) {
     (void)state;
     for (int i = 0; i < QUALITIES; i++) {
         thud_world *world = world_at(qualities[i]);
-        thud_body_id wall = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id wall = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         thud_body_id box = add_box(world, 0, 0, 0.5f, 0.5f);
-        thud_joint_def def = between(THUD_SLIDER, wall, box, middle, middle);
+        thud_joint_def def = between(THUD_JOINT_SLIDER, wall, box, middle, middle);
         def.frame_a.angle = def.frame_b.angle = -PI / 6;
         def.frame_b.angle = -PI / 6;
-        def.drive[THUD_ALONG].limited = true;
-        def.drive[THUD_ALONG].lower = -1;
-        def.drive[THUD_ALONG].upper = 3;
+        def.drive[THUD_DIRECTION_ALONG].limited = true;
+        def.drive[THUD_DIRECTION_ALONG].lower = -1;
+        def.drive[THUD_DIRECTION_ALONG].upper = 3;
         thud_joint_id slider = make(world, def);
         run(world, 30);
         /* s = g sin(30 degrees) t^2 / 2 */
-        near_to(joint_of(world, slider).value[THUD_ALONG], 0.25 * G * 0.25, 0.06);
+        near_to(joint_of(world, slider).value[THUD_DIRECTION_ALONG], 0.25 * G * 0.25, 0.06);
         run(world, 240);
-        near_to(joint_of(world, slider).value[THUD_ALONG], 3, 0.02);
+        near_to(joint_of(world, slider).value[THUD_DIRECTION_ALONG], 3, 0.02);
         assert_true(joint_of(world, slider).gap < 2e-3);
         assert_true(joint_of(world, slider).angle_gap < 2e-3);
         thud_world_destroy(world);
@@ -266,7 +268,7 @@ static void slider_of_two_free_bodies_keeps_momentum(void **state) {
         thud_world *world = make_world(def);
         thud_body_id a = add_box(world, 0, 0, 1, 0.2f), b = add_box(world, 0, 0.5, 0.3f, 0.3f);
         thud_joint_id slider =
-            make(world, between(THUD_SLIDER, a, b, middle, (thud_vec2){0, -0.5f}));
+            make(world, between(THUD_JOINT_SLIDER, a, b, middle, (thud_vec2){0, -0.5f}));
         OK(thud_body_set_velocity(world, b, (thud_vec2){1, 0}, 1));
         run(world, 120);
         thud_body_state s = state_of(world, a), t = state_of(world, b);
@@ -288,20 +290,21 @@ static void cart_sags_on_its_springs_and_drives(void **state) {
         for (int k = 0; k < 2; k++) {
             float x = k ? 0.8f : -0.8f;
             thud_body_id wheel = add_ball(world, (double)x, 0.7, 0.3f);
-            thud_joint_def def = between(THUD_WHEEL, cart, wheel, (thud_vec2){x, -0.5f}, middle);
+            thud_joint_def def =
+                between(THUD_JOINT_WHEEL, cart, wheel, (thud_vec2){x, -0.5f}, middle);
             def.frame_a.angle = def.frame_b.angle = PI / 2;
-            def.drive[THUD_ALONG].frequency = 4;
+            def.drive[THUD_DIRECTION_ALONG].frequency = 4;
             joint[k] = make(world, def);
         }
         run(world, 240);
         double load = joint_of(world, joint[0]).force.y;
         near_to(load + joint_of(world, joint[1]).force.y, -state_of(world, cart).mass * G, 0.5);
-        assert_true(joint_of(world, joint[0]).value[THUD_ALONG] > 0.01);
-        thud_drive motor = thud_default_joint_def(THUD_WHEEL).drive[THUD_TURN];
+        assert_true(joint_of(world, joint[0]).value[THUD_DIRECTION_ALONG] > 0.01);
+        thud_drive motor = thud_default_joint_def(THUD_JOINT_WHEEL).drive[THUD_DIRECTION_TURN];
         motor.motor_speed = -4;
         motor.motor_force = 20;
         for (int k = 0; k < 2; k++) {
-            OK(thud_joint_set_drive(world, joint[k], THUD_TURN, &motor));
+            OK(thud_joint_set_drive(world, joint[k], THUD_DIRECTION_TURN, &motor));
         }
         run(world, 240);
         near_to(state_of(world, cart).velocity.x, 4 * 0.3, 0.1);
@@ -315,16 +318,16 @@ static void rope_is_slack_until_it_is_taut(void **state) {
     (void)state;
     for (int i = 0; i < QUALITIES; i++) {
         thud_world *world = world_at(qualities[i]);
-        thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         thud_body_id ball = add_ball(world, 0, -0.5, 0.1f);
-        thud_joint_def def = between(THUD_DISTANCE, hook, ball, middle, middle);
-        def.drive[THUD_ALONG].limited = true;
-        def.drive[THUD_ALONG].upper = 2;
+        thud_joint_def def = between(THUD_JOINT_DISTANCE, hook, ball, middle, middle);
+        def.drive[THUD_DIRECTION_ALONG].limited = true;
+        def.drive[THUD_DIRECTION_ALONG].upper = 2;
         thud_joint_id rope = make(world, def);
         run(world, 18);
         near_to(state_of(world, ball).position.y, -0.5 - 0.5 * G * 0.09, 0.03);
         run(world, 240);
-        near_to(joint_of(world, rope).value[THUD_ALONG], 2, 0.01);
+        near_to(joint_of(world, rope).value[THUD_DIRECTION_ALONG], 2, 0.01);
         thud_world_destroy(world);
     }
 }
@@ -336,12 +339,12 @@ static void spring_swings_at_its_frequency(void **state) {
         thud_world_def def = weightless();
         def.quality = qualities[i];
         thud_world *world = make_world(def);
-        thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         thud_body_id ball = add_ball(world, 2.5, 0, 0.1f);
-        thud_joint_def spring = between(THUD_DISTANCE, hook, ball, middle, middle);
-        spring.drive[THUD_ALONG].frequency = 2;
-        spring.drive[THUD_ALONG].damping = 0;
-        spring.drive[THUD_ALONG].target = 2;
+        thud_joint_def spring = between(THUD_JOINT_DISTANCE, hook, ball, middle, middle);
+        spring.drive[THUD_DIRECTION_ALONG].frequency = 2;
+        spring.drive[THUD_DIRECTION_ALONG].damping = 0;
+        spring.drive[THUD_DIRECTION_ALONG].target = 2;
         make(world, spring);
         int crossings = 0;
         double first = 0, last = 0, before = 0.5;
@@ -384,9 +387,9 @@ static void target_drags_with_no_more_than_its_force(void **state) {
     for (int i = 0; i < QUALITIES; i++) {
         for (int strong = 0; strong < 2; strong++) {
             thud_world *world = world_at(qualities[i]);
-            thud_body_id hand = add_body(world, THUD_STATIC, 0, 0, 0);
+            thud_body_id hand = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
             thud_body_id box = add_box(world, 1, 0, 0.5f, 0.5f);
-            thud_joint_def def = between(THUD_TARGET, hand, box, middle, middle);
+            thud_joint_def def = between(THUD_JOINT_TARGET, hand, box, middle, middle);
             for (int k = 0; k < 2; k++) {
                 def.drive[k].frequency = 4;
                 def.drive[k].damping = 1;
@@ -408,6 +411,31 @@ static void target_drags_with_no_more_than_its_force(void **state) {
     }
 }
 
+/* A weld that is open by a radian closes by the same angle in a step at every length scale. */
+static void angle_of_a_weld_closes_alike_at_every_length_scale(void **state) {
+    (void)state;
+    static const float scales[] = {1, 64, 1.0f / 64};
+    for (int i = 0; i < QUALITIES; i++) {
+        double closed[3];
+        for (int k = 0; k < 3; k++) {
+            thud_world_def def = def_of(qualities[i]);
+            def.gravity = (thud_vec2){0, 0};
+            def.sleeping = false;
+            def.length_scale = scales[k];
+            thud_world *world = make_world(def);
+            thud_body_id wall = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
+            thud_body_id box = add_box(world, 0, 0, 0.5f * scales[k], 0.5f * scales[k]);
+            thud_joint_def weld = between(THUD_JOINT_WELD, wall, box, middle, middle);
+            weld.frame_b.angle = 1;
+            make(world, weld);
+            run(world, 1);
+            closed[k] = state_of(world, box).angle;
+            near_to(closed[k], closed[0], 1e-4);
+            thud_world_destroy(world);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(hinged_bar_swings_as_its_formula_says),
@@ -424,6 +452,7 @@ int main(void) {
         cmocka_unit_test(rope_is_slack_until_it_is_taut),
         cmocka_unit_test(spring_swings_at_its_frequency),
         cmocka_unit_test(target_drags_with_no_more_than_its_force),
+        cmocka_unit_test(angle_of_a_weld_closes_alike_at_every_length_scale),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,27 +12,27 @@ enum { PLANKS = 50, BOXES = 20, STEPS = 300 };
 #define SLACK 0.01
 
 static void add_bridge(thud_world *world, float ratio, thud_body_id *boxes) {
-    thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0), before = ground;
+    thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0), before = ground;
     double slope = sqrt(6 * SLACK), x = 0, y = 0;
     thud_shape_def heavy = thud_default_shape_def();
     heavy.density = ratio; /* a box of density 1 has mass 0.25, as a plank */
     for (int i = 0, box = 0; i < PLANKS; i++) {
         double angle = slope * (2 * (i + 0.5) / PLANKS - 1), c = cos(angle), s = sin(angle);
-        thud_body_id plank = add_body(world, THUD_DYNAMIC, x + 0.5 * c, y + 0.5 * s, angle);
+        thud_body_id plank = add_body(world, THUD_BODY_DYNAMIC, x + 0.5 * c, y + 0.5 * s, angle);
         add_shape(world, plank, 0.5f, 0.125f, false, NULL);
-        make(world, between(THUD_HINGE, before, plank, (thud_vec2){i ? 0.5f : 0, 0},
+        make(world, between(THUD_JOINT_HINGE, before, plank, (thud_vec2){i ? 0.5f : 0, 0},
                             (thud_vec2){-0.5f, 0}));
         if (box < BOXES && i == (int)((box + 0.5) * PLANKS / BOXES)) {
             double up = 0.125 + 0.25 + 0.02;
-            boxes[box] =
-                add_body(world, THUD_DYNAMIC, x + 0.5 * c - up * s, y + 0.5 * s + up * c, angle);
+            boxes[box] = add_body(world, THUD_BODY_DYNAMIC, x + 0.5 * c - up * s,
+                                  y + 0.5 * s + up * c, angle);
             add_shape(world, boxes[box++], 0.25f, 0.25f, false, &heavy);
         }
         x += c;
         y += s;
         before = plank;
     }
-    make(world, between(THUD_HINGE, before, ground, (thud_vec2){0.5f, 0},
+    make(world, between(THUD_JOINT_HINGE, before, ground, (thud_vec2){0.5f, 0},
                         (thud_vec2){(float)x, (float)y}));
 }
 

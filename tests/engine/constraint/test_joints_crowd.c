@@ -25,13 +25,13 @@ static void add_chains(thud_world *world, thud_joint_id *joints) {
     alone.filter.mask = 0;
     for (int chain = 0; chain < CHAINS; chain++) {
         double x = 200, y = 10.0 * chain;
-        thud_body_id before = add_body(world, THUD_STATIC, x, y, 0);
+        thud_body_id before = add_body(world, THUD_BODY_STATIC, x, y, 0);
         for (int i = 0; i < LINKS; i++) {
             alone.density = i == LINKS - 1 ? 10 : 1;
-            thud_body_id link = add_body(world, THUD_DYNAMIC, x + i + 0.5, y, 0);
+            thud_body_id link = add_body(world, THUD_BODY_DYNAMIC, x + i + 0.5, y, 0);
             add_shape(world, link, 0.5f, 0.1f, false, &alone);
             joints[chain * LINKS + i] =
-                make(world, between(THUD_HINGE, before, link, (thud_vec2){i ? 0.5f : 0, 0},
+                make(world, between(THUD_JOINT_HINGE, before, link, (thud_vec2){i ? 0.5f : 0, 0},
                                     (thud_vec2){-0.5f, 0}));
             before = link;
         }
@@ -71,12 +71,12 @@ static void chains_hold_beside_a_wheel_that_takes_all_effort(void **state) {
 static thud_world *jam(const thud_world_def *def) {
     thud_world *world = make_world(*def);
     for (int side = -1; side <= 1; side += 2) {
-        add_shape(world, add_body(world, THUD_STATIC, 1.4 * side, 0, 0), 1, 2, false, NULL);
+        add_shape(world, add_body(world, THUD_BODY_STATIC, 1.4 * side, 0, 0), 1, 2, false, NULL);
     }
     thud_body_id ball = add_ball(world, 0, 0, 0.5f);
-    thud_body_id bar = add_body(world, THUD_DYNAMIC, 0, -2, 0);
+    thud_body_id bar = add_body(world, THUD_BODY_DYNAMIC, 0, -2, 0);
     add_shape(world, bar, 0.1f, 1, false, NULL);
-    make(world, between(THUD_HINGE, ball, bar, (thud_vec2){0, 0}, (thud_vec2){0, 2}));
+    make(world, between(THUD_JOINT_HINGE, ball, bar, (thud_vec2){0, 0}, (thud_vec2){0, 2}));
     return world;
 }
 
@@ -86,7 +86,7 @@ static int vain_steps(thud_world *world, int count) {
     int vain = 0;
     for (int i = 0; i < count; i++) {
         run(world, 1);
-        thud_stats stats = thud_world_stats(world);
+        thud_stats stats = thud_stats_of(world);
         vain += stats.soft_islands > 0 && stats.factorings > 0;
     }
     return vain;

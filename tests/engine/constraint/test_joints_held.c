@@ -18,14 +18,14 @@ static void joints_stay_closed_where_a_body_is_stopped(void **state) {
         def.detection = detections[i / QUALITIES];
         def.gravity = middle;
         thud_world *world = make_world(def);
-        thud_body_id wall = add_body(world, THUD_STATIC, 10, 0, 0);
+        thud_body_id wall = add_body(world, THUD_BODY_STATIC, 10, 0, 0);
         add_shape(world, wall, 0.1f, 5, false, NULL);
         thud_body_id last = {0};
         for (int k = 0; k < 3; k++) {
             thud_body_id ball = add_ball(world, 0.1 - 0.3 * k, 0.6 * k, 0.2f);
             OK(thud_body_set_velocity(world, ball, (thud_vec2){150, 0}, 0));
             if (k) {
-                thud_joint_def rod = between(THUD_DISTANCE, last, ball, middle, middle);
+                thud_joint_def rod = between(THUD_JOINT_DISTANCE, last, ball, middle, middle);
                 rod.length = (float)hypot(0.3, 0.6);
                 make(world, rod);
             }
@@ -34,17 +34,17 @@ static void joints_stay_closed_where_a_body_is_stopped(void **state) {
         int held = 0;
         for (int step = 0; step < 6 && !held; step++) {
             run(world, 1);
-            held = (int)thud_world_stats(world).held_bodies;
+            held = (int)thud_stats_of(world).held_bodies;
         }
         assert_int_equal(held, 3);
-        near_to(thud_world_error(world).joint_gap_max, 0, 1e-4);
+        near_to(thud_step_error_of(world).joint_gap_max, 0, 1e-4);
         /* Collisions of the whirling balls open the rods for some steps; in between they are
          * closed. */
         run(world, 60);
         double least = 1;
         for (int step = 0; step < 10; step++) {
             run(world, 1);
-            least = fmin(least, thud_world_error(world).joint_gap_max);
+            least = fmin(least, thud_step_error_of(world).joint_gap_max);
         }
         near_to(least, 0, 3e-3);
         thud_world_destroy(world);
@@ -57,19 +57,19 @@ static void springs_hold_nobody_back(void **state) {
     thud_world_def def = def_of(&thud_quality_default);
     def.gravity = middle;
     thud_world *world = make_world(def);
-    thud_body_id wall = add_body(world, THUD_STATIC, 10, 0, 0);
+    thud_body_id wall = add_body(world, THUD_BODY_STATIC, 10, 0, 0);
     add_shape(world, wall, 0.1f, 5, false, NULL);
     thud_body_id a = add_ball(world, 0, 0, 0.2f), b = add_ball(world, -0.5, 0.8, 0.2f);
     OK(thud_body_set_velocity(world, a, (thud_vec2){150, 0}, 0));
     OK(thud_body_set_velocity(world, b, (thud_vec2){150, 0}, 0));
-    thud_joint_def spring = between(THUD_DISTANCE, a, b, middle, middle);
-    spring.drive[THUD_ALONG].frequency = 2;
-    spring.drive[THUD_ALONG].target = 1;
+    thud_joint_def spring = between(THUD_JOINT_DISTANCE, a, b, middle, middle);
+    spring.drive[THUD_DIRECTION_ALONG].frequency = 2;
+    spring.drive[THUD_DIRECTION_ALONG].target = 1;
     make(world, spring);
     int held = 0;
     for (int step = 0; step < 6 && !held; step++) {
         run(world, 1);
-        held = (int)thud_world_stats(world).held_bodies;
+        held = (int)thud_stats_of(world).held_bodies;
     }
     assert_int_equal(held, 1);
     thud_world_destroy(world);
@@ -89,14 +89,14 @@ static void energy_does_not_rise_where_a_linkage_is_stopped(void **state) {
         for (int k = 0; k < 6; k++) {
             double angle = k * PI / 3;
             thud_body_id box = add_box(world, 2 * cos(angle), 8 + 2 * sin(angle), 0.3f, 0.3f);
-            thud_joint_def rod = between(THUD_DISTANCE, hub, box, middle, middle);
+            thud_joint_def rod = between(THUD_JOINT_DISTANCE, hub, box, middle, middle);
             rod.length = 2;
             make(world, rod);
         }
         double gained = 0;
         for (int step = 0; step < 300; step++) {
             run(world, 1);
-            gained += fmax(thud_world_error(world).energy_change, 0);
+            gained += fmax(thud_step_error_of(world).energy_change, 0);
         }
         /* measured 0.03 to 1.3; 14 to 17 where all bodies continued to fall */
         assert_true(gained < 2);
@@ -118,14 +118,14 @@ static void load_tears_no_bridge_under_detection_on_the_way(void **state) {
         def.detection = detections[i / QUALITIES];
         def.sleeping = false;
         thud_world *world = make_world(def);
-        thud_body_id last = add_body(world, THUD_STATIC, -10, 5, 0);
+        thud_body_id last = add_body(world, THUD_BODY_STATIC, -10, 5, 0);
         for (int k = 0; k < 20; k++) {
             thud_body_id plank = add_box(world, k - 9.5, 5, 0.5f, 0.1f);
-            make(world, between(THUD_HINGE, last, plank, (thud_vec2){k ? 0.5f : 0, 0},
+            make(world, between(THUD_JOINT_HINGE, last, plank, (thud_vec2){k ? 0.5f : 0, 0},
                                 (thud_vec2){-0.5f, 0}));
             last = plank;
         }
-        make(world, between(THUD_HINGE, last, add_body(world, THUD_STATIC, 10, 5, 0),
+        make(world, between(THUD_JOINT_HINGE, last, add_body(world, THUD_BODY_STATIC, 10, 5, 0),
                             (thud_vec2){0.5f, 0}, middle));
         for (int k = 0; k < 10; k++) {
             add_heavy(world, k - 4.5, 7 + 0.3 * k, 0.3f, 40 / (0.6f * 0.6f));
@@ -133,8 +133,8 @@ static void load_tears_no_bridge_under_detection_on_the_way(void **state) {
         double worst = 0;
         for (int step = 0; step < 300; step++) {
             run(world, 1);
-            worst = fmax(worst, thud_world_error(world).joint_gap_max);
-            assert_in_range(thud_world_stats(world).held_bodies, 0, 30);
+            worst = fmax(worst, thud_step_error_of(world).joint_gap_max);
+            assert_in_range(thud_stats_of(world).held_bodies, 0, 30);
         }
         /* measured 0.039 to 0.161; 0.5 to 1.0 where detection treated contacts as impacts */
         assert_true(worst < 0.25);
@@ -153,14 +153,14 @@ static void body_is_counted_once_however_often_it_is_held(void **state) {
         def.detection = i < QUALITIES ? &thud_detection_continuous : &thud_detection_swept;
         def.gravity = middle;
         thud_world *world = make_world(def);
-        add_shape(world, add_body(world, THUD_STATIC, 10, 0, 0), 0.1f, 5, true, NULL);
+        add_shape(world, add_body(world, THUD_BODY_STATIC, 10, 0, 0), 0.1f, 5, true, NULL);
         thud_body_id late = add_ball(world, 8.1, 0, 0.2f), soon = add_ball(world, 8.9, 1, 0.2f);
-        make(world,
-             between(THUD_HINGE, late, soon, (thud_vec2){0.4f, 0.5f}, (thud_vec2){-0.4f, -0.5f}));
+        make(world, between(THUD_JOINT_HINGE, late, soon, (thud_vec2){0.4f, 0.5f},
+                            (thud_vec2){-0.4f, -0.5f}));
         OK(thud_body_set_velocity(world, late, (thud_vec2){120, 0}, 0));
         OK(thud_body_set_velocity(world, soon, (thud_vec2){120, 0}, 0));
         run(world, 1);
-        thud_stats stats = thud_world_stats(world);
+        thud_stats stats = thud_stats_of(world);
         assert_int_equal(stats.held_bodies, 2);
         near_to(stats.held_seconds, 1.2 * STEP, 0.02 * STEP);
         thud_world_destroy(world);
@@ -182,7 +182,7 @@ static void body_that_is_no_number_leaves_the_others_that_are_held(void **state)
         def.gravity = middle;
         def.log = NULL;
         thud_world *world = make_world(def);
-        thud_body_id wall = add_body(world, THUD_STATIC, 10, 0, 0), row[2][LINKS];
+        thud_body_id wall = add_body(world, THUD_BODY_STATIC, 10, 0, 0), row[2][LINKS];
         add_shape(world, wall, 0.1f, 5, false, NULL);
         bool last_first = i / QUALITIES / 3 == 1;
         for (int n = 0; n < 2 * LINKS; n++) {
@@ -195,18 +195,18 @@ static void body_that_is_no_number_leaves_the_others_that_are_held(void **state)
         for (int n = 0; n < 2 * LINKS; n++) {
             int r = n / LINKS, k = n % LINKS;
             if (k > 0) {
-                make(world, between(THUD_HINGE, row[r][k - 1], row[r][k], (thud_vec2){-0.25f, 0},
-                                    (thud_vec2){0.25f, 0}));
+                make(world, between(THUD_JOINT_HINGE, row[r][k - 1], row[r][k],
+                                    (thud_vec2){-0.25f, 0}, (thud_vec2){0.25f, 0}));
             }
         }
         thud_body_id doomed = i / QUALITIES / 3 == 2 ? loner : row[0][LINKS - 1];
         for (int twice = 0; twice < 2; twice++) { /* twice, so that the sum overflows float */
-            OK(thud_body_apply_force(world, doomed, (thud_vec2){3e38f, 3e38f}, 0));
+            OK(thud_body_apply_center_force(world, doomed, (thud_vec2){3e38f, 3e38f}));
         }
         run(world, 1);
         assert_true(state_of(world, doomed).quarantined);
-        thud_stats stats = thud_world_stats(world);
-        int gone = thud_world_events(world).quarantined_count;
+        thud_stats stats = thud_stats_of(world);
+        int gone = thud_events_of(world).quarantined_count;
         assert_in_range(stats.held_bodies, LINKS, 2 * LINKS - gone + 1);
         for (int k = 0; k < LINKS; k++) {
             assert_true(state_of(world, row[1][k]).position.x < 9.75 - 0.5 * k);
@@ -226,16 +226,16 @@ static thud_world *swinging(const thud_quality *quality, const thud_detection *d
     def.detection = detection;
     def.gravity = (thud_vec2){0, -10};
     thud_world *world = make_world(def);
-    thud_body_id last = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id last = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     for (int i = 0; i < BARS; i++) {
         bool spring = i == BARS - 1;
         bar[i] = add_box(world, i + 0.5, 0, 0.5f, 0.05f);
         thud_joint_def joint =
-            between(spring ? THUD_DISTANCE : THUD_HINGE, last, bar[i], (thud_vec2){i ? 0.5f : 0, 0},
-                    (thud_vec2){spring ? -0.4f : -0.5f, 0});
+            between(spring ? THUD_JOINT_DISTANCE : THUD_JOINT_HINGE, last, bar[i],
+                    (thud_vec2){i ? 0.5f : 0, 0}, (thud_vec2){spring ? -0.4f : -0.5f, 0});
         if (spring) {
-            joint.drive[THUD_ALONG].frequency = 1;
-            joint.drive[THUD_ALONG].target = 0.1f;
+            joint.drive[THUD_DIRECTION_ALONG].frequency = 1;
+            joint.drive[THUD_DIRECTION_ALONG].target = 0.1f;
         }
         make(world, joint);
         last = bar[i];
@@ -278,11 +278,11 @@ static void motor_stalls_at_a_wall_and_its_hinge_stays_closed(void **state) {
         def.sleeping = i / QUALITIES / 4;
         thud_world *world = make_world(def);
         thud_body_id arm = add_box(world, 1, 3, 1, 0.1f);
-        add_shape(world, add_body(world, THUD_STATIC, 1.5, 3.6, 0), 0.2f, 0.2f, true, NULL);
-        thud_joint_def hinge = between(THUD_HINGE, add_body(world, THUD_STATIC, 0, 3, 0), arm,
-                                       middle, (thud_vec2){-1, 0});
-        hinge.drive[THUD_TURN].motor_speed = 10;
-        hinge.drive[THUD_TURN].motor_force = THUD_JOINT_FORCE_MAX;
+        add_shape(world, add_body(world, THUD_BODY_STATIC, 1.5, 3.6, 0), 0.2f, 0.2f, true, NULL);
+        thud_joint_def hinge = between(THUD_JOINT_HINGE, add_body(world, THUD_BODY_STATIC, 0, 3, 0),
+                                       arm, middle, (thud_vec2){-1, 0});
+        hinge.drive[THUD_DIRECTION_TURN].motor_speed = 10;
+        hinge.drive[THUD_DIRECTION_TURN].motor_force = THUD_JOINT_FORCE_MAX;
         thud_joint_id id = make(world, hinge);
         double widest = 0;
         for (int k = 0; k < 300; k++) {

@@ -7,15 +7,15 @@ static const thud_vec2 middle = {0, 0};
 /* A block of a hundred times the mass of its two bars, which are hinged to the ground, passes x at
  * 3 m/s. */
 static thud_body_id add_swing(thud_world *world, thud_body_id ground, double x) {
-    thud_body_id block = add_body(world, THUD_DYNAMIC, x, 1, 0);
+    thud_body_id block = add_body(world, THUD_BODY_DYNAMIC, x, 1, 0);
     add_shape(world, block, 1, 0.5f, false, NULL);
     for (int side = -1; side <= 1; side += 2) {
         thud_body_id bar = add_box(world, x + side, 0.5, 0.02f, 0.5f);
         OK(thud_body_set_velocity(world, bar, (thud_vec2){1.5f, 0}, -3));
-        make(world, between(THUD_HINGE, ground, bar, (thud_vec2){(float)(x + side), 0},
+        make(world, between(THUD_JOINT_HINGE, ground, bar, (thud_vec2){(float)(x + side), 0},
                             (thud_vec2){0, -0.5f}));
-        make(world,
-             between(THUD_HINGE, bar, block, (thud_vec2){0, 0.5f}, (thud_vec2){(float)side, 0}));
+        make(world, between(THUD_JOINT_HINGE, bar, block, (thud_vec2){0, 0.5f},
+                            (thud_vec2){(float)side, 0}));
     }
     OK(thud_body_set_velocity(world, block, (thud_vec2){3, 0}, 0));
     return block;
@@ -25,11 +25,11 @@ static thud_body_id add_swing(thud_world *world, thud_body_id ground, double x) 
 static void what_sets_off_under_load_is_whole_from_its_first_step(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
-    thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     add_swing(world, ground, 0);
     for (int step = 0; step < 20; step++) {
         run(world, 1);
-        near_to(thud_world_error(world).joint_gap_max, 0, 1e-4);
+        near_to(thud_step_error_of(world).joint_gap_max, 0, 1e-4);
     }
     thud_world_destroy(world);
 }
@@ -39,16 +39,16 @@ static void what_sets_off_under_load_is_whole_from_its_first_step(void **state) 
 static void what_is_hit_gives_way_in_no_step(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
-    thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     thud_body_id slide = add_box(world, 0, 0, 0.5f, 0.1f);
-    thud_joint_def def = between(THUD_SLIDER, ground, slide, middle, middle);
-    def.drive[THUD_ALONG].motor_force = 100;
+    thud_joint_def def = between(THUD_JOINT_SLIDER, ground, slide, middle, middle);
+    def.drive[THUD_DIRECTION_ALONG].motor_force = 100;
     make(world, def);
     thud_body_id ball = add_ball(world, 0.2, 2.2, 2);
     OK(thud_body_set_velocity(world, ball, (thud_vec2){0, -5}, 0));
     for (int step = 0; step < 60; step++) {
         run(world, 1);
-        near_to(thud_world_error(world).joint_gap_max, 0, 1e-3);
+        near_to(thud_step_error_of(world).joint_gap_max, 0, 1e-3);
     }
     thud_world_destroy(world);
 }
@@ -59,7 +59,7 @@ static void late_islands_are_as_they_are_alone(void **state) {
     (void)state;
     enum { SWINGS = 5 };
     thud_world *world = world_at(&thud_quality_default);
-    thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0), block[SWINGS];
+    thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0), block[SWINGS];
     for (int i = 0; i < SWINGS; i++) {
         block[i] = add_swing(world, ground, 10 * i);
     }
@@ -80,16 +80,17 @@ static void what_cannot_turn_is_not_turned(void **state) {
     for (int i = 0; i < QUALITIES; i++) {
         thud_world *world = world_at(qualities[i]);
         add_floor(world, NULL);
-        thud_body_id hand = add_body(world, THUD_STATIC, 0.4, 0.5, 0);
+        thud_body_id hand = add_body(world, THUD_BODY_STATIC, 0.4, 0.5, 0);
         thud_body_id ball = add_ball(world, 0, 0.5, 0.5f);
-        thud_body_id block = add_body(world, THUD_DYNAMIC, -5, 2, 0);
+        thud_body_id block = add_body(world, THUD_BODY_DYNAMIC, -5, 2, 0);
         thud_shape_def heavy = thud_default_shape_def();
         heavy.density = 100;
         add_shape(world, block, 2, 2, true, &heavy);
-        thud_joint_def rod = between(THUD_DISTANCE, block, ball, (thud_vec2){2, -1.5f}, middle);
+        thud_joint_def rod =
+            between(THUD_JOINT_DISTANCE, block, ball, (thud_vec2){2, -1.5f}, middle);
         rod.length = 3;
         make(world, rod);
-        thud_joint_def pull = between(THUD_TARGET, hand, ball, middle, middle);
+        thud_joint_def pull = between(THUD_JOINT_TARGET, hand, ball, middle, middle);
         for (int k = 0; k < 2; k++) {
             pull.drive[k].frequency = 5;
             pull.drive[k].damping = 1;

@@ -50,9 +50,9 @@ static double phase(double angle, double turn) {
 /* Phase error of the engine's pendulum after SECONDS, in degrees. */
 static double pendulum_off(const thud_quality *quality, int substeps) {
     thud_world *world = world_with(quality, substeps, G);
-    thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     thud_body_id bob = add_ball(world, sin(1), -cos(1), (float)BOB);
-    make(world, between(THUD_HINGE, hook, bob, (thud_vec2){0, 0},
+    make(world, between(THUD_JOINT_HINGE, hook, bob, (thud_vec2){0, 0},
                         (thud_vec2){-(float)sin(1), (float)cos(1)}));
     run(world, STEPS);
     thud_body_state b = state_of(world, bob);
@@ -86,11 +86,12 @@ typedef struct measured {
 /* Runs the spring for SECONDS and measures it. */
 static measured spring(const thud_quality *quality, int substeps, double frequency) {
     thud_world *world = world_with(quality, substeps, 0);
-    thud_body_id wall = add_body(world, THUD_STATIC, 0, 0, 0),
+    thud_body_id wall = add_body(world, THUD_BODY_STATIC, 0, 0, 0),
                  ball = add_ball(world, 0.25, 0, 0.1f);
-    thud_joint_def def = between(THUD_SLIDER, wall, ball, (thud_vec2){0, 0}, (thud_vec2){0, 0});
-    def.drive[THUD_ALONG].frequency = (float)frequency;
-    def.drive[THUD_ALONG].damping = 0;
+    thud_joint_def def =
+        between(THUD_JOINT_SLIDER, wall, ball, (thud_vec2){0, 0}, (thud_vec2){0, 0});
+    def.drive[THUD_DIRECTION_ALONG].frequency = (float)frequency;
+    def.drive[THUD_DIRECTION_ALONG].damping = 0;
     make(world, def);
     measured m = {0};
     double omega = 2 * PI * frequency, before = 0, turned = 0;
@@ -102,8 +103,7 @@ static measured spring(const thud_quality *quality, int substeps, double frequen
         turned += part < 0 ? part + 2 * PI : part;
         before = now;
         m.energy = (x * x + v * v) / (0.25 * 0.25);
-        m.soft +=
-            thud_world_stats(world).direct_islands == 0 || thud_world_stats(world).soft_islands > 0;
+        m.soft += thud_stats_of(world).direct_islands == 0 || thud_stats_of(world).soft_islands > 0;
     }
     m.frequency = turned / (SECONDS * omega);
     thud_world_destroy(world);

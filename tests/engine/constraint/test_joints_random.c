@@ -34,7 +34,8 @@ typedef struct mechanism {
 static void add_one(mechanism *m, double height, double ratio) {
     int i = m->bodies++;
     thud_shape_def def = thud_default_shape_def();
-    thud_body_kind kind = i == 0 && next_number(&m->seed) < 0.5 ? THUD_STATIC : THUD_DYNAMIC;
+    thud_body_kind kind =
+        i == 0 && next_number(&m->seed) < 0.5 ? THUD_BODY_STATIC : THUD_BODY_DYNAMIC;
     m->place[i] = (thud_pos){between_two(&m->seed, -m->size, m->size), 0};
     m->place[i].y = height + between_two(&m->seed, -m->size, m->size);
     m->angle[i] = next_number(&m->seed) < 0.5 ? 0 : between_two(&m->seed, -3, 3);
@@ -45,7 +46,7 @@ static void add_one(mechanism *m, double height, double ratio) {
     bool round = next_number(&m->seed) < 0.4;
     float hx = (float)in_octaves(&m->seed, 0.05, 0.6), hy = (float)in_octaves(&m->seed, 0.05, 0.6);
     add_shape(m->world, m->body[i], hx, round ? 0 : hy, false, &def);
-    m->mass += kind == THUD_DYNAMIC ? state_of(m->world, m->body[i]).mass : 0;
+    m->mass += kind == THUD_BODY_DYNAMIC ? state_of(m->world, m->body[i]).mass : 0;
 }
 
 /* The frame of body i at a place and an axis in the world. */
@@ -58,7 +59,8 @@ static thud_joint_frame frame_at(const mechanism *m, int i, double x, double y, 
 
 /* Joins two bodies with a random kind of joint, so that it is closed. */
 static void tie(mechanism *m, int a, int b, double height) {
-    static const thud_joint_kind kinds[] = {THUD_HINGE, THUD_WELD, THUD_SLIDER, THUD_DISTANCE};
+    static const thud_joint_kind kinds[] = {THUD_JOINT_HINGE, THUD_JOINT_WELD, THUD_JOINT_SLIDER,
+                                            THUD_JOINT_DISTANCE};
     thud_joint_def def = thud_default_joint_def(kinds[(int)between_two(&m->seed, 0, 4)]);
     bool middle = next_number(&m->seed) < 0.5;
     double x = between_two(&m->seed, -m->size, m->size),
@@ -69,7 +71,7 @@ static void tie(mechanism *m, int a, int b, double height) {
         x = (m->place[a].x + m->place[b].x) / 2;
         y = (m->place[a].y + m->place[b].y) / 2;
     }
-    if (def.kind == THUD_DISTANCE) {
+    if (def.kind == THUD_JOINT_DISTANCE) {
         def.length = (float)hypot(to_x, to_y);
     } else {
         to_x = to_y = 0;
@@ -123,14 +125,14 @@ static bounds worst_of(const mechanism *m) {
     /* lower bound of the energy exchanged: M g times a twentieth of the size */
     double little = 0.5 * m->mass * m->size;
     bounds worst = {0, 0, 0};
-    thud_measure start = thud_world_measure(m->world);
+    thud_measure start = thud_measure_of(m->world);
     for (int i = 0; i < STEPS; i++) {
         run(m->world, 1);
-        thud_measure now = thud_world_measure(m->world);
+        thud_measure now = thud_measure_of(m->world);
         double fallen = start.potential_energy - now.potential_energy;
         double gained = now.kinetic_energy - start.kinetic_energy - fallen;
         worst.gain = fmax(worst.gain, gained / (little + fmax(fallen, 0)));
-        worst.gap = fmax(worst.gap, thud_world_error(m->world).joint_gap_max / m->size);
+        worst.gap = fmax(worst.gap, thud_step_error_of(m->world).joint_gap_max / m->size);
         assert_true(isfinite(now.kinetic_energy));
         for (int k = 0; k < m->bodies; k++) {
             thud_body_state s = state_of(m->world, m->body[k]);
@@ -203,7 +205,7 @@ static uint64_t hash_of_many(const thud_quality *quality, pool *threads) {
         add_mechanism(world, seed, true);
     }
     run(world, STEPS / 4);
-    uint64_t hash = thud_world_hash(world);
+    uint64_t hash = thud_hash_of(world);
     thud_world_destroy(world);
     return hash;
 }

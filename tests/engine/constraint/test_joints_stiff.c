@@ -29,16 +29,17 @@ static double some_damping(chain *c) {
 /* Joins two boxes by a joint with random spring frequencies and damping. */
 static void tie(chain *c, tie_kind kind, thud_body_id a, thud_body_id b, double arm_a,
                 double arm_b) {
-    static const thud_joint_kind kinds[] = {THUD_WELD, THUD_DISTANCE, THUD_HINGE};
+    static const thud_joint_kind kinds[] = {THUD_JOINT_WELD, THUD_JOINT_DISTANCE, THUD_JOINT_HINGE};
     thud_joint_def def =
         between(kinds[kind], a, b, (thud_vec2){(float)arm_a, 0}, (thud_vec2){(float)-arm_b, 0});
     for (int k = 0; k < THUD_DIRECTION_COUNT; k++) {
-        if (kind == SOFT_WELD || k == (kind == SPRING ? THUD_ALONG : THUD_TURN)) {
+        if (kind == SOFT_WELD ||
+            k == (kind == SPRING ? THUD_DIRECTION_ALONG : THUD_DIRECTION_TURN)) {
             def.drive[k].frequency = (float)in_octaves(&c->seed, 1, THUD_JOINT_FREQUENCY_MAX);
             def.drive[k].damping = (float)some_damping(c);
         }
     }
-    def.length = def.drive[THUD_ALONG].target = kind == SPRING ? GAP : 0;
+    def.length = def.drive[THUD_DIRECTION_ALONG].target = kind == SPRING ? GAP : 0;
     make(c->world, def);
 }
 
@@ -64,12 +65,12 @@ static chain hang(int seed, tie_kind kind, const thud_quality *quality,
     double gap = kind == SPRING ? GAP : 0, slope = between_two(&c.seed, -0.7, 0), along = 0;
     c.size = BOXES * (gap + 2 * arm);
     double height = 0.8 * c.size + 0.5;
-    thud_body_id above = add_body(c.world, THUD_STATIC, 0, height, slope);
+    thud_body_id above = add_body(c.world, THUD_BODY_STATIC, 0, height, slope);
     for (int i = 0; i < BOXES; i++) {
         double half = in_octaves(&c.seed, kind == SPRING ? arm : 0.05, 0.5);
         along += gap + arm;
-        thud_body_id box =
-            add_body(c.world, THUD_DYNAMIC, along * cos(slope), height + along * sin(slope), slope);
+        thud_body_id box = add_body(c.world, THUD_BODY_DYNAMIC, along * cos(slope),
+                                    height + along * sin(slope), slope);
         add_shape(c.world, box, (float)half, (float)(half * between_two(&c.seed, 0.3, 1)), false,
                   &shape);
         tie(&c, kind, above, box, i ? arm : 0, arm);
@@ -84,10 +85,10 @@ static chain hang(int seed, tie_kind kind, const thud_quality *quality,
 static double gained_by(const chain *c) {
     /* lower bound of the energy exchanged: M g times a twentieth of the size */
     double little = 0.5 * c->mass * c->size, worst = 0;
-    thud_measure start = thud_world_measure(c->world);
+    thud_measure start = thud_measure_of(c->world);
     for (int i = 0; i < STEPS; i++) {
         run(c->world, 1);
-        thud_measure now = thud_world_measure(c->world);
+        thud_measure now = thud_measure_of(c->world);
         double fallen = start.potential_energy - now.potential_energy;
         double gained = now.kinetic_energy - start.kinetic_energy - fallen;
         assert_true(isfinite(now.kinetic_energy));

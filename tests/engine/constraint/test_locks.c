@@ -13,7 +13,7 @@
 static void lock(thud_world *world, thud_body_id body, bool x, bool y) {
     bool has_x = !x, has_y = !y;
     OK(thud_body_set_locks(world, body, x, y));
-    OK(thud_body_locks(world, body, &has_x, &has_y));
+    OK(thud_body_get_locks(world, body, &has_x, &has_y));
     assert_int_equal(has_x, x);
     assert_int_equal(has_y, y);
 }
@@ -89,7 +89,7 @@ static void platform_bears_what_is_heavier(void **state) {
         for (int heavy = 1; heavy <= (q ? 100000 : 100); heavy *= 10) {
             thud_world *world = world_of(q, thud_default_world_def());
             thud_body_id platform = add_box(world, 0, 0, 2, 0.25f);
-            thud_body_id load = add_body(world, THUD_DYNAMIC, 0.3, 0.75, 0);
+            thud_body_id load = add_body(world, THUD_BODY_DYNAMIC, 0.3, 0.75, 0);
             thud_shape_def def = thud_default_shape_def();
             def.density = (float)heavy;
             add_shape(world, load, 0.5f, 0.5f, false, &def);
@@ -182,20 +182,23 @@ static void locks_change_and_go(void **state) {
     thud_world *world = make_world(thud_default_world_def());
     thud_body_id body = add_ball(world, 0, 0, 0.5f);
     thud_joint_id joint;
+    int count;
     for (int i = 0; i < 16; i++) {
         lock(world, body, i & 1, i & 2);
-        assert_int_equal(thud_body_joints(world, body, &joint, 1), (i & 3) != 0);
+        OK(thud_body_get_joints(world, body, &joint, 1, &count));
+        assert_int_equal(count, (i & 3) != 0);
         run(world, i & 4 ? 1 : 0);
     }
     lock(world, body, true, true);
     OK(thud_body_set_locks(world, body, true, true));
-    assert_int_equal(thud_body_joints(world, body, &joint, 1), 1);
+    OK(thud_body_get_joints(world, body, &joint, 1, &count));
+    assert_int_equal(count, 1);
     run(world, 120);
     assert_true(y_of(world, body) > -0.2);
     OK(thud_joint_destroy(world, joint));
     bool x = true, y = true;
-    OK(thud_body_locks(world, body, &x, NULL));
-    OK(thud_body_locks(world, body, NULL, &y));
+    OK(thud_body_get_locks(world, body, &x, NULL));
+    OK(thud_body_get_locks(world, body, NULL, &y));
     assert_false(x || y);
     run(world, 60);
     assert_true(y_of(world, body) < -3);
@@ -210,11 +213,11 @@ static void locks_are_not_in_the_hash(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     thud_body_id ball = add_ball(world, 0, 0, 0.5f);
-    uint64_t hash = thud_world_hash(world);
+    uint64_t hash = thud_hash_of(world);
     lock(world, ball, true, true);
-    assert_true(thud_world_hash(world) == hash);
+    assert_true(thud_hash_of(world) == hash);
     lock(world, ball, false, false);
-    assert_true(thud_world_hash(world) == hash);
+    assert_true(thud_hash_of(world) == hash);
     thud_world_destroy(world);
 }
 
@@ -228,16 +231,17 @@ static void bodies_come_and_go_with_their_locks(void **state) {
         int count, moved = -1;
         lock(world, body, i & 1, true);
         run(world, i % 3);
-        OK(thud_world_bodies(world, listed, 4, &count));
+        OK(thud_world_get_bodies(world, listed, 4, &count));
         assert_int_equal(count, 1);
         assert_memory_equal(&listed[0], &body, sizeof body);
-        OK(thud_world_awake_bodies(world, NULL, 0, &moved));
+        OK(thud_world_get_awake_bodies(world, NULL, 0, &moved));
         assert_int_equal(moved, 1);
-        assert_int_equal(thud_world_stats(world).bodies, 2);
+        assert_int_equal(thud_stats_of(world).bodies, 2);
         OK(thud_body_destroy(world, body));
         run(world, 1);
-        assert_int_equal(thud_world_joints(world, NULL, 0), 0);
-        assert_int_equal(thud_world_stats(world).bodies, 0);
+        OK(thud_world_get_joints(world, NULL, 0, &count));
+        assert_int_equal(count, 0);
+        assert_int_equal(thud_stats_of(world).bodies, 0);
     }
     thud_world_destroy(world);
 }
@@ -312,8 +316,8 @@ static void locked_body_sleeps_and_stays_dynamic(void **state) {
     run(world, 100);
     assert_false(state_of(world, body).awake);
     double y = y_of(world, body);
-    assert_int_equal(thud_body_set_kind(world, body, THUD_STATIC), THUD_ERROR_INVALID);
-    assert_int_equal(thud_body_set_kind(world, body, THUD_KINEMATIC), THUD_ERROR_INVALID);
+    assert_int_equal(thud_body_set_kind(world, body, THUD_BODY_STATIC), THUD_ERROR_INVALID);
+    assert_int_equal(thud_body_set_kind(world, body, THUD_BODY_KINEMATIC), THUD_ERROR_INVALID);
     OK(thud_body_set_enabled(world, body, false));
     run(world, 2);
     OK(thud_body_set_enabled(world, body, true));
@@ -322,7 +326,7 @@ static void locked_body_sleeps_and_stays_dynamic(void **state) {
     lock(world, body, false, false);
     run(world, 30);
     assert_true(y_of(world, body) < 4.5);
-    OK(thud_body_set_kind(world, body, THUD_STATIC));
+    OK(thud_body_set_kind(world, body, THUD_BODY_STATIC));
     thud_world_destroy(world);
 }
 
@@ -353,7 +357,7 @@ static void snapshots_have_the_locks(void **state) {
     back_to(world, here);
     walks_again(world, &way, "the same world");
     add_box(other, 0, 0, 1, 1);
-    add_shape(other, add_body(other, THUD_STATIC, 0, 0, 0), 1, 1, true, NULL);
+    add_shape(other, add_body(other, THUD_BODY_STATIC, 0, 0, 0), 1, 1, true, NULL);
     OK(thud_world_use_joints(other));
     back_to(other, here);
     walks_again(other, &way, "another world");
@@ -370,7 +374,7 @@ static void any_number_of_workers_gives_the_same_bits(void **state) {
         pool *p = pool_create(workers);
         thud_world *shared = make_rails(pool_job_system(p));
         run(shared, 200);
-        assert_int_equal(thud_world_hash(shared), thud_world_hash(alone));
+        assert_int_equal(thud_hash_of(shared), thud_hash_of(alone));
         thud_world_destroy(shared);
         pool_destroy(p);
     }
@@ -383,17 +387,17 @@ static void wrong_input_is_refused(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     thud_body_id ball = add_ball(world, 0, 0, 1), wall = add_floor(world, NULL);
-    thud_body_id lift = add_body(world, THUD_KINEMATIC, 0, 9, 0);
+    thud_body_id lift = add_body(world, THUD_BODY_KINEMATIC, 0, 9, 0);
     bool x, y;
     assert_int_equal(thud_body_set_locks(NULL, ball, true, true), THUD_ERROR_NULL);
-    assert_int_equal(thud_body_locks(NULL, ball, &x, &y), THUD_ERROR_NULL);
+    assert_int_equal(thud_body_get_locks(NULL, ball, &x, &y), THUD_ERROR_NULL);
     assert_int_equal(thud_body_set_locks(world, wall, true, false), THUD_ERROR_INVALID);
     assert_int_equal(thud_body_set_locks(world, lift, true, false), THUD_ERROR_INVALID);
-    OK(thud_body_locks(world, wall, &x, &y));
+    OK(thud_body_get_locks(world, wall, &x, &y));
     assert_false(x || y);
     OK(thud_body_destroy(world, ball));
     assert_int_equal(thud_body_set_locks(world, ball, true, true), THUD_ERROR_STALE);
-    assert_int_equal(thud_body_locks(world, ball, &x, &y), THUD_ERROR_STALE);
+    assert_int_equal(thud_body_get_locks(world, ball, &x, &y), THUD_ERROR_STALE);
     thud_world_destroy(world);
 }
 

@@ -96,13 +96,13 @@ static inline void add_random_shape(chaos *c, thud_body_id body) {
 }
 
 static inline void add_random_body(chaos *c, int i) {
-    thud_body_kind kind = pick(c, 8) ? THUD_DYNAMIC : (thud_body_kind)pick(c, 2);
+    thud_body_kind kind = pick(c, 8) ? THUD_BODY_DYNAMIC : (thud_body_kind)pick(c, 2);
     c->bodies[i] = add_body(c->world, kind, random_in(&c->seed, -8, 8), random_in(&c->seed, 0, 6),
                             random_in(&c->seed, -1, 1));
     for (int shapes = pick(c, 3); shapes >= 0; shapes--) {
         add_random_shape(c, c->bodies[i]);
     }
-    if (kind == THUD_KINEMATIC) {
+    if (kind == THUD_BODY_KINEMATIC) {
         thud_vec2 v = {(float)random_in(&c->seed, -1, 1), 0};
         OK(thud_body_set_velocity(c->world, c->bodies[i], v, 0.5f));
     }
@@ -111,7 +111,7 @@ static inline void add_random_body(chaos *c, int i) {
 /* Adds a static pit below the ground, for bodies whose contact with the ground a prologue
  * vetoes. */
 static inline void add_pit(chaos *c) {
-    thud_body_id pit = add_body(c->world, THUD_STATIC, 0, 0, 0);
+    thud_body_id pit = add_body(c->world, THUD_BODY_STATIC, 0, 0, 0);
     thud_shape_def def = thud_default_shape_def();
     OK(thud_shape_create_aabb(c->world, pit, &def, (thud_vec2){0, -4}, (thud_vec2){12, 1}, NULL));
     OK(thud_shape_create_aabb(c->world, pit, &def, (thud_vec2){-11, 5}, (thud_vec2){1, 9}, NULL));
@@ -125,7 +125,7 @@ static inline void add_ground(chaos *c) {
     }
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 21};
     thud_shape_def def = thud_default_shape_def();
-    c->ground = add_body(c->world, THUD_STATIC, 0, 0, 0);
+    c->ground = add_body(c->world, THUD_BODY_STATIC, 0, 0, 0);
     OK(thud_shape_create_terrain(c->world, c->ground, &def, &line, &c->line));
 }
 
@@ -150,13 +150,13 @@ static inline void edit(chaos *c) {
         fine_or_gone(thud_body_set_transform(w, body, at, 0));
         break;
     case 3:
-        if (thud_body_is_valid(w, body) && state_of(w, body).kind == THUD_DYNAMIC) {
+        if (thud_body_is_valid(w, body) && state_of(w, body).kind == THUD_BODY_DYNAMIC) {
             OK(thud_body_set_velocity(w, body, v, 1));
         }
         break;
     case 4:
     case 5:
-        if (thud_body_is_valid(w, body) && state_of(w, body).kind == THUD_DYNAMIC) {
+        if (thud_body_is_valid(w, body) && state_of(w, body).kind == THUD_BODY_DYNAMIC) {
             OK(thud_body_set_awake(w, body, pick(c, 4) == 0));
         }
         break;
@@ -170,7 +170,7 @@ static inline void edit(chaos *c) {
         break;
     default:
         if (thud_body_is_valid(w, body)) {
-            OK(thud_body_shapes(w, body, &shape, 1, &shapes));
+            OK(thud_body_get_shapes(w, body, &shape, 1, &shapes));
             if (shapes > 1) {
                 OK(thud_shape_destroy(w, shape));
             }
@@ -197,7 +197,8 @@ static inline void edit_inside(chaos *c, int one_in) {
     if (!c->quiet && pick(c, one_in) == 0) {
         c->edits_inside++;
         edit(c);
-        OK(thud_world_cast_ray(c->world, (thud_pos){-9, 0.5}, 18, 0, NULL, &hit, NULL));
+        OK(thud_world_cast_ray(c->world, &(thud_ray){(thud_pos){-9, 0.5}, 18, 0, NULL}, &hit,
+                               NULL));
     }
 }
 
@@ -226,14 +227,15 @@ static inline bool look(thud_shape_id shape, void *context) {
 /* A query applies the edits made so far, before the step that reports their events. */
 static inline void query(chaos *c) {
     bool hit;
-    OK(thud_world_cast_ray(c->world, (thud_pos){-9, 1}, 18, 0, NULL, &hit, NULL));
-    OK(thud_world_overlap_circle(c->world, (thud_pos){0, 1}, 3, NULL, look, c));
+    OK(thud_world_cast_ray(c->world, &(thud_ray){(thud_pos){-9, 1}, 18, 0, NULL}, &hit, NULL));
+    OK(thud_world_overlap_shape(c->world, (thud_pos){0, 1}, thud_circle_at(0, 0, 3), NULL, look,
+                                c));
 }
 
 /* Steps the world and books its events. */
 static inline void step(chaos *c) {
     run(c->world, 1);
-    thud_events e = thud_world_events(c->world);
+    thud_events e = thud_events_of(c->world);
     book(&c->touches, e.begin, e.begin_count, e.end, e.end_count);
     book(&c->sensed, e.sensor_begin, e.sensor_begin_count, e.sensor_end, e.sensor_end_count);
 }

@@ -1,4 +1,4 @@
-/* test_body_contacts.c: the contacts of a body as thud_body_contacts reports them, and how the
+/* test_body_contacts.c: the contacts of a body as thud_body_get_contacts reports them, and how the
  * debug drawing shows contacts, pairs and colours. */
 #include "engine_support.h"
 
@@ -6,7 +6,7 @@
 static thud_manifold only_contact_of(thud_world *world, thud_body_id body) {
     thud_manifold all[4];
     int count = -1;
-    OK(thud_body_contacts(world, body, all, 4, &count));
+    OK(thud_body_get_contacts(world, body, all, 4, &count));
     assert_int_equal(count, 1);
     return all[0];
 }
@@ -45,7 +45,7 @@ static void heavy_box_on_a_light_one_is_solved_directly(void **state) {
     thud_world *world = world_with_box_at_rest(&light);
     thud_shape_def dense = thud_default_shape_def();
     dense.density = 2000;
-    thud_body_id heavy = add_body(world, THUD_DYNAMIC, 3, 1.5, 0);
+    thud_body_id heavy = add_body(world, THUD_BODY_DYNAMIC, 3, 1.5, 0);
     add_shape(world, heavy, 1, 0.5f, false, &dense);
     run(world, 60);
     assert_true(only_contact_of(world, heavy).direct);
@@ -57,11 +57,11 @@ static void bodies_apart_and_bodies_removed_have_no_contacts(void **state) {
     thud_body_id box;
     thud_world *world = world_with_box_at_rest(&box);
     int count = -1;
-    OK(thud_body_contacts(world, add_ball(world, 0, 9, 1), NULL, 0, &count));
+    OK(thud_body_get_contacts(world, add_ball(world, 0, 9, 1), NULL, 0, &count));
     assert_int_equal(count, 0);
     thud_body_id second = add_box(world, 3, 1.5, 1, 0.5f);
     run(world, 10);
-    OK(thud_body_contacts(world, box, NULL, 0, &count));
+    OK(thud_body_get_contacts(world, box, NULL, 0, &count));
     assert_int_equal(count, 2);
     OK(thud_body_destroy(world, second));
     only_contact_of(world, box);
@@ -74,12 +74,12 @@ static void contacts_refuse_what_they_cannot_do(void **state) {
     thud_world *world = world_with_box_at_rest(&box);
     thud_manifold one;
     int count = 7;
-    assert_int_equal(thud_body_contacts(NULL, box, &one, 1, &count), THUD_ERROR_NULL);
-    assert_int_equal(thud_body_contacts(world, box, NULL, 1, &count), THUD_ERROR_NULL);
-    assert_int_equal(thud_body_contacts(world, box, &one, 1, NULL), THUD_ERROR_NULL);
-    assert_int_equal(thud_body_contacts(world, box, &one, -1, &count), THUD_ERROR_INVALID);
+    assert_int_equal(thud_body_get_contacts(NULL, box, &one, 1, &count), THUD_ERROR_NULL);
+    assert_int_equal(thud_body_get_contacts(world, box, NULL, 1, &count), THUD_ERROR_NULL);
+    assert_int_equal(thud_body_get_contacts(world, box, &one, 1, NULL), THUD_ERROR_NULL);
+    assert_int_equal(thud_body_get_contacts(world, box, &one, -1, &count), THUD_ERROR_INVALID);
     OK(thud_body_destroy(world, box));
-    assert_int_equal(thud_body_contacts(world, box, &one, 1, &count), THUD_ERROR_STALE);
+    assert_int_equal(thud_body_get_contacts(world, box, &one, 1, &count), THUD_ERROR_STALE);
     assert_int_equal(count, 7);
     thud_world_destroy(world);
 }
@@ -88,17 +88,17 @@ static void contacts_refuse_what_they_cannot_do(void **state) {
 
 /* What a debug drawing called back with, by style. */
 typedef struct seen {
-    int lines[THUD_DRAW_STYLE_COUNT], points[THUD_DRAW_STYLE_COUNT];
-    double length[THUD_DRAW_STYLE_COUNT]; /* total length of the lines */
+    int lines[THUD_STYLE_COUNT], points[THUD_STYLE_COUNT];
+    double length[THUD_STYLE_COUNT]; /* total length of the lines */
 } seen;
 
-static void on_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context) {
+static void on_line(thud_vec2 a, thud_vec2 b, thud_style style, void *context) {
     seen *k = context;
     k->lines[style]++;
     k->length[style] += hypot((double)(b.x - a.x), (double)(b.y - a.y));
 }
 
-static void on_point(thud_vec2 p, thud_draw_style style, void *context) {
+static void on_point(thud_vec2 p, thud_style style, void *context) {
     (void)p;
     ((seen *)context)->points[style]++;
 }
@@ -120,10 +120,10 @@ static void manifolds_are_points_with_depth_and_impulse(void **state) {
     thud_body_id box;
     thud_world *world = world_with_box_at_rest(&box);
     seen k = draw(world, THUD_DRAW_MANIFOLDS);
-    assert_int_equal(k.points[THUD_DRAW_MANIFOLD], 2);
-    assert_int_equal(k.lines[THUD_DRAW_DEPTH], 2);
+    assert_int_equal(k.points[THUD_STYLE_MANIFOLD], 2);
+    assert_int_equal(k.lines[THUD_STYLE_DEPTH], 2);
     /* the length drawn for an impulse: the distance that its velocity covers in one second */
-    near_to(k.length[THUD_DRAW_IMPULSE], 10.0 / 60, 0.01);
+    near_to(k.length[THUD_STYLE_IMPULSE], 10.0 / 60, 0.01);
     thud_world_destroy(world);
 }
 
@@ -140,9 +140,9 @@ static void stages_tell_fat_bounds_from_true_ones_from_touching(void **state) {
     add_ball(world, 9.95, 0, 0.5f);
     run(world, 1);
     seen k = draw(world, THUD_DRAW_STAGES);
-    assert_int_equal(k.lines[THUD_DRAW_PAIR_CANDIDATE], 1);
-    assert_int_equal(k.lines[THUD_DRAW_PAIR], 1);
-    assert_int_equal(k.lines[THUD_DRAW_PAIR_TOUCHING], 1);
+    assert_int_equal(k.lines[THUD_STYLE_PAIR_CANDIDATE], 1);
+    assert_int_equal(k.lines[THUD_STYLE_PAIR], 1);
+    assert_int_equal(k.lines[THUD_STYLE_PAIR_TOUCHING], 1);
     thud_world_destroy(world);
 }
 
@@ -158,11 +158,11 @@ static void colours_of_a_stack_alternate(void **state) {
     /* One contact with the floor and three between boxes; neighbouring contacts share a body, and
      * so differ in colour. */
     int total = 0;
-    for (int style = THUD_DRAW_COLOUR; style <= THUD_DRAW_COLOUR_LAST; style++) {
+    for (int style = THUD_STYLE_COLOUR; style <= THUD_STYLE_COLOUR_LAST; style++) {
         total += k.lines[style];
     }
     assert_int_equal(total, 4);
-    assert_true(k.lines[THUD_DRAW_COLOUR] >= 1 && k.lines[THUD_DRAW_COLOUR + 1] >= 1);
+    assert_true(k.lines[THUD_STYLE_COLOUR] >= 1 && k.lines[THUD_STYLE_COLOUR + 1] >= 1);
     thud_world_destroy(world);
 }
 
@@ -170,13 +170,13 @@ static void pairs_solved_directly_are_marked_with_the_islands(void **state) {
     (void)state;
     thud_body_id light;
     thud_world *world = world_with_box_at_rest(&light);
-    assert_int_equal(draw(world, THUD_DRAW_ISLANDS).lines[THUD_DRAW_DIRECT], 0);
+    assert_int_equal(draw(world, THUD_DRAW_ISLANDS).lines[THUD_STYLE_DIRECT], 0);
     thud_shape_def dense = thud_default_shape_def();
     dense.density = 2000;
-    thud_body_id heavy = add_body(world, THUD_DYNAMIC, 3, 1.5, 0);
+    thud_body_id heavy = add_body(world, THUD_BODY_DYNAMIC, 3, 1.5, 0);
     add_shape(world, heavy, 1, 0.5f, false, &dense);
     run(world, 60);
-    assert_int_equal(draw(world, THUD_DRAW_ISLANDS).lines[THUD_DRAW_DIRECT], 2);
+    assert_int_equal(draw(world, THUD_DRAW_ISLANDS).lines[THUD_STYLE_DIRECT], 2);
     thud_world_destroy(world);
 }
 

@@ -115,7 +115,7 @@ static float thrown_down(bool by_def) {
     return speed;
 }
 
-/* The box has a manifold that is kept from step to step; its approach velocity has to be determined
+/* The box has a manifold that is kept from step to step; its normal velocity has to be determined
  * anew when restitution is set. */
 static void restitution_of_a_prologue_is_that_of_a_def_for_what_rests_too(void **state) {
     (void)state;
@@ -163,7 +163,7 @@ static uint64_t hash_after(const thud_detection *detection, wish *w, bool asks) 
         add_kind(world, i % 3, i % 4 * 1.2, 1 + i / 4 * 1.1, NULL);
     }
     run(world, 60);
-    uint64_t hash = thud_world_hash(world);
+    uint64_t hash = thud_hash_of(world);
     thud_world_destroy(world);
     return hash;
 }
@@ -196,7 +196,7 @@ static void surface_speed_out_of_range_is_no_shape(void **state) {
     (void)state;
     const float bad[] = {NAN, INFINITY, -INFINITY, 1.1e6f, -1.1e6f};
     thud_world *world = make_world(thud_default_world_def());
-    thud_body_id body = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id body = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         thud_shape_def def = surface(0.5f, bad[i]);
         thud_shape_id id;
@@ -206,7 +206,7 @@ static void surface_speed_out_of_range_is_no_shape(void **state) {
     assert_int_equal(state_of(world, body).shape_count, 0);
     thud_shape_def def = surface(0.5f, -2);
     thud_shape_state shape;
-    OK(thud_shape_get(world, add_shape(world, body, 1, 1, true, &def), &shape));
+    OK(thud_shape_get_state(world, add_shape(world, body, 1, 1, true, &def), &shape));
     assert_true(shape.surface_speed == -2);
     thud_world_destroy(world);
 }

@@ -12,8 +12,8 @@ static int sleepers(const chaos *c) {
     int count = 0;
     for (int i = 0; i < BODIES; i++) {
         thud_body_state state = {.awake = true};
-        thud_body_get(c->world, c->bodies[i], &state);
-        count += state.kind == THUD_DYNAMIC && !state.awake;
+        thud_body_get_state(c->world, c->bodies[i], &state);
+        count += state.kind == THUD_BODY_DYNAMIC && !state.awake;
     }
     return count;
 }

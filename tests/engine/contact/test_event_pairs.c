@@ -10,7 +10,7 @@ static void end_of_what_an_edit_took_away_survives_a_query(void **state) {
         thud_shape_def sensor = thud_default_shape_def();
         sensor.sensor = true;
         add_floor(world, NULL);
-        thud_body_id zone = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id zone = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         add_shape(world, zone, 1, 1, true, &sensor);
         thud_body_id ball = add_ball(world, 0, 0.5, 0.5f);
         run(world, how & 1 ? 120 : 5);
@@ -21,12 +21,12 @@ static void end_of_what_an_edit_took_away_survives_a_query(void **state) {
             OK(thud_body_set_transform(world, ball, (thud_pos){0, 40}, 0));
         }
         bool hit;
-        OK(thud_world_cast_ray(world, (thud_pos){0, 9}, 0, -20, NULL, &hit, NULL));
+        OK(thud_world_cast_ray(world, &(thud_ray){(thud_pos){0, 9}, 0, -20, NULL}, &hit, NULL));
         /* still the events of the last step */
-        assert_int_equal(thud_world_events(world).end_count, 0);
+        assert_int_equal(thud_events_of(world).end_count, 0);
         run(world, 1);
-        assert_int_equal(thud_world_events(world).end_count, 1);
-        assert_int_equal(thud_world_events(world).sensor_end_count, 1);
+        assert_int_equal(thud_events_of(world).end_count, 1);
+        assert_int_equal(thud_events_of(world).sensor_end_count, 1);
         thud_world_destroy(world);
     }
 }
@@ -38,14 +38,14 @@ static void sensor_that_moves_away_from_a_sleeper_ends(void **state) {
     thud_shape_def sensor = thud_default_shape_def();
     sensor.sensor = true;
     add_floor(world, NULL);
-    thud_body_id zone = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id zone = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     add_shape(world, zone, 1, 1, true, &sensor);
     thud_body_id ball = add_ball(world, 0, 0.5, 0.5f);
     run(world, 120);
     assert_false(state_of(world, ball).awake);
     OK(thud_body_set_transform(world, zone, (thud_pos){40, 0}, 0));
     run(world, 1);
-    assert_int_equal(thud_world_events(world).sensor_end_count, 1);
+    assert_int_equal(thud_events_of(world).sensor_end_count, 1);
     thud_world_destroy(world);
 }
 
@@ -70,7 +70,7 @@ static void drift(uint64_t *seed, bool with_skin, bool on_line) {
             thud_pos points[] = {{-40, 0}, {-0.1, 0}, {0.1, 0}, {40, 0}};
             thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 4};
             thud_shape_def shape = thud_default_shape_def();
-            c->ground = add_body(c->world, THUD_STATIC, 0, 0, 0);
+            c->ground = add_body(c->world, THUD_BODY_STATIC, 0, 0, 0);
             OK(thud_shape_create_terrain(c->world, c->ground, &shape, &line, NULL));
             turn = 0.5 * 3.14159265358979323846;
             x = size[1][0] + gap;
@@ -80,7 +80,7 @@ static void drift(uint64_t *seed, bool with_skin, bool on_line) {
         bool box = pick(c, 2);
         double angle = on_line ? 0 : turn;
         c->bodies[i] =
-            add_body(c->world, THUD_DYNAMIC, i * x * cos(turn), i * x * sin(turn), angle);
+            add_body(c->world, THUD_BODY_DYNAMIC, i * x * cos(turn), i * x * sin(turn), angle);
         add_shape(c->world, c->bodies[i], size[i][0], box ? size[i][box && on_line ? 0 : 1] : 0,
                   false, NULL);
         thud_vec2 v = {along.x + (float)random_in(seed, -0.01, 0.01),
@@ -90,7 +90,7 @@ static void drift(uint64_t *seed, bool with_skin, bool on_line) {
     for (int i = 0; i < 240; i++) {
         step(c);
         /* one pair for each segment */
-        assert_true(thud_world_stats(c->world).pairs <= (on_line ? 3 : 1));
+        assert_true(thud_stats_of(c->world).pairs <= (on_line ? 3 : 1));
     }
     thud_world_destroy(c->world);
     free(c);
@@ -116,9 +116,9 @@ static void ball_that_rolls_over_many_segments_begins_once(void **state) {
         }
         thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 41};
         thud_shape_def def = thud_default_shape_def();
-        c->ground = add_body(c->world, THUD_STATIC, 0, 0, 0);
+        c->ground = add_body(c->world, THUD_BODY_STATIC, 0, 0, 0);
         OK(thud_shape_create_terrain(c->world, c->ground, &def, &line, NULL));
-        thud_body_id ball = add_body(c->world, THUD_DYNAMIC, 0.5, 0.45, 0);
+        thud_body_id ball = add_body(c->world, THUD_BODY_DYNAMIC, 0.5, 0.45, 0);
         add_shape(c->world, ball, 0.5f, 0, false, NULL);
         def.sensor = true;
         if (sensor) {

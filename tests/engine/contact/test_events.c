@@ -10,7 +10,7 @@ typedef struct tally {
 } tally;
 
 static void count(thud_world *world, tally *t) {
-    thud_events e = thud_world_events(world);
+    thud_events e = thud_events_of(world);
     t->begun += e.begin_count;
     t->ended += e.end_count;
     t->sensed += e.sensor_begin_count;
@@ -33,13 +33,13 @@ static void bouncing_ball_begins_and_ends_and_hits(void **state) {
     thud_shape_def bouncy = thud_default_shape_def();
     bouncy.restitution = 0.5f;
     add_floor(world, NULL);
-    thud_body_id ball = add_body(world, THUD_DYNAMIC, 0, 3, 0);
+    thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 0, 3, 0);
     add_shape(world, ball, 0.5f, 0, false, &bouncy);
     tally t = {0, 0, 0, 0, 0};
     double speed = 0;
     for (int i = 0; i < 300; i++) {
         run(world, 1);
-        thud_events e = thud_world_events(world);
+        thud_events e = thud_events_of(world);
         if (e.hit_count && speed == 0) {
             speed = (double)e.hit[0].speed;
             near_to(fabs((double)e.hit[0].normal.y), 1, 1e-5);
@@ -62,12 +62,13 @@ static void hit_of_bodies_faster_than_floats_add_up_tells_a_finite_speed(void **
         def.detection = swept ? &thud_detection_swept : &thud_detection_overlap;
         thud_world *world = make_world(def);
         for (int side = -1; side <= 1; side += 2) {
-            thud_body_id ball = add_body(world, THUD_DYNAMIC, side * (swept ? 0.6 : 0.49), 0, 0);
+            thud_body_id ball =
+                add_body(world, THUD_BODY_DYNAMIC, side * (swept ? 0.6 : 0.49), 0, 0);
             add_shape(world, ball, 0.5f, 0, false, NULL);
             OK(thud_body_set_velocity(world, ball, (thud_vec2){-3e38f * (float)side, 0}, 0));
         }
         run(world, 1);
-        thud_events e = thud_world_events(world);
+        thud_events e = thud_events_of(world);
         assert_int_equal(e.hit_count, 1);
         assert_true(e.hit[0].speed > 1e5f && e.hit[0].speed <= FLT_MAX);
         thud_world_destroy(world);
@@ -83,8 +84,8 @@ static void bounce_within_a_swept_step_is_a_hit_without_a_begin(void **state) {
     thud_world *world = make_world(def);
     thud_shape_def bouncy = thud_default_shape_def();
     bouncy.restitution = 1;
-    add_shape(world, add_body(world, THUD_STATIC, 0, -1, 0), 5, 1, true, &bouncy);
-    thud_body_id ball = add_body(world, THUD_DYNAMIC, 0, 3, 0);
+    add_shape(world, add_body(world, THUD_BODY_STATIC, 0, -1, 0), 5, 1, true, &bouncy);
+    thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 0, 3, 0);
     add_shape(world, ball, 0.5f, 0, false, &bouncy);
     OK(thud_body_set_velocity(world, ball, (thud_vec2){0, -92}, 0));
     tally t = run_counting(world, 4);
@@ -101,7 +102,7 @@ static void contact_ends_when_a_body_a_shape_or_the_ground_goes(void **state) {
     for (int how = 0; how < 4; how++) {
         thud_world *world = make_world(thud_default_world_def());
         thud_body_id floor = add_floor(world, NULL);
-        thud_body_id box = add_body(world, THUD_DYNAMIC, 0, 0.5, 0);
+        thud_body_id box = add_body(world, THUD_BODY_DYNAMIC, 0, 0.5, 0);
         thud_shape_id shape = add_shape(world, box, 0.5f, 0.5f, false, NULL);
         tally t = run_counting(world, how == 3 ? 120 : 10); /* the last case sleeps */
         assert_int_equal(t.begun, 1);
@@ -133,7 +134,7 @@ static void sensor_reports_and_does_not_collide(void **state) {
     thud_world *world = make_world(thud_default_world_def());
     thud_shape_def sensor = thud_default_shape_def();
     sensor.sensor = true;
-    thud_body_id gate = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id gate = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     add_shape(world, gate, 1, 1, true, &sensor);
     thud_body_id ball = add_ball(world, 0, 3, 0.25f);
     tally t = run_counting(world, 120);
@@ -157,14 +158,14 @@ static void filters_decide_who_meets(void **state) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         thud_world *world = make_world(weightless());
         thud_shape_def def = thud_default_shape_def();
-        thud_body_id a = add_body(world, THUD_DYNAMIC, 0, 0, 0);
-        thud_body_id b = add_body(world, THUD_DYNAMIC, 0.5, 0, 0);
+        thud_body_id a = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
+        thud_body_id b = add_body(world, THUD_BODY_DYNAMIC, 0.5, 0, 0);
         def.filter = cases[i].a;
         add_shape(world, a, 0.5f, 0, false, &def);
         def.filter = cases[i].b;
         add_shape(world, b, 0.5f, 0, false, &def);
         run(world, 1);
-        assert_int_equal(thud_world_events(world).begin_count, cases[i].meet);
+        assert_int_equal(thud_events_of(world).begin_count, cases[i].meet);
         thud_world_destroy(world);
     }
 }
@@ -216,7 +217,7 @@ static void epilogue_hears_the_impulse_that_carries_the_weight(void **state) {
     thud_shape_def smooth = thud_default_shape_def();
     smooth.friction = 0;
     add_floor(world, &smooth);
-    thud_body_id box = add_body(world, THUD_DYNAMIC, 0, 0.5, 0);
+    thud_body_id box = add_body(world, THUD_BODY_DYNAMIC, 0, 0.5, 0);
     add_shape(world, box, 0.5f, 0.5f, false, &smooth);
     run(world, 60);
     impulse_sum = 0;

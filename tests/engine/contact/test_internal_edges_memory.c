@@ -16,8 +16,8 @@ typedef thud_result edit(thud_world *world, thud_shape_id middle);
 
 static thud_result becomes_dynamic(thud_world *world, thud_shape_id middle) {
     thud_body_id body;
-    OK(thud_shape_body(world, middle, &body));
-    return thud_body_set_kind(world, body, THUD_DYNAMIC);
+    OK(thud_shape_get_body(world, middle, &body));
+    return thud_body_set_kind(world, body, THUD_BODY_DYNAMIC);
 }
 
 static thud_result becomes_sensor(thud_world *world, thud_shape_id middle) {
@@ -34,12 +34,12 @@ static thud_world *make_ground(thud_shape_id *middle) {
     def.allocator = hostile_memory();
     thud_world *world = make_world(def);
     for (int i = -1; i <= 1; i++) {
-        thud_body_id tile = add_body(world, THUD_STATIC, i * 0.6 * (BALLS + 2), -1, 0);
+        thud_body_id tile = add_body(world, THUD_BODY_STATIC, i * 0.6 * (BALLS + 2), -1, 0);
         thud_shape_id shape = add_shape(world, tile, 0.3f * (BALLS + 2), 1, true, NULL);
         *middle = i == 0 ? shape : *middle;
     }
     for (int i = 0; i < BALLS; i++) {
-        add_shape(world, add_body(world, THUD_DYNAMIC, 0.6 * (i - 0.5 * (BALLS - 1)), 0.25, 0),
+        add_shape(world, add_body(world, THUD_BODY_DYNAMIC, 0.6 * (i - 0.5 * (BALLS - 1)), 0.25, 0),
                   0.25f, 0, false, NULL);
     }
     run(world, 3);
@@ -48,7 +48,7 @@ static thud_world *make_ground(thud_shape_id *middle) {
 
 /* A snapshot of the world. */
 static void *image_of(const thud_world *world, size_t *bytes) {
-    OK(thud_world_snapshot_size(world, bytes));
+    OK(thud_world_get_snapshot_size(world, bytes));
     void *image = malloc(*bytes);
     OK(thud_world_snapshot(world, image, *bytes, NULL));
     return image;

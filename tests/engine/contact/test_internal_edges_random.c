@@ -20,7 +20,7 @@ enum { STATICS = 9, VERTICES = 6, STEPS = 150, SETTLED = 120 };
 
 /* A case. Lengths are in length scales, and are scaled when the world is made. */
 typedef struct heap {
-    thud_shape_instance shapes[STATICS], body;
+    thud_geometry shapes[STATICS], body;
     double angles[STATICS], body_angle;
     int count;
     thud_pos line[VERTICES]; /* vertices of the terrain; there is none where `vertices` is 0 */
@@ -47,15 +47,14 @@ static double draw_gap(source *r) {
 }
 
 /* Rotates a shape; a rotated AABB becomes an OBB. */
-static void turn_to(thud_shape_instance *shape, double *angle, double to) {
+static void turn_to(thud_geometry *shape, double *angle, double to) {
     *angle = to;
-    shape->kind = to == 0.0 && shape->kind == THUD_AABB ? THUD_AABB : THUD_OBB;
+    shape->kind = to == 0.0 && shape->kind == THUD_SHAPE_AABB ? THUD_SHAPE_AABB : THUD_SHAPE_OBB;
     set_angle(shape, to);
 }
 
 /* Moves the shape to (u, v) in the frame's coordinates. */
-static void move_in_frame(thud_shape_instance *shape, const thud_shape_instance *frame, double u,
-                          double v) {
+static void move_in_frame(thud_geometry *shape, const thud_geometry *frame, double u, double v) {
     shape->x = frame->x + frame->c * u - frame->s * v;
     shape->y = frame->y + frame->s * u + frame->c * v;
 }
@@ -63,12 +62,12 @@ static void move_in_frame(thud_shape_instance *shape, const thud_shape_instance 
 /* Adds a box in a random relation to a box of the heap. */
 static void add_related_box(source *r, heap *h) {
     int i = h->count++, of = draw_below(r, i);
-    const thud_shape_instance *frame = &h->shapes[of];
-    thud_shape_instance *box = &h->shapes[i];
-    *box = (thud_shape_instance){.kind = draw_below(r, 2) ? THUD_AABB : THUD_OBB,
-                                 .c = 1.0,
-                                 .hx = draw_size(r, 0.05, 3),
-                                 .hy = draw_size(r, 0.05, 3)};
+    const thud_geometry *frame = &h->shapes[of];
+    thud_geometry *box = &h->shapes[i];
+    *box = (thud_geometry){.kind = draw_below(r, 2) ? THUD_SHAPE_AABB : THUD_SHAPE_OBB,
+                           .c = 1.0,
+                           .hx = draw_size(r, 0.05, 3),
+                           .hy = draw_size(r, 0.05, 3)};
     if (draw_below(r, 3) == 0) {
         box->hx = frame->hx;
         box->hy = frame->hy;
@@ -113,7 +112,7 @@ static void add_related_box(source *r, heap *h) {
 
 /* Adds a terrain that begins next to an upper corner of a box. */
 static void add_line(source *r, heap *h) {
-    const thud_shape_instance *box = &h->shapes[draw_below(r, h->count)];
+    const thud_geometry *box = &h->shapes[draw_below(r, h->count)];
     double side = draw_below(r, 2) ? 1.0 : -1.0, x = box->x + side * (box->hx + draw_gap(r));
     double y = box->y + box->hy + draw_gap(r);
     h->vertices = VERTICES;
@@ -125,7 +124,7 @@ static void add_line(source *r, heap *h) {
 }
 
 /* Whether the body is at least 0.05 away from all shapes. */
-static bool is_clear(const heap *h, const thud_shape_instance *body) {
+static bool is_clear(const heap *h, const thud_geometry *body) {
     solid b = solid_of(body, 0, 0);
     for (int i = 0; i < h->count; i++) {
         solid s = solid_of(&h->shapes[i], 0, 0);
@@ -143,14 +142,12 @@ static bool is_clear(const heap *h, const thud_shape_instance *body) {
 
 /* Adds the body that falls, somewhat above a shape and overlapping none. */
 static void add_faller(source *r, heap *h) {
-    static const thud_shape_kind kinds[] = {THUD_CIRCLE, THUD_AABB, THUD_OBB};
-    const thud_shape_instance *over = &h->shapes[draw_below(r, h->count)];
-    thud_shape_instance *b = &h->body;
-    *b = (thud_shape_instance){.kind = kinds[draw_below(r, 3)],
-                               .c = 1.0,
-                               .hx = draw_size(r, 0.05, 1)};
-    b->hy = b->kind == THUD_CIRCLE ? 0 : draw_size(r, 0.05, 1);
-    h->body_angle = b->kind == THUD_OBB && draw_below(r, 2) ? draw(r, -3, 3) : 0;
+    static const thud_shape_kind kinds[] = {THUD_SHAPE_CIRCLE, THUD_SHAPE_AABB, THUD_SHAPE_OBB};
+    const thud_geometry *over = &h->shapes[draw_below(r, h->count)];
+    thud_geometry *b = &h->body;
+    *b = (thud_geometry){.kind = kinds[draw_below(r, 3)], .c = 1.0, .hx = draw_size(r, 0.05, 1)};
+    b->hy = b->kind == THUD_SHAPE_CIRCLE ? 0 : draw_size(r, 0.05, 1);
+    h->body_angle = b->kind == THUD_SHAPE_OBB && draw_below(r, 2) ? draw(r, -3, 3) : 0;
     set_angle(b, h->body_angle);
     b->x = over->x + draw(r, -1, 1) * over->hx;
     b->y = over->y;
@@ -165,19 +162,22 @@ static heap draw_heap(source *r) {
     static const double scales[] = {1, 1, 0.01, 100};
     heap h = {.count = 1, .scale = scales[draw_below(r, 4)]};
     double angle = draw_below(r, 3) ? 0.0 : draw_below(r, 2) ? draw(r, -0.6, 0.6) : TD_PI / 2;
-    h.shapes[0] = (thud_shape_instance){.kind = THUD_AABB,
-                                        .c = 1.0,
-                                        .hx = draw_size(r, 0.5, 20),
-                                        .hy = draw_size(r, 0.2, 5)};
+    h.shapes[0] = (thud_geometry){.kind = THUD_SHAPE_AABB,
+                                  .c = 1.0,
+                                  .hx = draw_size(r, 0.5, 20),
+                                  .hy = draw_size(r, 0.2, 5)};
     turn_to(&h.shapes[0], &h.angles[0], angle);
     int boxes = 2 + draw_below(r, STATICS - 2);
     while (h.count < boxes) {
         add_related_box(r, &h);
     }
     if (draw_below(r, 4) == 0) {
-        const thud_shape_instance *box = &h.shapes[draw_below(r, boxes)];
-        h.shapes[h.count++] = (thud_shape_instance){
-            .kind = THUD_CIRCLE, .c = 1.0, .hx = 0.5, .x = box->x, .y = box->y + box->hy - 0.5};
+        const thud_geometry *box = &h.shapes[draw_below(r, boxes)];
+        h.shapes[h.count++] = (thud_geometry){.kind = THUD_SHAPE_CIRCLE,
+                                              .c = 1.0,
+                                              .hx = 0.5,
+                                              .x = box->x,
+                                              .y = box->y + box->hy - 0.5};
     }
     if (draw_below(r, 4) == 0) {
         add_line(r, &h);
@@ -195,30 +195,30 @@ static heap draw_heap(source *r) {
 
 /* ---- worlds ---- */
 
-static thud_body_id add_placed(thud_world *world, const heap *h, const thud_shape_instance *p,
+static thud_body_id add_placed(thud_world *world, const heap *h, const thud_geometry *p,
                                double angle, bool moves) {
     thud_shape_def def = thud_default_shape_def();
     def.friction = h->friction;
-    thud_body_id body = add_body(world, moves ? THUD_DYNAMIC : THUD_STATIC, p->x * h->scale,
-                                 p->y * h->scale, angle);
+    thud_body_id body = add_body(world, moves ? THUD_BODY_DYNAMIC : THUD_BODY_STATIC,
+                                 p->x * h->scale, p->y * h->scale, angle);
     add_shape(world, body, (float)(p->hx * h->scale), (float)(p->hy * h->scale),
-              p->kind == THUD_AABB, &def);
+              p->kind == THUD_SHAPE_AABB, &def);
     return body;
 }
 
 /* AABBs would keep the body from rotating; it is kinematic and does not, so that the boxes of
  * either kind keep the rotations of the heap. */
 static void add_joined(thud_world *world, const heap *h) {
-    thud_body_id body = add_body(world, THUD_KINEMATIC, 0, 0, 0);
+    thud_body_id body = add_body(world, THUD_BODY_KINEMATIC, 0, 0, 0);
     thud_shape_def def = thud_default_shape_def();
     def.friction = h->friction;
     for (int i = 0; i < h->count; i++) {
-        const thud_shape_instance *p = &h->shapes[i];
+        const thud_geometry *p = &h->shapes[i];
         thud_vec2 at = {(float)(p->x * h->scale), (float)(p->y * h->scale)};
         thud_vec2 half = {(float)(p->hx * h->scale), (float)(p->hy * h->scale)};
-        if (p->kind == THUD_CIRCLE) {
+        if (p->kind == THUD_SHAPE_CIRCLE) {
             OK(thud_shape_create_circle(world, body, &def, at, half.x, NULL));
-        } else if (p->kind == THUD_AABB) {
+        } else if (p->kind == THUD_SHAPE_AABB) {
             OK(thud_shape_create_aabb(world, body, &def, at, half, NULL));
         } else {
             OK(thud_shape_create_obb(world, body, &def, at, half, h->angles[i], NULL));
@@ -228,7 +228,7 @@ static void add_joined(thud_world *world, const heap *h) {
 
 /* Creates the case's world, with internal edges where `seams` is set, else without them. */
 static thud_world *make_heap(const heap *h, bool seams, thud_body_id *body) {
-    thud_world_def def = thud_world_def_of(h->quality);
+    thud_world_def def = thud_default_world_def_of(h->quality);
     def.length_scale = (float)h->scale;
     def.gravity.y = (float)(-10 * h->scale);
     def.detection = h->detection;
@@ -247,7 +247,7 @@ static thud_world *make_heap(const heap *h, bool seams, thud_body_id *body) {
         thud_shape_def shape = thud_default_shape_def();
         shape.friction = h->friction;
         thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = VERTICES};
-        thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         OK(thud_shape_create_terrain(world, ground, &shape, &line, NULL));
     }
     *body = add_placed(world, h, &h->body, h->body_angle, true);
@@ -270,7 +270,7 @@ typedef struct outcome {
 
 /* Distance of the body from the nearest shape or the terrain, in length scales; exact except at the
  * terrain's ends. */
-static double least_distance(const heap *h, const thud_shape_instance *body) {
+static double least_distance(const heap *h, const thud_geometry *body) {
     solid b = solid_of(body, 0, 0);
     double least = 1e9;
     for (int i = 0; i < h->count; i++) {
@@ -295,10 +295,10 @@ static double least_distance(const heap *h, const thud_shape_instance *body) {
 }
 
 /* Depth of the body's centre in a shape; 0 outside. */
-static double middle_inside(const heap *h, const thud_shape_instance *body) {
+static double middle_inside(const heap *h, const thud_geometry *body) {
     double most = 0;
     for (int i = 0; i < h->count; i++) {
-        const thud_shape_instance *s = &h->shapes[i];
+        const thud_geometry *s = &h->shapes[i];
         most = fmax(most, -point_distance(s, body->x - s->x, body->y - s->y));
     }
     return most;
@@ -313,7 +313,7 @@ static outcome watch(const heap *h, bool seams) {
     for (int step = 1; step <= STEPS; step++) {
         run(world, 1);
         thud_body_state s = state_of(world, id);
-        thud_shape_instance now = h->body;
+        thud_geometry now = h->body;
         now.x = s.position.x / h->scale;
         now.y = s.position.y / h->scale;
         set_angle(&now, s.angle);
@@ -346,14 +346,14 @@ static const char *fault_of(const outcome *o) {
 /* Prints a case and its outcome, so that a failure can be repeated. */
 static void describe(const heap *h, const outcome *o) {
     for (int i = 0; i < h->count; i++) {
-        const thud_shape_instance *s = &h->shapes[i];
+        const thud_geometry *s = &h->shapes[i];
         print_message("  kind %d at %.9g, %.9g half %.9g, %.9g angle %.9g\n", (int)s->kind, s->x,
                       s->y, s->hx, s->hy, h->angles[i]);
     }
     for (int i = 0; i < h->vertices; i++) {
         print_message("  vertex %.9g, %.9g\n", h->line[i].x, h->line[i].y);
     }
-    const thud_shape_instance *b = &h->body;
+    const thud_geometry *b = &h->body;
     print_message(
         "  body: kind %d at %.9g, %.9g half %.9g, %.9g angle %.9g speed %.9g scale %g "
         "friction %g %s %s%s\n  ends at %.9g, %.9g: overlap %g, inside %g, speed %g, nearest "

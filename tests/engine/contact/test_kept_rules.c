@@ -26,11 +26,11 @@ static void set(thud_world *w, uint32_t first, uint32_t second, const thud_rule 
 /* Sets rules of all kinds: belts, bounces, one-way planks, categories that ignore each other, and
  * impulse limits. */
 static void set_rules(thud_world *w) {
-    thud_rule belt = thud_default_rule(), plank = meeting(THUD_ONE_WAY), ball = belt;
-    thud_rule ignore = meeting(THUD_IGNORE);
+    thud_rule belt = thud_default_rule(), plank = rule_of_kind(THUD_RULE_ONE_WAY), ball = belt;
+    thud_rule ignore = rule_of_kind(THUD_RULE_IGNORE);
     belt.surface_speed = 2;
     belt.friction = 0.9f;
-    belt.most_impulse = 4;
+    belt.event_impulse = 4;
     plank.solid_side = (thud_vec2){0.1f, 2};
     ball.restitution = 0.8f;
     set(w, GROUND, CRATE, &belt);
@@ -41,10 +41,10 @@ static void set_rules(thud_world *w) {
 
 /* Sets rules that differ as much as possible, also for pairs that had none. */
 static void change_rules(thud_world *w) {
-    thud_rule other = meeting(THUD_ONE_WAY), ignore = meeting(THUD_IGNORE);
+    thud_rule other = rule_of_kind(THUD_RULE_ONE_WAY), ignore = rule_of_kind(THUD_RULE_IGNORE);
     other.solid_side = (thud_vec2){1, 0};
     other.friction = 0;
-    other.most_impulse = 0.5f;
+    other.event_impulse = 0.5f;
     set(w, GROUND, CRATE, NULL);
     set(w, CRATE, PLANK, &other);
     set(w, PLAYER, GROUND, &ignore);
@@ -60,12 +60,12 @@ static thud_world *make_pile(int choice, bool with_rules) {
     if (with_rules) {
         set_rules(w);
     }
-    add(w, THUD_STATIC, GROUND, 2, 0, -1, 12, 1);
-    add(w, THUD_STATIC, PLANK, 2, -2, 2, 3, 0.1f);
-    add(w, THUD_STATIC, PLANK, 1, 3, 3, 2, 0.1f);
+    add(w, THUD_BODY_STATIC, GROUND, 2, 0, -1, 12, 1);
+    add(w, THUD_BODY_STATIC, PLANK, 2, -2, 2, 3, 0.1f);
+    add(w, THUD_BODY_STATIC, PLANK, 1, 3, 3, 2, 0.1f);
     for (int i = 0; i < 24; i++) {
         uint32_t kind = i % 2 ? PLAYER : CRATE;
-        thud_body_id body = add(w, THUD_DYNAMIC, kind, i % 3, i % 6 - 3, 1.0 + i, 0.4f, 0.4f);
+        thud_body_id body = add(w, THUD_BODY_DYNAMIC, kind, i % 3, i % 6 - 3, 1.0 + i, 0.4f, 0.4f);
         throw_up(w, body, (float)(i % 5) - 2, (float)(i % 7));
     }
     return w;
@@ -76,8 +76,8 @@ static void same_rules(thud_world *a, thud_world *b) {
     for (int i = 0; i < 32 * 32; i++) {
         thud_rule rule[2];
         bool is_set[2], reversed[2];
-        OK(thud_world_rule(a, 1u << i / 32, 1u << i % 32, &rule[0], &is_set[0], &reversed[0]));
-        OK(thud_world_rule(b, 1u << i / 32, 1u << i % 32, &rule[1], &is_set[1], &reversed[1]));
+        OK(thud_world_get_rule(a, 1u << i / 32, 1u << i % 32, &rule[0], &is_set[0], &reversed[0]));
+        OK(thud_world_get_rule(b, 1u << i / 32, 1u << i % 32, &rule[1], &is_set[1], &reversed[1]));
         assert_true(is_set[0] == is_set[1] && reversed[0] == reversed[1]);
         assert_memory_equal(&rule[0], &rule[1], sizeof *rule);
     }
@@ -86,8 +86,8 @@ static void same_rules(thud_world *a, thud_world *b) {
 /* Asserts that both worlds had the same impulse events; returns their number. */
 static int same_impulses(thud_world *a, thud_world *b) {
     int count[2];
-    const thud_impulse_event *one = thud_world_impulses(a, &count[0]);
-    const thud_impulse_event *two = thud_world_impulses(b, &count[1]);
+    const thud_impulse_event *one = thud_impulse_events_of(a, &count[0]);
+    const thud_impulse_event *two = thud_impulse_events_of(b, &count[1]);
     assert_int_equal(count[0], count[1]);
     for (int i = 0; i < count[0]; i++) {
         assert_int_equal(one[i].shape_a.index1, two[i].shape_a.index1);
@@ -105,10 +105,10 @@ static int go_alike(thud_world *a, thud_world *b) {
     for (int i = 0; i < 300; i++) {
         OK(thud_world_step(a));
         OK(thud_world_step(b));
-        if (thud_world_hash(a) != thud_world_hash(b)) {
+        if (thud_hash_of(a) != thud_hash_of(b)) {
             fail_msg("differs %d steps after the snapshot", i + 1);
         }
-        assert_int_equal(thud_world_events(a).begin_count, thud_world_events(b).begin_count);
+        assert_int_equal(thud_events_of(a).begin_count, thud_events_of(b).begin_count);
         impulses += same_impulses(a, b);
     }
     return impulses;
@@ -138,7 +138,7 @@ static void another_world_takes_the_rules_over(void **unused) {
         thud_world *w = make_pile(choice, true), *other = bare(choice);
         if (choice % 2) {
             change_rules(other);
-            add(other, THUD_DYNAMIC, CRATE, 2, 0, 0, 1, 1);
+            add(other, THUD_BODY_DYNAMIC, CRATE, 2, 0, 0, 1, 1);
             steps(other, 3);
         } else {
             OK(thud_world_use_rules(other));
@@ -179,20 +179,20 @@ static void snapshot_is_longer_by_what_is_set_alone(void **unused) {
     (void)unused;
     thud_world *w = bare(0);
     size_t none, one, gone;
-    thud_rule ignore = meeting(THUD_IGNORE);
-    OK(thud_world_snapshot_size(w, &none));
+    thud_rule ignore = rule_of_kind(THUD_RULE_IGNORE);
+    OK(thud_world_get_snapshot_size(w, &none));
     set(w, CRATE | PLAYER, CRATE | PLAYER, &ignore); /* three pairs of categories */
-    OK(thud_world_snapshot_size(w, &one));
+    OK(thud_world_get_snapshot_size(w, &one));
     assert_int_equal(one - none, 3 * sizeof(td_kept_rule));
     set(w, UINT32_MAX, UINT32_MAX, &ignore);
-    OK(thud_world_snapshot_size(w, &one));
-    assert_int_equal(one - none, TD_RULES_MOST * sizeof(td_kept_rule));
+    OK(thud_world_get_snapshot_size(w, &one));
+    assert_int_equal(one - none, TD_RULES_MAX * sizeof(td_kept_rule));
     saved s = save(w);
     set(w, UINT32_MAX, UINT32_MAX, NULL);
-    OK(thud_world_snapshot_size(w, &gone));
+    OK(thud_world_get_snapshot_size(w, &gone));
     assert_int_equal(gone, none);
     back_to(w, s);
-    OK(thud_world_snapshot_size(w, &gone));
+    OK(thud_world_get_snapshot_size(w, &gone));
     assert_int_equal(gone, one);
     thud_world_destroy(w);
     free(s.bytes);
@@ -207,8 +207,8 @@ static bool none_meets(const thud_world *world, thud_shape_id a, thud_shape_id b
 static void filter_stays_as_the_world_has_it(void **unused) {
     (void)unused;
     thud_world *w = bare(0);
-    add(w, THUD_STATIC, GROUND, 2, 0, -1, 20, 1);
-    thud_body_id crate = add(w, THUD_DYNAMIC, CRATE, 2, 0, 4, 0.5f, 0.5f);
+    add(w, THUD_BODY_STATIC, GROUND, 2, 0, -1, 20, 1);
+    thud_body_id crate = add(w, THUD_BODY_DYNAMIC, CRATE, 2, 0, 4, 0.5f, 0.5f);
     saved s = save(w);
     OK(thud_world_set_filter(w, none_meets, NULL));
     steps(w, 10);
@@ -252,7 +252,7 @@ static void rules_out_of_range_are_refused(void **unused) {
     (void)unused;
     const float beyond[] = {-1, 1e9f, __builtin_inff(), -__builtin_inff()};
     const int32_t cells[] = {-1, TD_RULE_KINDS * TD_RULE_KINDS, INT32_MAX, INT32_MIN, 0};
-    const int32_t meetings[] = {-1, THUD_MEETING_COUNT, INT32_MAX};
+    const int32_t kinds[] = {-1, THUD_RULE_KIND_COUNT, INT32_MAX};
     const size_t floats[] = {offsetof(thud_rule, friction), offsetof(thud_rule, restitution)};
     thud_world *w = make_pile(0, true);
     steps(w, 60);
@@ -270,8 +270,8 @@ static void rules_out_of_range_are_refused(void **unused) {
             forge(s, forged, rule + offsetof(td_kept_rule, cell), &cells[k], sizeof *cells);
             refused(w, forged, s.size, "contradicts itself");
         }
-        for (size_t k = 0; k < sizeof meetings / sizeof *meetings; k++) {
-            forge(s, forged, rule + offsetof(thud_rule, meeting), &meetings[k], sizeof *meetings);
+        for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
+            forge(s, forged, rule + offsetof(thud_rule, kind), &kinds[k], sizeof *kinds);
             refused(w, forged, s.size, "contradicts itself");
         }
         for (size_t k = 0; k < sizeof beyond / sizeof *beyond; k++) {
@@ -287,7 +287,7 @@ static void rules_out_of_range_are_refused(void **unused) {
         }
         forge(s, forged, rule + offsetof(thud_rule, surface_speed), &beyond[2], sizeof *beyond);
         refused(w, forged, s.size, "contradicts itself");
-        forge(s, forged, rule + offsetof(thud_rule, most_impulse), &beyond[0], sizeof *beyond);
+        forge(s, forged, rule + offsetof(thud_rule, event_impulse), &beyond[0], sizeof *beyond);
         refused(w, forged, s.size, "contradicts itself");
     }
     for (int32_t count = -2; count < 700; count++) {
@@ -313,7 +313,7 @@ static void without_memory_rules_stay_as_they_were(void **unused) {
     saved s = {NULL, 0};
     for (int count = 0; count == 0;) {
         steps(from, 1);
-        thud_world_impulses(from, &count);
+        thud_impulse_events_of(from, &count);
     }
     s = save(from);
     change_rules(twin);

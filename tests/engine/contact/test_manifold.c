@@ -30,13 +30,13 @@ static void meet(int kind_a, int kind_b, thud_body_kind body_a, bool b_first) {
     set_listeners(world, look, NULL, NULL);
     thud_body_id a = {0, 0}, b = {0, 0};
     if (b_first) {
-        b = add_body(world, THUD_DYNAMIC, 0.9, 0, 0);
+        b = add_body(world, THUD_BODY_DYNAMIC, 0.9, 0, 0);
         add_kind(world, b, kind_b);
     }
     a = add_body(world, body_a, 0, 0, 0);
     add_kind(world, a, kind_a);
     if (!b_first) {
-        b = add_body(world, THUD_DYNAMIC, 0.9, 0, 0);
+        b = add_body(world, THUD_BODY_DYNAMIC, 0.9, 0, 0);
         add_kind(world, b, kind_b);
     }
     seen_count = 0;
@@ -58,9 +58,9 @@ static void every_pair_of_kinds_has_its_normal_depth_and_point(void **state) {
     for (int a = 0; a < KINDS; a++) {
         for (int b = 0; b < KINDS; b++) {
             for (int order = 0; order < 2; order++) {
-                meet(a, b, THUD_DYNAMIC, order);
-                meet(a, b, THUD_STATIC, order);
-                meet(a, b, THUD_KINEMATIC, order);
+                meet(a, b, THUD_BODY_DYNAMIC, order);
+                meet(a, b, THUD_BODY_STATIC, order);
+                meet(a, b, THUD_BODY_KINEMATIC, order);
             }
         }
     }
@@ -76,19 +76,19 @@ static void turned_boxes_agree_with_the_closest_features(void **state) {
         thud_world_def def = weightless();
         thud_world *world = make_world(def);
         set_listeners(world, look, NULL, NULL);
-        thud_shape_instance p[2];
+        thud_geometry p[2];
         for (int k = 0; k < 2; k++) {
             double angle = random_in(&seed, -3, 3);
-            thud_body_id id = add_body(world, THUD_DYNAMIC, random_in(&seed, -0.8, 0.8),
+            thud_body_id id = add_body(world, THUD_BODY_DYNAMIC, random_in(&seed, -0.8, 0.8),
                                        random_in(&seed, -0.8, 0.8), angle);
             float hx = (float)random_in(&seed, 0.2, 1), hy = (float)random_in(&seed, 0.2, 1);
             add_shape(world, id, hx, hy, false, NULL);
             thud_body_state s = state_of(world, id);
-            p[k] = (thud_shape_instance){THUD_OBB,     s.position.x, s.position.y, cos(s.angle),
-                                         sin(s.angle), (double)hx,   (double)hy};
+            p[k] = (thud_geometry){THUD_SHAPE_OBB, s.position.x, s.position.y, cos(s.angle),
+                                   sin(s.angle),   (double)hx,   (double)hy};
         }
         thud_closest closest;
-        OK(thud_shapes_closest(&p[0], &p[1], &closest));
+        OK(thud_geometry_closest(&p[0], &p[1], &closest));
         seen_count = 0;
         run(world, 1);
         if (closest.distance < -0.01) {
@@ -114,9 +114,9 @@ static void terrain_pushes_along_its_normal(void **state) {
         thud_shape_def plain = thud_default_shape_def();
         thud_pos points[2] = {{-5, 1}, {5, 1}};
         thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 2};
-        thud_body_id ground = add_body(world, THUD_STATIC, 0, -1, 0);
+        thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, -1, 0);
         OK(thud_shape_create_terrain(world, ground, &plain, &line, NULL));
-        thud_body_id body = add_body(world, THUD_DYNAMIC, 0, 0.4, 0);
+        thud_body_id body = add_body(world, THUD_BODY_DYNAMIC, 0, 0.4, 0);
         add_kind(world, body, kind);
         seen_count = 0;
         run(world, 1);

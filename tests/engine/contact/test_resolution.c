@@ -26,7 +26,7 @@ static void one_way_platform_lets_through_from_below_and_holds_from_above(void *
         for (int kind = 0; kind < 3; kind++) {
             thud_shape_id platform;
             thud_world *world = make_world_with(detections[d], one_way, &platform, true);
-            thud_body_id shelf = add_body(world, THUD_STATIC, 0, 0, 0);
+            thud_body_id shelf = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
             platform = add_shape(world, shelf, 20, 0.1f, true, NULL);
             thud_body_id falls = add_kind(world, kind, 0, 8, NULL);
             thud_body_id jumps = add_kind(world, kind, 3, -3, NULL);
@@ -52,8 +52,8 @@ static void one_way_platform_lets_through_from_below_and_holds_from_above(void *
 static bool refuse(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
                    void *context) {
     (void)settings;
-    assert_int_equal(state_of(world, contact->body_a).kind, THUD_STATIC);
-    assert_int_equal(state_of(world, contact->body_b).kind, THUD_DYNAMIC);
+    assert_int_equal(state_of(world, contact->body_a).kind, THUD_BODY_STATIC);
+    assert_int_equal(state_of(world, contact->body_b).kind, THUD_BODY_DYNAMIC);
     ++*(int *)context;
     return false;
 }
@@ -66,7 +66,7 @@ static void veto_lets_fast_bodies_through_a_wall_at_full_speed(void **state) {
             for (int ground = 0; ground < 2; ground++) {
                 int asked = 0;
                 thud_world *world = make_world_with(detections[d], refuse, &asked, false);
-                thud_body_id wall = add_body(world, THUD_STATIC, 0, 0, 0);
+                thud_body_id wall = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
                 thud_shape_def def = thud_default_shape_def();
                 thud_terrain flat = {.kind = THUD_TERRAIN_FLAT};
                 if (ground) {
@@ -97,7 +97,7 @@ static void sensor_knows_at_every_step_who_is_in(void **state) {
         thud_world *world = make_world_with(detections[d], NULL, NULL, false);
         thud_shape_def sensor = thud_default_shape_def();
         sensor.sensor = true;
-        thud_body_id zone = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id zone = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         add_shape(world, zone, 3, 3, true, &sensor);
         thud_body_id balls[30];
         for (int i = 0; i < 30; i++) {
@@ -109,14 +109,14 @@ static void sensor_knows_at_every_step_who_is_in(void **state) {
         for (int k = 0; k < 300; k++) {
             run(world, 1);
             int overlap = 0;
-            thud_shape_instance box = {.kind = THUD_AABB, .c = 1, .hx = 3, .hy = 3};
+            thud_geometry box = {.kind = THUD_SHAPE_AABB, .c = 1, .hx = 3, .hy = 3};
             for (int i = 0; i < 30; i++) {
                 thud_pos p = state_of(world, balls[i]).position;
-                thud_shape_instance ball = {
-                    .kind = THUD_CIRCLE, .x = p.x, .y = p.y, .c = 1, .hx = (double)0.4f};
-                overlap += thud_shapes_overlap(&box, &ball);
+                thud_geometry ball = {
+                    .kind = THUD_SHAPE_CIRCLE, .x = p.x, .y = p.y, .c = 1, .hx = (double)0.4f};
+                overlap += thud_geometry_overlap(&box, &ball);
             }
-            thud_events e = thud_world_events(world);
+            thud_events e = thud_events_of(world);
             inside += e.sensor_begin_count - e.sensor_end_count;
             came += e.sensor_begin_count;
             assert_int_equal(inside, overlap);
@@ -173,7 +173,7 @@ static void sliding_box_stops_after_the_distance_of_coulomb(void **state) {
             /* the friction of the pair: sqrt(0.25 * 0.64) = 0.4 */
             thud_shape_def floor = surface(0.25f, 0), box = surface(0.64f, 0);
             add_floor(world, &floor);
-            thud_body_id slider = add_body(world, THUD_DYNAMIC, 0, 0.5 + gap_at_rest(d), 0);
+            thud_body_id slider = add_body(world, THUD_BODY_DYNAMIC, 0, 0.5 + gap_at_rest(d), 0);
             add_shape(world, slider, 0.5f, 0.5f, true, &box);
             OK(thud_body_set_velocity(world, slider, (thud_vec2){8, 0}, 0));
             run(world, 180);

@@ -12,15 +12,15 @@ static void ignored_kinds_fall_through(void **unused) {
     for (int d = 0; d < DETECTIONS; d++) {
         for (int b = 0; b < BROADPHASES; b++) {
             thud_world *w = make(detections[d], broadphases[b]);
-            thud_rule ignore = meeting(THUD_IGNORE);
+            thud_rule ignore = rule_of_kind(THUD_RULE_IGNORE);
             OK(thud_world_set_rule(w, GROUND, CRATE, &ignore));
-            add(w, THUD_STATIC, GROUND, 2, 0, -1, 20, 1);
-            thud_body_id crate = add(w, THUD_DYNAMIC, CRATE, 2, -3, 3, 0.5f, 0.5f);
-            thud_body_id player = add(w, THUD_DYNAMIC, PLAYER, 0, 3, 3, 0.5f, 0);
+            add(w, THUD_BODY_STATIC, GROUND, 2, 0, -1, 20, 1);
+            thud_body_id crate = add(w, THUD_BODY_DYNAMIC, CRATE, 2, -3, 3, 0.5f, 0.5f);
+            thud_body_id player = add(w, THUD_BODY_DYNAMIC, PLAYER, 0, 3, 3, 0.5f, 0);
             steps(w, 120);
             assert_true(get(w, crate).position.y < -5);
             assert_true(fabs(get(w, player).position.y - 0.5) < 0.02);
-            assert_int_equal(thud_world_events(w).begin_count, 0);
+            assert_int_equal(thud_events_of(w).begin_count, 0);
             thud_world_destroy(w);
         }
     }
@@ -31,15 +31,15 @@ static void ignored_kinds_fall_through(void **unused) {
 static void a_rule_takes_hold_of_what_touches(void **unused) {
     (void)unused;
     thud_world *w = make(NULL, NULL);
-    thud_rule ignore = meeting(THUD_IGNORE);
-    add(w, THUD_STATIC, GROUND, 2, 0, -1, 20, 1);
-    add(w, THUD_STATIC, PLANK, 2, 0, 2, 3, 0.1f);
-    thud_body_id crate = add(w, THUD_DYNAMIC, CRATE, 2, 0, 2.6, 0.5f, 0.5f);
+    thud_rule ignore = rule_of_kind(THUD_RULE_IGNORE);
+    add(w, THUD_BODY_STATIC, GROUND, 2, 0, -1, 20, 1);
+    add(w, THUD_BODY_STATIC, PLANK, 2, 0, 2, 3, 0.1f);
+    thud_body_id crate = add(w, THUD_BODY_DYNAMIC, CRATE, 2, 0, 2.6, 0.5f, 0.5f);
     steps(w, 200);
     assert_false(get(w, crate).awake);
     OK(thud_world_set_rule(w, CRATE, PLANK, &ignore));
     steps(w, 1);
-    assert_int_equal(thud_world_events(w).end_count, 1);
+    assert_int_equal(thud_events_of(w).end_count, 1);
     steps(w, 200);
     assert_true(fabs(get(w, crate).position.y - 0.5) < 0.02);
     /* Without the rule the plank collides with the crate again, which is below it by now. */
@@ -55,12 +55,12 @@ static void a_rule_takes_hold_of_what_touches(void **unused) {
 static void the_lowest_bit_is_the_kind(void **unused) {
     (void)unused;
     thud_world *w = make(NULL, NULL);
-    thud_rule ignore = meeting(THUD_IGNORE);
+    thud_rule ignore = rule_of_kind(THUD_RULE_IGNORE);
     OK(thud_world_set_rule(w, GROUND, PLAYER, &ignore));
-    add(w, THUD_STATIC, GROUND | CRATE, 2, 0, -1, 20, 1);
-    thud_body_id both = add(w, THUD_DYNAMIC, PLAYER | CRATE, 2, -3, 1, 0.5f, 0.5f);
+    add(w, THUD_BODY_STATIC, GROUND | CRATE, 2, 0, -1, 20, 1);
+    thud_body_id both = add(w, THUD_BODY_DYNAMIC, PLAYER | CRATE, 2, -3, 1, 0.5f, 0.5f);
     thud_shape_def def = of_kind(CRATE);
-    thud_body_id later = add_body(w, THUD_DYNAMIC, 3, 1, 0);
+    thud_body_id later = add_body(w, THUD_BODY_DYNAMIC, 3, 1, 0);
     thud_shape_id shape = add_shape(w, later, 0.5f, 0.5f, false, &def);
     steps(w, 60);
     assert_true(get(w, both).position.y < -1);
@@ -84,10 +84,10 @@ static void rules_make_surfaces(void **unused) {
     OK(thud_world_set_rule(w, GROUND, CRATE, &ice));
     OK(thud_world_set_rule(w, GROUND, PLAYER, &belt));
     OK(thud_world_set_rule(w, 16, GROUND, &trampoline));
-    add(w, THUD_STATIC, GROUND, 2, 0, -1, 100, 1);
-    thud_body_id crate = add(w, THUD_DYNAMIC, CRATE, 2, -5, 0.5, 0.5f, 0.5f);
-    thud_body_id player = add(w, THUD_DYNAMIC, PLAYER, 2, 0, 0.5, 0.5f, 0.5f);
-    thud_body_id ball = add(w, THUD_DYNAMIC, 16, 0, 5, 3, 0.5f, 0);
+    add(w, THUD_BODY_STATIC, GROUND, 2, 0, -1, 100, 1);
+    thud_body_id crate = add(w, THUD_BODY_DYNAMIC, CRATE, 2, -5, 0.5, 0.5f, 0.5f);
+    thud_body_id player = add(w, THUD_BODY_DYNAMIC, PLAYER, 2, 0, 0.5, 0.5f, 0.5f);
+    thud_body_id ball = add(w, THUD_BODY_DYNAMIC, 16, 0, 5, 3, 0.5f, 0);
     throw_up(w, crate, -3, 0);
     double highest = 0;
     for (int i = 0; i < 120; i++) {
@@ -124,13 +124,13 @@ static void a_prologue_comes_after_the_rules(void **unused) {
     (void)unused;
     thud_world *w = make(NULL, NULL);
     int asked = 0;
-    thud_rule ice = thud_default_rule(), one_way = meeting(THUD_ONE_WAY);
+    thud_rule ice = thud_default_rule(), one_way = rule_of_kind(THUD_RULE_ONE_WAY);
     ice.friction = 0;
     OK(thud_world_set_rule(w, GROUND, CRATE, &ice));
     OK(thud_world_set_rule(w, PLANK, PLAYER, &one_way));
     OK(thud_world_set_listeners(w, &(thud_listeners){.prologue = last_word, .context = &asked}));
-    add(w, THUD_STATIC, GROUND, 2, 0, -1, 100, 1);
-    thud_body_id crate = add(w, THUD_DYNAMIC, CRATE, 2, -5, 0.5, 0.5f, 0.5f);
+    add(w, THUD_BODY_STATIC, GROUND, 2, 0, -1, 100, 1);
+    thud_body_id crate = add(w, THUD_BODY_DYNAMIC, CRATE, 2, -5, 0.5, 0.5f, 0.5f);
     throw_up(w, crate, 4, 0);
     steps(w, 60);
     assert_true(fabs((double)get(w, crate).velocity.x) < 1e-3);
@@ -145,8 +145,8 @@ static void a_prologue_comes_after_the_rules(void **unused) {
     OK(thud_world_set_rule(w, PLANK, PLAYER, &one_way));
     OK(thud_world_set_listeners(w, &(thud_listeners){.prologue = last_word, .context = &asked}));
     asked = 0;
-    add(w, THUD_STATIC, PLANK, 2, 0, 0, 3, 0.4f);
-    add(w, THUD_DYNAMIC, PLAYER, 2, 0, 0, 0.2f, 0.2f);
+    add(w, THUD_BODY_STATIC, PLANK, 2, 0, 0, 3, 0.4f);
+    add(w, THUD_BODY_DYNAMIC, PLAYER, 2, 0, 0, 0.2f, 0.2f);
     steps(w, 10);
     assert_int_equal(asked, 0);
     thud_world_destroy(w);
@@ -162,23 +162,23 @@ static void impulses_are_told(void **unused) {
         for (int form = 0; form < 3; form++) {
             thud_world *w = make(detections[d], NULL);
             thud_rule fragile = thud_default_rule();
-            fragile.most_impulse = 3;
+            fragile.event_impulse = 3;
             OK(thud_world_set_rule(w, CRATE, GROUND, &fragile));
-            add(w, THUD_STATIC, GROUND, 2, 0, -1, 20, 1);
-            thud_body_id crate = add(w, THUD_DYNAMIC, CRATE, form, 0, 1, 0.5f, 0.5f);
-            add(w, THUD_DYNAMIC, PLAYER, form, 5, 3, 0.5f, 0.5f);
+            add(w, THUD_BODY_STATIC, GROUND, 2, 0, -1, 20, 1);
+            thud_body_id crate = add(w, THUD_BODY_DYNAMIC, CRATE, form, 0, 1, 0.5f, 0.5f);
+            add(w, THUD_BODY_DYNAMIC, PLAYER, form, 5, 3, 0.5f, 0.5f);
             int count = 0;
             /* it falls 0.5 m and lands with 3.2 m/s times up to 1 kg */
             for (int i = 0; i < 60; i++) {
                 steps(w, 1);
-                thud_world_impulses(w, &count);
+                thud_impulse_events_of(w, &count);
                 assert_true(count == 0 || form > 0);
             }
             throw_up(w, crate, 0, 8);
             float most = 0;
             for (int i = 0; i < 120; i++) {
                 steps(w, 1);
-                const thud_impulse_event *events = thud_world_impulses(w, &count);
+                const thud_impulse_event *events = thud_impulse_events_of(w, &count);
                 for (int k = 0; k < count; k++) {
                     assert_true(events[k].impulse > 3);
                     assert_true(fabs((double)events[k].normal.y) > 0.99);
@@ -209,7 +209,7 @@ static bool keep_apart(const thud_world *w, thud_shape_id a, thud_shape_id b, vo
     apart *s = context;
     thud_shape_state state;
     s->asked++;
-    OK(thud_shape_get(w, a, &state));
+    OK(thud_shape_get_state(w, a, &state));
     assert_int_equal(thud_world_step(s->world), THUD_ERROR_LOCKED);
     assert_int_equal(thud_world_set_filter(s->world, NULL, NULL), THUD_ERROR_LOCKED);
     return !s->refuse || (a.index1 != s->shape.index1 && b.index1 != s->shape.index1);
@@ -221,10 +221,10 @@ static void a_filter_keeps_apart(void **unused) {
     for (int i = 0; i < DETECTIONS * BROADPHASES; i++) {
         thud_world *w = make(detections[i % DETECTIONS], broadphases[i / DETECTIONS]);
         apart s = {.refuse = true, .world = w};
-        add(w, THUD_STATIC, GROUND, 2, 0, -1, 20, 1);
-        thud_body_id faller = add_body(w, THUD_DYNAMIC, -3, 1, 0);
+        add(w, THUD_BODY_STATIC, GROUND, 2, 0, -1, 20, 1);
+        thud_body_id faller = add_body(w, THUD_BODY_DYNAMIC, -3, 1, 0);
         s.shape = add_shape(w, faller, 0.5f, 0.5f, false, NULL);
-        thud_body_id other = add(w, THUD_DYNAMIC, 1, 0, 3, 1, 0.5f, 0);
+        thud_body_id other = add(w, THUD_BODY_DYNAMIC, 1, 0, 3, 1, 0.5f, 0);
         OK(thud_world_set_filter(w, keep_apart, &s));
         steps(w, 60);
         assert_true(s.asked > 0);
@@ -254,30 +254,30 @@ static void wrong_rules_change_nothing(void **unused) {
     for (int i = 0; i < 9; i++) {
         bad[i] = thud_default_rule();
     }
-    bad[0].meeting = (thud_meeting)3;
-    bad[1].meeting = (thud_meeting)-1;
+    bad[0].kind = (thud_rule_kind)3;
+    bad[1].kind = (thud_rule_kind)-1;
     bad[2].solid_side = (thud_vec2){0, 0};
     bad[3].solid_side.x = INFINITY;
     bad[4].friction = nextafterf(THUD_FRICTION_MAX, INFINITY);
     bad[5].restitution = -1e-30f;
     bad[6].surface_speed = nextafterf(-THUD_SURFACE_SPEED_MAX, -INFINITY);
-    bad[7].most_impulse = -1;
-    bad[8].most_impulse = NAN;
+    bad[7].event_impulse = -1;
+    bad[8].event_impulse = NAN;
     for (int i = 0; i < 9; i++) {
         assert_int_equal(thud_world_set_rule(w, 1, 2, &bad[i]), THUD_ERROR_INVALID);
     }
-    thud_rule one_way = meeting(THUD_ONE_WAY);
+    thud_rule one_way = rule_of_kind(THUD_RULE_ONE_WAY);
     assert_int_equal(thud_world_set_rule(w, 3, 2, &one_way), THUD_ERROR_INVALID);
     assert_int_equal(thud_world_set_rule(w, 0, 2, &good), THUD_ERROR_INVALID);
     assert_int_equal(thud_world_set_rule(w, 1, 0, NULL), THUD_ERROR_INVALID);
     assert_int_equal(thud_world_set_rule(NULL, 1, 2, &good), THUD_ERROR_NULL);
     assert_int_equal(thud_world_set_filter(NULL, NULL, NULL), THUD_ERROR_NULL);
-    assert_int_equal(thud_world_rule(w, 3, 1, &read, NULL, NULL), THUD_ERROR_INVALID);
-    assert_int_equal(thud_world_rule(NULL, 1, 1, &read, NULL, NULL), THUD_ERROR_NULL);
-    OK(thud_world_rule(w, 1, 2, &read, &set, NULL));
+    assert_int_equal(thud_world_get_rule(w, 3, 1, &read, NULL, NULL), THUD_ERROR_INVALID);
+    assert_int_equal(thud_world_get_rule(NULL, 1, 1, &read, NULL, NULL), THUD_ERROR_NULL);
+    OK(thud_world_get_rule(w, 1, 2, &read, &set, NULL));
     assert_true(set && read.friction == 0.25f && isnan(read.restitution));
     int count = 7;
-    assert_null(thud_world_impulses(NULL, &count));
+    assert_null(thud_impulse_events_of(NULL, &count));
     assert_int_equal(count, 0);
     thud_world_destroy(w);
 }

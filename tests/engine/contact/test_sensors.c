@@ -31,7 +31,7 @@ static int told_of(const thud_contact_event *events, int count, thud_shape_id a,
 /* Asserts that the last step reported the begin of sensor `a` with shape `b`, and no other sensor
  * event. */
 static void only_begins(const thud_world *world, thud_shape_id a, thud_shape_id b) {
-    thud_events e = thud_world_events(world);
+    thud_events e = thud_events_of(world);
     assert_int_equal(e.sensor_begin_count, 1);
     assert_int_equal(told_of(e.sensor_begin, 1, a, b), 1);
     assert_int_equal(e.sensor_end_count, 0);
@@ -39,14 +39,14 @@ static void only_begins(const thud_world *world, thud_shape_id a, thud_shape_id 
 
 /* The same of the end. */
 static void only_ends(const thud_world *world, thud_shape_id a, thud_shape_id b) {
-    thud_events e = thud_world_events(world);
+    thud_events e = thud_events_of(world);
     assert_int_equal(e.sensor_end_count, 1);
     assert_int_equal(told_of(e.sensor_end, 1, a, b), 1);
     assert_int_equal(e.sensor_begin_count, 0);
 }
 
 static void no_sensor_event(const thud_world *world) {
-    thud_events e = thud_world_events(world);
+    thud_events e = thud_events_of(world);
     assert_int_equal(e.sensor_begin_count + e.sensor_end_count, 0);
 }
 
@@ -63,7 +63,7 @@ static void sensor_of_each_kind_sees_each_kind_but_static_static(void **state) {
         thud_body_id body = add_body(world, other, 0.5, 0, 0);
         thud_shape_id shape = add_shape(world, body, 0.5f, 0, false, NULL);
         run(world, 1);
-        if (own == THUD_STATIC && other == THUD_STATIC) {
+        if (own == THUD_BODY_STATIC && other == THUD_BODY_STATIC) {
             no_sensor_event(world);
         } else {
             only_begins(world, zone, shape);
@@ -78,14 +78,14 @@ static void sensor_of_each_kind_sees_each_kind_but_static_static(void **state) {
 static void kinematic_body_that_passes_a_sensor_begins_and_ends(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
-    thud_shape_id coin = add_sensor(world, add_body(world, THUD_STATIC, 3, 0, 0));
-    thud_body_id hero = add_body(world, THUD_KINEMATIC, 0, 0, 0);
+    thud_shape_id coin = add_sensor(world, add_body(world, THUD_BODY_STATIC, 3, 0, 0));
+    thud_body_id hero = add_body(world, THUD_BODY_KINEMATIC, 0, 0, 0);
     thud_shape_id shape = add_shape(world, hero, 0.5f, 0.5f, true, NULL);
     int begun = 0, ended = 0;
     OK(thud_body_set_velocity(world, hero, (thud_vec2){3, 0}, 0));
     for (int i = 0; i < 120; i++) {
         run(world, 1);
-        thud_events e = thud_world_events(world);
+        thud_events e = thud_events_of(world);
         begun += told_of(e.sensor_begin, e.sensor_begin_count, coin, shape);
         ended += told_of(e.sensor_end, e.sensor_end_count, coin, shape);
         assert_int_equal(e.begin_count, 0);
@@ -104,18 +104,18 @@ static void two_sensors_report_each_other_where_their_filters_meet(void **state)
         thud_shape_def def = sensor_def();
         def.filter = (thud_filter){2, meet ? 4 : 1, 0};
         thud_shape_id a =
-            add_shape(world, add_body(world, THUD_STATIC, 0, 0, 0), 1, 0, false, &def);
+            add_shape(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0), 1, 0, false, &def);
         def.filter = (thud_filter){4, 2, 0};
-        thud_body_id body = add_body(world, THUD_KINEMATIC, 1, 0, 0);
+        thud_body_id body = add_body(world, THUD_BODY_KINEMATIC, 1, 0, 0);
         thud_shape_id b = add_shape(world, body, 1, 0, false, &def);
         run(world, 1);
-        thud_events e = thud_world_events(world);
+        thud_events e = thud_events_of(world);
         assert_int_equal(e.sensor_begin_count, meet ? 2 : 0);
         assert_int_equal(told_of(e.sensor_begin, e.sensor_begin_count, a, b), meet);
         assert_int_equal(told_of(e.sensor_begin, e.sensor_begin_count, b, a), meet);
         OK(thud_body_destroy(world, body));
         run(world, 1);
-        e = thud_world_events(world);
+        e = thud_events_of(world);
         assert_int_equal(e.sensor_end_count, meet ? 2 : 0);
         assert_int_equal(told_of(e.sensor_end, e.sensor_end_count, a, b), meet);
         assert_int_equal(told_of(e.sensor_end, e.sensor_end_count, b, a), meet);
@@ -130,16 +130,16 @@ static void sensors_report_without_contact_events(void **state) {
     def.contact_events = false;
     thud_world *world = make_world(def);
     add_floor(world, NULL);
-    thud_shape_id zone = add_sensor(world, add_body(world, THUD_STATIC, 0, 0.5, 0));
-    thud_body_id ball = add_body(world, THUD_DYNAMIC, 0, 0.5, 0);
+    thud_shape_id zone = add_sensor(world, add_body(world, THUD_BODY_STATIC, 0, 0.5, 0));
+    thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 0, 0.5, 0);
     thud_shape_id shape = add_shape(world, ball, 0.5f, 0, false, NULL);
     run(world, 1);
     only_begins(world, zone, shape);
-    assert_int_equal(thud_world_events(world).begin_count, 0);
+    assert_int_equal(thud_events_of(world).begin_count, 0);
     OK(thud_body_destroy(world, ball));
     run(world, 1);
     only_ends(world, zone, shape);
-    assert_int_equal(thud_world_events(world).end_count, 0);
+    assert_int_equal(thud_events_of(world).end_count, 0);
     thud_world_destroy(world);
 }
 
@@ -152,9 +152,9 @@ static void line_and_sensor_meet_on_kinematic_bodies(void **state) {
         const thud_pos points[] = {{-4, 0}, {-1, 0.5}, {2, 0}, {4, 0.2}};
         thud_terrain hills = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 4};
         thud_shape_id line, shape;
-        OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, 0, 0, 0),
+        OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0),
                                      how ? &def : &plain, &hills, &line));
-        thud_body_id body = add_body(world, THUD_KINEMATIC, 0, 1.5, 0);
+        thud_body_id body = add_body(world, THUD_BODY_KINEMATIC, 0, 1.5, 0);
         shape = add_shape(world, body, 1, 0, false, how ? &plain : &def);
         run(world, 1);
         no_sensor_event(world);
@@ -187,7 +187,7 @@ static bedroom make_bedroom(bool sensor) {
     thud_shape_def sensing = sensor_def();
     def.gravity = (thud_vec2){0, 0};
     bedroom room = {.world = make_world(def)};
-    room.ball = add_body(room.world, THUD_DYNAMIC, 0, 0, 0);
+    room.ball = add_body(room.world, THUD_BODY_DYNAMIC, 0, 0, 0);
     room.shape = add_shape(room.world, room.ball, 0.5f, 0, false, sensor ? &sensing : NULL);
     run(room.world, 60);
     assert_false(state_of(room.world, room.ball).awake);
@@ -198,7 +198,7 @@ static bedroom make_bedroom(bool sensor) {
  * it. */
 static thud_body_id add_other(const bedroom *room, bool sensor, bool over, thud_shape_id *shape) {
     thud_shape_def sensing = sensor_def();
-    thud_body_id body = add_body(room->world, THUD_STATIC, over ? 0 : 9, 0, 0);
+    thud_body_id body = add_body(room->world, THUD_BODY_STATIC, over ? 0 : 9, 0, 0);
     *shape = add_shape(room->world, body, 1, 1, true, sensor ? &sensing : NULL);
     return body;
 }
@@ -280,7 +280,7 @@ static void line_that_comes_to_a_sleeping_sensor_is_seen(void **state) {
         thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 2};
         thud_shape_def def = how ? sensor_def() : thud_default_shape_def();
         thud_shape_id ground;
-        thud_body_id body = add_body(room.world, THUD_STATIC, 0, 0, 0);
+        thud_body_id body = add_body(room.world, THUD_BODY_STATIC, 0, 0, 0);
         OK(thud_shape_create_terrain(room.world, body, &def, &line, &ground));
         run(room.world, 1);
         only_begins(room.world, how ? ground : room.shape, how ? room.shape : ground);
@@ -317,16 +317,16 @@ static void sensor_wakes_nobody(void **state) {
         add_box(world, 0, 0.5 + i, 0.5f, 0.5f);
     }
     run(world, 240);
-    assert_int_equal(thud_world_stats(world).awake_bodies, 0);
-    thud_body_id light = add_body(world, THUD_KINEMATIC, -3, 2, 0);
+    assert_int_equal(thud_stats_of(world).awake_bodies, 0);
+    thud_body_id light = add_body(world, THUD_BODY_KINEMATIC, -3, 2, 0);
     add_sensor(world, light);
     int begun = 0, ended = 0;
     for (int i = 0; i < 180; i++) {
         OK(thud_body_set_velocity(world, light, (thud_vec2){2, 0}, 0));
         run(world, 1);
-        begun += thud_world_events(world).sensor_begin_count;
-        ended += thud_world_events(world).sensor_end_count;
-        assert_int_equal(thud_world_stats(world).awake_bodies, 1);
+        begun += thud_events_of(world).sensor_begin_count;
+        ended += thud_events_of(world).sensor_end_count;
+        assert_int_equal(thud_stats_of(world).awake_bodies, 1);
     }
     assert_int_equal(begun, 3);
     assert_int_equal(ended, 3);
@@ -343,18 +343,18 @@ static void what_moves_in_or_out_is_told_by_the_same_step(void **state) {
         thud_world_def def = weightless();
         def.detection = detections[d];
         thud_world *world = make_world(def);
-        thud_shape_id zone = add_sensor(world, add_body(world, THUD_STATIC, 0, 0, 0));
-        thud_body_id ball = add_body(world, THUD_DYNAMIC, -2, 0, 0);
+        thud_shape_id zone = add_sensor(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0));
+        thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, -2, 0, 0);
         thud_shape_id shape = add_shape(world, ball, 0.5f, 0, false, NULL);
         OK(thud_body_set_velocity(world, ball, (thud_vec2){60, 0}, 0));
         run(world, 1); /* the ball is at -1 */
         only_begins(world, zone, shape);
-        near_to(thud_world_events(world).sensor_begin_time[0], d ? 0.5 : 1, 1e-3);
+        near_to(thud_events_of(world).sensor_begin_time[0], d ? 0.5 : 1, 1e-3);
         run(world, 2); /* at 1 */
         no_sensor_event(world);
         run(world, 1); /* at 2 */
         only_ends(world, zone, shape);
-        near_to(thud_world_events(world).sensor_end_time[0], d ? 0.5 : 1, 1e-3);
+        near_to(thud_events_of(world).sensor_end_time[0], d ? 0.5 : 1, 1e-3);
         thud_world_destroy(world);
     }
 }
@@ -370,10 +370,10 @@ static void gates_are_passed_on_the_way_and_back(void **state) {
         thud_world *world = make_world(def);
         thud_shape_def gate = sensor_def(), elastic = thud_default_shape_def();
         elastic.restitution = 1;
-        thud_body_id comes = add_body(world, THUD_DYNAMIC, 2, 0, 0);
-        thud_body_id ball = add_body(world, THUD_DYNAMIC, 0, 0, 0);
-        thud_body_id wall = add_body(world, THUD_STATIC, 4.5, 0, 0);
-        add_shape(world, add_body(world, THUD_STATIC, 1, 0, 0), 0.05f, 1, true, &gate);
+        thud_body_id comes = add_body(world, THUD_BODY_DYNAMIC, 2, 0, 0);
+        thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
+        thud_body_id wall = add_body(world, THUD_BODY_STATIC, 4.5, 0, 0);
+        add_shape(world, add_body(world, THUD_BODY_STATIC, 1, 0, 0), 0.05f, 1, true, &gate);
         add_shape(world, comes, 0.05f, 1, true, &gate);
         add_shape(world, wall, 0.5f, 3, true, &elastic);
         add_shape(world, ball, 0.1f, 0, false, &elastic);
@@ -382,7 +382,7 @@ static void gates_are_passed_on_the_way_and_back(void **state) {
         int begun = 0, ended = 0;
         for (int step = 0; step < 6; step++) {
             run(world, 1);
-            thud_events e = thud_world_events(world);
+            thud_events e = thud_events_of(world);
             for (int i = 0; i < e.sensor_begin_count; i++) {
                 assert_true(d || e.sensor_begin_time[i] == 1);
             }
@@ -416,20 +416,20 @@ static void body_that_is_held_twice_in_a_step_passes_what_it_did_when_it_did(voi
             int side = i / 3 % 2 ? !k : k; /* the order of creation decides which is tested first */
             double y = 3 * side;
             thud_body_def body = thud_default_body_def();
-            body.kind = THUD_DYNAMIC;
+            body.kind = THUD_BODY_DYNAMIC;
             body.position = (thud_pos){0, y};
             body.velocity = (thud_vec2){600, 0};
             body.detection = swept && side ? &thud_detection_swept : NULL;
             OK(thud_body_create(world, &body, &ball[side]));
             add_shape(world, ball[side], 0.1f, 0, false, &plain);
-            add_shape(world, add_body(world, THUD_STATIC, stop[side] + 0.6, y, 0), 0.5f, 1, true,
-                      &plain);
+            add_shape(world, add_body(world, THUD_BODY_STATIC, stop[side] + 0.6, y, 0), 0.5f, 1,
+                      true, &plain);
             for (int x = 1; x < 9; x++) {
-                thud_body_id at = add_body(world, THUD_STATIC, x == 1 ? 1 : x + 0.5, y, 0);
+                thud_body_id at = add_body(world, THUD_BODY_STATIC, x == 1 ? 1 : x + 0.5, y, 0);
                 add_shape(world, at, 0.05f, 1, true, &gate);
             }
         }
-        thud_joint_def rod = thud_default_joint_def(THUD_DISTANCE);
+        thud_joint_def rod = thud_default_joint_def(THUD_JOINT_DISTANCE);
         rod.body_a = ball[0];
         rod.body_b = ball[1];
         rod.length = 3;
@@ -437,7 +437,7 @@ static void body_that_is_held_twice_in_a_step_passes_what_it_did_when_it_did(voi
         run(world, 1);
         double end = fmin(stop[0], stop[1]);
         int gates = 2 * (1 + (int)fmax(0, floor(end - 0.65 - 1)));
-        thud_events e = thud_world_events(world);
+        thud_events e = thud_events_of(world);
         for (int k = 0; k < 2; k++) {
             near_to(state_of(world, ball[k]).position.x, end, 0.03);
         }
@@ -468,18 +468,18 @@ static void what_wakes_as_a_sensor_passes_it_is_told_of_once(void **state) {
             def.maximum_speed = 1000;
             thud_world *world = make_world(def);
             thud_shape_def zone = sensor_def();
-            thud_body_id sleeper = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+            thud_body_id sleeper = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
             add_shape(world, sleeper, 0.5f, 0.5f, true, NULL);
             run(world, 60);
             assert_false(state_of(world, sleeper).awake);
-            thud_body_id other = add_body(world, THUD_DYNAMIC, 0, 0.99, 0);
+            thud_body_id other = add_body(world, THUD_BODY_DYNAMIC, 0, 0.99, 0);
             add_shape(world, other, 0.2f, 0.5f, true, NULL);
-            thud_body_id quick = add_body(world, THUD_DYNAMIC, -3, -0.3, 0);
+            thud_body_id quick = add_body(world, THUD_BODY_DYNAMIC, -3, -0.3, 0);
             add_shape(world, quick, 0.1f, 0, false, &zone);
             OK(thud_body_set_velocity(world, quick, (thud_vec2){360, 0}, 0));
             run(world, 1);
             assert_true(state_of(world, sleeper).awake);
-            thud_events e = thud_world_events(world);
+            thud_events e = thud_events_of(world);
             assert_int_equal(e.sensor_begin_count, 1);
             assert_int_equal(e.sensor_end_count, 1);
             thud_world_destroy(world);

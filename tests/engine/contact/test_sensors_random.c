@@ -34,14 +34,14 @@ typedef struct seen_shape {
     uint32_t body;
     thud_filter filter;
     bool is_line;
-    thud_shape_instance placed;
+    thud_geometry placed;
     thud_terrain line;
 } seen_shape;
 
 /* Reads a shape with its pose, for the reference. */
 static void look_at(const chaos *c, thud_shape_id id, seen_shape *out) {
     thud_shape_state shape;
-    OK(thud_shape_get(c->world, id, &shape));
+    OK(thud_shape_get_state(c->world, id, &shape));
     thud_body_state body = state_of(c->world, shape.body);
     double x = (double)shape.offset.x, y = (double)shape.offset.y;
     double cs = (double)body.cosine, sn = (double)body.sine;
@@ -51,16 +51,16 @@ static void look_at(const chaos *c, thud_shape_id id, seen_shape *out) {
                         .kind = body.kind,
                         .body = shape.body.index1,
                         .filter = shape.filter,
-                        .is_line = shape.kind == THUD_TERRAIN};
-    out->placed = (thud_shape_instance){.kind = shape.kind,
-                                        .x = body.position.x + cs * x - sn * y,
-                                        .y = body.position.y + sn * x + cs * y,
-                                        .c = shape.kind == THUD_OBB ? cs : 1.0,
-                                        .s = shape.kind == THUD_OBB ? sn : 0.0,
-                                        .hx = (double)shape.half_extents.x,
-                                        .hy = (double)shape.half_extents.y};
+                        .is_line = shape.kind == THUD_SHAPE_TERRAIN};
+    out->placed = (thud_geometry){.kind = shape.kind,
+                                  .x = body.position.x + cs * x - sn * y,
+                                  .y = body.position.y + sn * x + cs * y,
+                                  .c = shape.kind == THUD_SHAPE_OBB ? cs : 1.0,
+                                  .s = shape.kind == THUD_SHAPE_OBB ? sn : 0.0,
+                                  .hx = (double)shape.half_extents.x,
+                                  .hy = (double)shape.half_extents.y};
     if (out->is_line) {
-        OK(thud_shape_terrain(c->world, id, &out->line));
+        OK(thud_shape_get_terrain(c->world, id, &out->line));
     }
 }
 
@@ -72,7 +72,7 @@ static void look_around(const chaos *c, seen_shape *shapes) {
         int count = 0;
         thud_body_id body = i < BODIES ? c->bodies[i] : c->ground;
         if (thud_body_is_valid(c->world, body)) {
-            OK(thud_body_shapes(c->world, body, ids, 16, &count));
+            OK(thud_body_get_shapes(c->world, body, ids, 16, &count));
         }
         for (int k = 0; k < count; k++) {
             assert_true(ids[k].index1 <= SHAPES_MAX);
@@ -90,12 +90,12 @@ static bool filters_meet(const thud_filter *a, const thud_filter *b) {
 static double distance_of(const seen_shape *a, const seen_shape *b) {
     thud_closest c = {.distance = 1};
     if (a->is_line) {
-        thud_shape_instance relative = b->placed;
+        thud_geometry relative = b->placed;
         relative.x -= a->placed.x;
         relative.y -= a->placed.y;
         OK(thud_terrain_closest(&a->line, &relative, &c));
     } else {
-        OK(thud_shapes_closest(&a->placed, &b->placed, &c));
+        OK(thud_geometry_closest(&a->placed, &b->placed, &c));
     }
     return c.distance;
 }
@@ -106,7 +106,7 @@ static void check(const chaos *c, const seen_shape *shapes, int step) {
         for (int k = 0; k < SHAPES_MAX; k++) {
             const seen_shape *s = &shapes[i], *v = &shapes[k];
             bool may = s->there && v->there && s->sensor && s->body != v->body &&
-                       (s->kind != THUD_STATIC || v->kind != THUD_STATIC) &&
+                       (s->kind != THUD_BODY_STATIC || v->kind != THUD_BODY_STATIC) &&
                        filters_meet(&s->filter, &v->filter);
             double distance = !may ? 1 : v->is_line ? distance_of(v, s) : distance_of(s, v);
             if (c->open[i][k] != (distance < 0) && fabs(distance) > NEARLY) {
@@ -137,13 +137,13 @@ static void add_random_shape(chaos *c, thud_body_id body) {
 }
 
 static void add_random_body(chaos *c, int i) {
-    thud_body_kind kind = (thud_body_kind)(pick(c, 5) > 2 ? THUD_DYNAMIC : pick(c, 3));
+    thud_body_kind kind = (thud_body_kind)(pick(c, 5) > 2 ? THUD_BODY_DYNAMIC : pick(c, 3));
     c->bodies[i] = add_body(c->world, kind, random_in(&c->seed, -6, 6), random_in(&c->seed, -1, 5),
                             random_in(&c->seed, -1, 1));
     for (int shapes = pick(c, 2); shapes >= 0; shapes--) {
         add_random_shape(c, c->bodies[i]);
     }
-    if (kind == THUD_KINEMATIC) {
+    if (kind == THUD_BODY_KINEMATIC) {
         thud_vec2 v = {(float)random_in(&c->seed, -2, 2), (float)random_in(&c->seed, -1, 1)};
         OK(thud_body_set_velocity(c->world, c->bodies[i], v, 0.5f));
     }
@@ -157,7 +157,7 @@ static void add_ground(chaos *c) {
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = LINE};
     thud_shape_def def = thud_default_shape_def();
     def.sensor = pick(c, 4) == 0;
-    c->ground = add_body(c->world, THUD_STATIC, 0, 0, 0);
+    c->ground = add_body(c->world, THUD_BODY_STATIC, 0, 0, 0);
     OK(thud_shape_create_terrain(c->world, c->ground, &def, &line, &c->line));
     def.sensor = false;
     OK(thud_shape_create_aabb(c->world, c->ground, &def, (thud_vec2){0, -4}, (thud_vec2){14, 1},
@@ -213,12 +213,12 @@ static void edit(chaos *c) {
         }
         break;
     case 5:
-        if (state_of(w, body).kind == THUD_DYNAMIC) {
+        if (state_of(w, body).kind == THUD_BODY_DYNAMIC) {
             OK(thud_body_set_awake(w, body, pick(c, 4) == 0));
         }
         break;
     default:
-        OK(thud_body_shapes(w, body, shapes, 16, &count));
+        OK(thud_body_get_shapes(w, body, shapes, 16, &count));
         if (count > 1) {
             OK(thud_shape_destroy(w, shapes[pick(c, count)]));
         }
@@ -229,7 +229,7 @@ static void edit(chaos *c) {
 static void lull(chaos *c) {
     for (int i = 0; i < BODIES; i++) {
         if (thud_body_is_valid(c->world, c->bodies[i]) &&
-            state_of(c->world, c->bodies[i]).kind == THUD_DYNAMIC) {
+            state_of(c->world, c->bodies[i]).kind == THUD_BODY_DYNAMIC) {
             OK(thud_body_set_awake(c->world, c->bodies[i], false));
         }
     }
@@ -239,7 +239,7 @@ static void lull(chaos *c) {
 static void shift_still(chaos *c) {
     int i = pick(c, BODIES), tried = 0;
     while (tried < BODIES && !(thud_body_is_valid(c->world, c->bodies[i]) &&
-                               state_of(c->world, c->bodies[i]).kind == THUD_STATIC)) {
+                               state_of(c->world, c->bodies[i]).kind == THUD_BODY_STATIC)) {
         i = (i + 1) % BODIES;
         tried++;
     }
@@ -261,7 +261,7 @@ static int place_of(const thud_contact_event *pair, const thud_contact_event *li
 /* Books the events of a step. A pair that ended and was not open has passed: it began in the same
  * step. */
 static void book(chaos *c, const seen_shape *shapes) {
-    thud_events e = thud_world_events(c->world);
+    thud_events e = thud_events_of(c->world);
     for (int i = 0; i < e.sensor_end_count; i++) {
         const thud_contact_event *pair = &e.sensor_end[i];
         bool *open = &c->open[pair->shape_a.index1 - 1][pair->shape_b.index1 - 1];

@@ -11,7 +11,7 @@
 /* The events of one step. */
 static thud_events told(thud_world *world) {
     run(world, 1);
-    return thud_world_events(world);
+    return thud_events_of(world);
 }
 
 /* Asserts that there are no events for that many steps. */
@@ -33,7 +33,7 @@ static thud_shape_id add_silent(thud_world *world, thud_body_id body, float hx, 
 static void set_events(thud_world *world, thud_shape_id shape, bool events) {
     thud_shape_state state;
     OK(thud_shape_set_events(world, shape, events));
-    OK(thud_shape_get(world, shape, &state));
+    OK(thud_shape_get_state(world, shape, &state));
     assert_int_equal(state.events, events);
 }
 
@@ -48,7 +48,7 @@ static void silent_shape_touches_hits_and_parts_unheard_and_others_do_not(void *
         def.detection = detections[d];
         thud_world *world = make_world(def);
         add_floor(world, NULL);
-        thud_body_id ball = add_body(world, THUD_DYNAMIC, 0, 3, 0);
+        thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 0, 3, 0);
         add_silent(world, ball, 0.5f, 0);
         thud_body_id loud = add_ball(world, 10, 3, 0.5f);
         int begun = 0, hits = 0;
@@ -79,8 +79,8 @@ static void silence_of_either_side_is_enough_for_sensors_too(void **state) {
         zone.sensor = true;
         zone.events = silent != 0;
         plain.events = silent != 1;
-        add_shape(world, add_body(world, THUD_STATIC, 0, 0, 0), 1, 1, true, &zone);
-        thud_body_id ball = add_body(world, THUD_DYNAMIC, 0.5, 0, 0);
+        add_shape(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0), 1, 1, true, &zone);
+        thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 0.5, 0, 0);
         add_shape(world, ball, 0.5f, 0, false, &plain);
         nothing_told(world, 2);
         OK(thud_body_set_transform(world, ball, (thud_pos){5, 0}, 0));
@@ -101,7 +101,7 @@ static void end_is_told_where_its_begin_was(void **state) {
             thud_shape_def def = thud_default_shape_def();
             def.sensor = sensor;
             def.events = !silent;
-            thud_body_id body = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+            thud_body_id body = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
             thud_shape_id shape = add_shape(world, body, 1, 1, true, &def);
             thud_body_id ball = add_ball(world, 1.4, 0, 0.5f);
             thud_events e = told(world);
@@ -132,9 +132,9 @@ static void line_is_told_of_as_it_began(void **state) {
         thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 41};
         thud_shape_def def = thud_default_shape_def();
         def.friction = 0;
-        thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         OK(thud_shape_create_terrain(world, ground, &def, &line, NULL));
-        thud_body_id box = add_body(world, THUD_DYNAMIC, -6, 0.5, 0);
+        thud_body_id box = add_body(world, THUD_BODY_DYNAMIC, -6, 0.5, 0);
         def.events = !silent;
         thud_shape_id shape = add_shape(world, box, 1, 0.5f, false, &def);
         int begun = 0;
@@ -158,7 +158,7 @@ static void line_is_told_of_as_it_began(void **state) {
 static void toggle_some(chaos *c) {
     thud_shape_id shapes[256];
     int count;
-    OK(thud_world_shapes(c->world, shapes, 256, &count));
+    OK(thud_world_get_shapes(c->world, shapes, 256, &count));
     for (int i = 0; i < count && i < 256; i++) {
         if (pick(c, 12) == 0) {
             OK(thud_shape_set_events(c->world, shapes[i], pick(c, 3) != 0));
@@ -217,7 +217,7 @@ static void silent_world_moves_as_a_loud_one(void **state) {
     chaos *silent = make_chaos(&thud_detection_swept, 104729);
     thud_shape_id shapes[256];
     int count;
-    OK(thud_world_shapes(silent->world, shapes, 256, &count));
+    OK(thud_world_get_shapes(silent->world, shapes, 256, &count));
     assert_true(count > BODIES && count <= 256);
     for (int i = 0; i < count; i++) {
         OK(thud_shape_set_events(silent->world, shapes[i], false));

@@ -58,7 +58,8 @@ static void add_line(thud_world *world, const slide *s, double from, int length)
     }
     thud_shape_def def = surface_of(s);
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = length + 1};
-    OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, 0, 0, 0), &def, &line, NULL));
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0), &def, &line,
+                                 NULL));
 }
 
 /* Adds pieces of length 1, or one piece of the whole length. */
@@ -77,17 +78,17 @@ static void add_ground(thud_world *world, const slide *s, bool whole) {
     } else if (s->floor == LINES) {
         for (int i = 0; i < LENGTH; i += 2 * step) {
             add_line(world, s, i, step);
-            add_piece(world, s, add_body(world, THUD_STATIC, 0, 0, 0), i + step, step);
+            add_piece(world, s, add_body(world, THUD_BODY_STATIC, 0, 0, 0), i + step, step);
         }
     } else if (s->floor < STILL_RAFT) {
         for (int i = 0; i < LENGTH; i += whole ? LENGTH : step) {
-            thud_body_id body = add_body(world, THUD_STATIC, 0, 0, 0);
+            thud_body_id body = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
             add_pieces(world, s, body, whole, i, whole ? LENGTH : step);
         }
     } else {
         thud_body_def def = thud_default_body_def();
         thud_body_id raft;
-        def.kind = s->floor == HEAVY_RAFT ? THUD_DYNAMIC : THUD_KINEMATIC;
+        def.kind = s->floor == HEAVY_RAFT ? THUD_BODY_DYNAMIC : THUD_BODY_KINEMATIC;
         def.velocity.x = s->floor == MOVING_RAFT ? -1 : 0;
         def.gravity_scale = 0;
         OK(thud_body_create(world, &def, &raft));
@@ -98,7 +99,7 @@ static void add_ground(thud_world *world, const slide *s, bool whole) {
 static thud_body_id add_mover(thud_world *world, const slide *s) {
     thud_shape_def def = thud_default_shape_def();
     def.friction = s->friction;
-    thud_body_id body = add_body(world, THUD_DYNAMIC, 5.3, (s->mover ? 0.3 : 0.5) + 0.004, 0);
+    thud_body_id body = add_body(world, THUD_BODY_DYNAMIC, 5.3, (s->mover ? 0.3 : 0.5) + 0.004, 0);
     if (s->mover != THREE_OBBS) {
         add_shape(world, body, s->mover ? 0.4f : 0.5f, s->mover ? 0.3f : 0, s->mover == AABB, &def);
     }
@@ -117,7 +118,7 @@ typedef struct track {
 
 /* Slides the body over the ground and records its motion. */
 static track run_slide(const slide *s, bool whole) {
-    thud_world_def def = thud_world_def_of(s->quality);
+    thud_world_def def = thud_default_world_def_of(s->quality);
     def.sleeping = false;
     def.detection = s->detection;
     thud_world *world = make_world(def);
@@ -132,7 +133,7 @@ static track run_slide(const slide *s, bool whole) {
         t.x[i] = at.position.x;
         t.y[i] = at.position.y;
         t.speed[i] = (double)at.velocity.x;
-        assert_int_equal(thud_world_stats(world).held_bodies, 0);
+        assert_int_equal(thud_stats_of(world).held_bodies, 0);
     }
     thud_world_destroy(world);
     return t;

@@ -21,10 +21,10 @@ static range make_range(bool boxes) {
     uint64_t seed = 7;
     for (int i = 0; i < BULLETS; i++) {
         double x = i / 40 * 40.0, y = i % 40 * 3.0;
-        r.walls[i] = add_body(r.world, THUD_DYNAMIC, x + 20, y, 0);
+        r.walls[i] = add_body(r.world, THUD_BODY_DYNAMIC, x + 20, y, 0);
         add_shape(r.world, r.walls[i], 0.05f, 1, false, &shape);
         thud_body_def bullet = thud_default_body_def();
-        bullet.kind = THUD_DYNAMIC;
+        bullet.kind = THUD_BODY_DYNAMIC;
         bullet.position = (thud_pos){x, y + random_in(&seed, -0.5, 0.5)};
         bullet.velocity = (thud_vec2){(float)random_in(&seed, 50, 350), 0};
         bullet.detection = &thud_detection_swept;
@@ -82,14 +82,14 @@ static void what_is_not_swept_itself_passes_no_swept_body(void **state) {
         thud_body_id bar, ball;
         thud_shape_def heavy = thud_default_shape_def();
         heavy.density = 1000;
-        def.kind = moves ? THUD_DYNAMIC : THUD_KINEMATIC;
+        def.kind = moves ? THUD_BODY_DYNAMIC : THUD_BODY_KINEMATIC;
         def.position.x = spins ? 0 : -random_in(&seed, 1, 3);
         def.angular_velocity = spins ? (float)random_in(&seed, 10, 80) : 0;
         def.velocity.x = spins ? 0 : (float)random_in(&seed, 30, 300);
         OK(thud_body_create(world, &def, &bar));
         add_shape(world, bar, spins ? 1 : 0.02f, spins ? 0.02f : 1, false, &heavy);
         def = thud_default_body_def();
-        def.kind = THUD_DYNAMIC;
+        def.kind = THUD_BODY_DYNAMIC;
         def.position = spins ? (thud_pos){0, random_in(&seed, 0.4, 0.8)} : (thud_pos){0, 0};
         def.detection = &thud_detection_swept;
         OK(thud_body_create(world, &def, &ball));
@@ -97,7 +97,7 @@ static void what_is_not_swept_itself_passes_no_swept_body(void **state) {
         int met = 0;
         for (int step = 0; step < 30 && !met; step++) {
             run(world, 1);
-            met = thud_world_stats(world).impacts;
+            met = thud_stats_of(world).impacts;
         }
         if (!met) {
             fail_msg("bar %d of %g rad/s passed", i, (double)def.angular_velocity);
@@ -114,14 +114,15 @@ static void bar_that_spins_past_a_bisected_ball_is_counted(void **state) {
         thud_world_def def = weightless();
         def.detection = &thud_detection_bisect;
         thud_world *world = make_world(def);
-        thud_body_id bar = add_body(world, i % 2 ? THUD_KINEMATIC : THUD_DYNAMIC, 0, 0, 0.05 * i);
+        thud_body_id bar =
+            add_body(world, i % 2 ? THUD_BODY_KINEMATIC : THUD_BODY_DYNAMIC, 0, 0, 0.05 * i);
         add_shape(world, bar, 1, 0.1f, false, NULL);
         OK(thud_body_set_velocity(world, bar, (thud_vec2){0, 0}, i < 20 ? 30 : 3));
-        thud_body_id ball = add_body(world, THUD_DYNAMIC, 0.8, 0.02 * i - 0.4, 0);
+        thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 0.8, 0.02 * i - 0.4, 0);
         add_shape(world, ball, 0.1f, 0, false, NULL);
         OK(thud_body_set_velocity(world, ball, (thud_vec2){0, 0}, 40));
         run(world, 1);
-        assert_int_equal(thud_world_stats(world).unbisectable, i < 20);
+        assert_int_equal(thud_stats_of(world).unbisectable, i < 20);
         thud_world_destroy(world);
     }
 }

@@ -6,7 +6,7 @@
  * side. */
 static void shoot(int kind, double speed, double jitter, bool terrain) {
     thud_world *world = make_world(weightless());
-    thud_body_id target = add_body(world, THUD_STATIC, terrain ? 0 : 10, 0, 0);
+    thud_body_id target = add_body(world, THUD_BODY_STATIC, terrain ? 0 : 10, 0, 0);
     thud_shape_def plain = thud_default_shape_def();
     if (terrain) {
         thud_pos points[4] = {{-1e6, 0}, {-3, 0.5}, {4, -0.5}, {1e6, 0}};
@@ -15,7 +15,7 @@ static void shoot(int kind, double speed, double jitter, bool terrain) {
     } else {
         add_shape(world, target, 0.01f, 1e4f, true, NULL);
     }
-    thud_body_id body = add_body(world, THUD_DYNAMIC, jitter, terrain ? 10 : jitter, 0);
+    thud_body_id body = add_body(world, THUD_BODY_DYNAMIC, jitter, terrain ? 10 : jitter, 0);
     add_shape(world, body, 0.1f, kind ? 0.1f : 0, kind == 1, NULL);
     thud_vec2 v = {(float)(speed * (terrain ? jitter : 1)),
                    (float)(speed * (terrain ? -1 : jitter))};
@@ -48,7 +48,7 @@ static void without_it_a_bullet_passes(void **state) {
     thud_world_def def = weightless();
     def.detection = &thud_detection_overlap;
     thud_world *world = make_world(def);
-    thud_body_id wall = add_body(world, THUD_STATIC, 10, 0, 0);
+    thud_body_id wall = add_body(world, THUD_BODY_STATIC, 10, 0, 0);
     add_shape(world, wall, 0.01f, 10, true, NULL);
     thud_body_id body = add_ball(world, 0.5, 0, 0.1f);
     OK(thud_body_set_velocity(world, body, (thud_vec2){1000, 0}, 0));
@@ -62,9 +62,9 @@ static void fast_sliding_along_a_floor_is_not_stopped(void **state) {
     thud_world *world = make_world(thud_default_world_def());
     thud_shape_def smooth = thud_default_shape_def();
     smooth.friction = 0;
-    thud_body_id floor = add_body(world, THUD_STATIC, 0, -1, 0);
+    thud_body_id floor = add_body(world, THUD_BODY_STATIC, 0, -1, 0);
     add_shape(world, floor, 10000, 1, true, &smooth);
-    thud_body_id box = add_body(world, THUD_DYNAMIC, 0, 0.5, 0);
+    thud_body_id box = add_body(world, THUD_BODY_DYNAMIC, 0, 0.5, 0);
     add_shape(world, box, 0.5f, 0.5f, false, &smooth);
     run(world, 10);
     OK(thud_body_set_velocity(world, box, (thud_vec2){300, 0}, 0));
@@ -74,11 +74,38 @@ static void fast_sliding_along_a_floor_is_not_stopped(void **state) {
     thud_world_destroy(world);
 }
 
+/* A restitution of 1 throws a ball off at 180 length/s, which the step clamps to its maximum speed
+ * of 100; a force has acted against it. The ball meets a wall in that step and is held there,
+ * without what the force gave it for the rest of the step: that must not take it beyond the
+ * maximum. */
+static void held_body_stays_within_maximum_speed(void **state) {
+    (void)state;
+    thud_world_def def = weightless();
+    thud_shape_def elastic = thud_default_shape_def();
+    elastic.restitution = 1;
+    def.maximum_speed = 100;
+    thud_world *world = make_world(def);
+    thud_body_id wall = add_body(world, THUD_BODY_STATIC, -0.5, 0, 0);
+    add_shape(world, wall, 0.01f, 10, true, NULL);
+    thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
+    add_shape(world, ball, 0.1f, 0, false, &elastic);
+    thud_body_id heavy = add_body(world, THUD_BODY_DYNAMIC, 0.6, 0, 0);
+    add_shape(world, heavy, 0.5f, 0, false, &elastic);
+    OK(thud_body_set_velocity(world, heavy, (thud_vec2){-90, 0}, 0));
+    float force = 50 * state_of(world, ball).mass / (float)def.time_step;
+    OK(thud_body_apply_center_force(world, ball, (thud_vec2){force, 0}));
+    run(world, 1);
+    assert_int_equal(thud_stats_of(world).held_bodies, 2); /* the heavy one meets the wall too */
+    near_to((double)state_of(world, ball).velocity.x, -100, 1e-3);
+    thud_world_destroy(world);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_passes_a_thin_wall_or_the_ground),
         cmocka_unit_test(without_it_a_bullet_passes),
         cmocka_unit_test(fast_sliding_along_a_floor_is_not_stopped),
+        cmocka_unit_test(held_body_stays_within_maximum_speed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -25,10 +25,10 @@ static void swept_ball_bounces_between_walls_many_times_a_step(void **state) {
     thud_shape_def elastic;
     make_elastic(&elastic);
     for (int side = -1; side <= 1; side += 2) {
-        thud_body_id wall = add_body(world, THUD_STATIC, side * 0.51, 0, 0);
+        thud_body_id wall = add_body(world, THUD_BODY_STATIC, side * 0.51, 0, 0);
         add_shape(world, wall, 0.01f, 1, true, &elastic);
     }
-    thud_body_id ball = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+    thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
     add_shape(world, ball, 0.1f, 0, false, &elastic);
     OK(thud_body_set_velocity(world, ball, (thud_vec2){240, 0}, 0)); /* 4 m a step: five bounces */
     double way = 0.0;
@@ -40,8 +40,8 @@ static void swept_ball_bounces_between_walls_many_times_a_step(void **state) {
         double x = phase < gap ? phase - gap / 2 : 1.5 * gap - phase;
         near_to(state_of(world, ball).position.x, x, 0.02 * (i + 1) / 60 + 1e-4);
         near_to(fabs((double)state_of(world, ball).velocity.x), 240, 1e-3);
-        assert_in_range(thud_world_stats(world).impacts, 4, 6);
-        assert_int_equal(thud_world_stats(world).held_bodies, 0);
+        assert_in_range(thud_stats_of(world).impacts, 4, 6);
+        assert_int_equal(thud_stats_of(world).held_bodies, 0);
     }
     thud_world_destroy(world);
 }
@@ -51,13 +51,13 @@ static void swept_ball_bounces_between_walls_many_times_a_step(void **state) {
 static int shoot(const thud_detection *detection, int kind, double speed, bool dynamic,
                  uint64_t *seed) {
     thud_world *world = make_world(with(detection, weightless()));
-    thud_body_id wall = add_body(world, dynamic ? THUD_DYNAMIC : THUD_STATIC, 10, 0, 0);
+    thud_body_id wall = add_body(world, dynamic ? THUD_BODY_DYNAMIC : THUD_BODY_STATIC, 10, 0, 0);
     thud_shape_def heavy = thud_default_shape_def();
     heavy.density = 1000;
     add_shape(world, wall, 0.01f, 10000, kind == 1, &heavy);
     double slant = random_in(seed, -0.3, 0.3);
     thud_body_id body =
-        add_body(world, THUD_DYNAMIC, random_in(seed, -1, 1), random_in(seed, -1, 1), 0);
+        add_body(world, THUD_BODY_DYNAMIC, random_in(seed, -1, 1), random_in(seed, -1, 1), 0);
     add_shape(world, body, 0.1f, kind ? 0.1f : 0, kind == 1, NULL);
     thud_vec2 v = {(float)speed, (float)(speed * slant)};
     OK(thud_body_set_velocity(world, body, v, kind == 2 ? (float)random_in(seed, -20, 20) : 0));
@@ -94,26 +94,27 @@ static void swept_bullets_pass_no_thin_wall_and_overlap_tested_ones_do(void **st
 
 /* The deepest overlap of any two bodies, each with one shape. */
 static double deepest(const thud_world *world, const thud_body_id *ids, int count) {
-    thud_shape_instance *placed = calloc((size_t)count, sizeof *placed);
+    thud_geometry *placed = calloc((size_t)count, sizeof *placed);
     double depth = 0.0;
     for (int i = 0; i < count; i++) {
         thud_body_state b = state_of(world, ids[i]);
         thud_shape_id shape;
         thud_shape_state s;
-        OK(thud_body_shapes(world, ids[i], &shape, 1, NULL));
-        OK(thud_shape_get(world, shape, &s));
-        bool obb = s.kind == THUD_OBB;
-        placed[i] = (thud_shape_instance){s.kind,
-                                          b.position.x,
-                                          b.position.y,
-                                          obb ? cos(b.angle) : 1.0,
-                                          obb ? sin(b.angle) : 0.0,
-                                          (double)s.half_extents.x,
-                                          (double)s.half_extents.y};
+        OK(thud_body_get_shapes(world, ids[i], &shape, 1, NULL));
+        OK(thud_shape_get_state(world, shape, &s));
+        bool obb = s.kind == THUD_SHAPE_OBB;
+        placed[i] = (thud_geometry){s.kind,
+                                    b.position.x,
+                                    b.position.y,
+                                    obb ? cos(b.angle) : 1.0,
+                                    obb ? sin(b.angle) : 0.0,
+                                    (double)s.half_extents.x,
+                                    (double)s.half_extents.y};
         for (int k = 0; k < i; k++) {
             thud_closest c;
-            OK(thud_shapes_closest(&placed[k], &placed[i], &c));
-            bool both_static = b.kind == THUD_STATIC && state_of(world, ids[k]).kind == THUD_STATIC;
+            OK(thud_geometry_closest(&placed[k], &placed[i], &c));
+            bool both_static =
+                b.kind == THUD_BODY_STATIC && state_of(world, ids[k]).kind == THUD_BODY_STATIC;
             depth = both_static ? depth : fmax(depth, -c.distance);
         }
     }
@@ -130,12 +131,13 @@ static double deepest_in_a_room(const thud_detection *detection, double speed, t
     for (int i = 0; i < WALLS; i++) {
         bool upright = i < 2;
         double at = i % 2 ? 11 : -11;
-        ids[i] = add_body(world, THUD_STATIC, upright ? at : 0, upright ? 0 : at, 0);
+        ids[i] = add_body(world, THUD_BODY_STATIC, upright ? at : 0, upright ? 0 : at, 0);
         add_shape(world, ids[i], upright ? 1 : 12, upright ? 12 : 1, true, NULL);
     }
     for (int i = WALLS; i < BODIES + WALLS; i++) {
         int k = i - WALLS;
-        ids[i] = add_body(world, THUD_DYNAMIC, -8.75 + 2.5 * (k % 8), -8.75 + 2.5 * (k / 8), 0);
+        ids[i] =
+            add_body(world, THUD_BODY_DYNAMIC, -8.75 + 2.5 * (k % 8), -8.75 + 2.5 * (k / 8), 0);
         thud_shape_def elastic;
         make_elastic(&elastic);
         add_shape(world, ids[i], 0.3f, k % 3 ? 0.2f : 0, k % 3 == 1, &elastic);
@@ -146,7 +148,7 @@ static double deepest_in_a_room(const thud_detection *detection, double speed, t
     double depth = 0.0;
     for (int step = 0; step < 120; step++) {
         run(world, 1);
-        thud_stats s = thud_world_stats(world);
+        thud_stats s = thud_stats_of(world);
         sum->impacts += s.impacts;
         sum->held_bodies += s.held_bodies;
         sum->held_seconds += s.held_seconds;
@@ -174,8 +176,8 @@ static void swept_head_on_impact_keeps_momentum_and_exchanges_velocities(void **
     thud_world *world = make_world(with(&thud_detection_swept, weightless()));
     thud_shape_def elastic;
     make_elastic(&elastic);
-    thud_body_id a = add_body(world, THUD_DYNAMIC, 0, 0, 0);
-    thud_body_id b = add_body(world, THUD_DYNAMIC, 3, 0, 0);
+    thud_body_id a = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
+    thud_body_id b = add_body(world, THUD_BODY_DYNAMIC, 3, 0, 0);
     add_shape(world, a, 0.5f, 0, false, &elastic);
     add_shape(world, b, 0.5f, 0, false, &elastic);
     /* 2.5 m a step, 2 m to the impact */
@@ -196,7 +198,7 @@ static void swept_body_without_a_way_out_is_held_and_counted(void **state) {
     thud_world *world = make_world(with(&thud_detection_swept, weightless()));
     thud_body_id ball = add_ball(world, 0, 0, 0.5f);
     for (int side = -1; side <= 1; side += 2) {
-        thud_body_id plate = add_body(world, THUD_KINEMATIC, side * 1.2, 0, 0);
+        thud_body_id plate = add_body(world, THUD_BODY_KINEMATIC, side * 1.2, 0, 0);
         add_shape(world, plate, 0.5f, 3, true, NULL);
         OK(thud_body_set_velocity(world, plate, (thud_vec2){(float)(-12 * side), 0}, 0));
     }
@@ -204,8 +206,8 @@ static void swept_body_without_a_way_out_is_held_and_counted(void **state) {
     double lost = 0.0;
     for (int i = 0; i < 3; i++) {
         run(world, 1);
-        held += thud_world_stats(world).held_bodies;
-        lost += thud_world_stats(world).held_seconds;
+        held += thud_stats_of(world).held_bodies;
+        lost += thud_stats_of(world).held_seconds;
     }
     assert_true(held > 0 && lost > 0.0 && lost <= 3.0 / 60.0);
     assert_true(isfinite(state_of(world, ball).position.x));
@@ -217,7 +219,7 @@ static void swept_body_without_a_way_out_is_held_and_counted(void **state) {
 static void bisected_body_is_taken_back_to_its_collision(void **state) {
     (void)state;
     thud_world *world = make_world(with(&thud_detection_bisect, weightless()));
-    thud_body_id wall = add_body(world, THUD_STATIC, 3, 0, 0);
+    thud_body_id wall = add_body(world, THUD_BODY_STATIC, 3, 0, 0);
     add_shape(world, wall, 0.5f, 4, true, NULL);
     thud_body_id ball = add_ball(world, 0, 0, 0.5f);
     /* 2.4 m a step, 2 m to the impact */
@@ -226,39 +228,39 @@ static void bisected_body_is_taken_back_to_its_collision(void **state) {
     near_to(state_of(world, ball).position.x, 2, 0.0011);
     assert_true(state_of(world, ball).position.x <= 2);
     near_to((double)state_of(world, ball).velocity.x, 0, 1e-4);
-    assert_int_equal(thud_world_stats(world).impacts, 1);
+    assert_int_equal(thud_stats_of(world).impacts, 1);
     /* 2.4 m a step is more than the wall's thickness, 1 m */
-    assert_int_equal(thud_world_stats(world).unbisectable, 1);
+    assert_int_equal(thud_stats_of(world).unbisectable, 1);
     thud_world_destroy(world);
 }
 
-/* thud_world_bisection_limit is the thickness of the thinnest shape divided by the time step, and
- * statistics count bodies that move faster. */
+/* thud_world_get_bisection_limit is the thickness of the thinnest shape divided by the time step,
+ * and statistics count bodies that move faster. */
 static void bisection_limit_is_the_thinnest_shape_a_step_and_who_breaks_it_is_counted(
     void **state) {
     (void)state;
     thud_world *world = make_world(with(&thud_detection_bisect, weightless()));
     double limit = 0.0;
-    OK(thud_world_bisection_limit(world, &limit));
+    OK(thud_world_get_bisection_limit(world, &limit));
     assert_true(isinf(limit));
-    thud_body_id wall = add_body(world, THUD_STATIC, 9, 0, 0);
+    thud_body_id wall = add_body(world, THUD_BODY_STATIC, 9, 0, 0);
     thud_shape_id thin = add_shape(world, wall, 0.1f, 4, true, NULL);
     add_shape(world, wall, 1, 4, true, NULL);
     thud_body_id ball = add_ball(world, 0, 0, 0.5f);
-    OK(thud_world_bisection_limit(world, &limit));
+    OK(thud_world_get_bisection_limit(world, &limit));
     near_to(limit, 0.2 * 60, 1e-6);
     OK(thud_body_set_velocity(world, ball, (thud_vec2){11.9f, 0}, 0));
     run(world, 1);
-    assert_int_equal(thud_world_stats(world).unbisectable, 0);
+    assert_int_equal(thud_stats_of(world).unbisectable, 0);
     OK(thud_body_set_velocity(world, ball, (thud_vec2){12.1f, 0}, 0));
     run(world, 1);
-    assert_int_equal(thud_world_stats(world).unbisectable, 1);
+    assert_int_equal(thud_stats_of(world).unbisectable, 1);
     OK(thud_shape_destroy(world, thin));
     run(world, 1);
-    OK(thud_world_bisection_limit(world, &limit));
+    OK(thud_world_get_bisection_limit(world, &limit));
     near_to(limit, 1.0 * 60, 1e-6);
-    assert_int_equal(thud_world_bisection_limit(world, NULL), THUD_ERROR_NULL);
-    assert_int_equal(thud_world_bisection_limit(NULL, &limit), THUD_ERROR_NULL);
+    assert_int_equal(thud_world_get_bisection_limit(world, NULL), THUD_ERROR_NULL);
+    assert_int_equal(thud_world_get_bisection_limit(NULL, &limit), THUD_ERROR_NULL);
     thud_world_destroy(world);
 }
 
@@ -277,14 +279,14 @@ static void bisected_bodies_within_the_limit_never_overlap(void **state) {
 static void body_chooses_its_own_detection(void **state) {
     (void)state;
     thud_world *world = make_world(with(&thud_detection_overlap, weightless()));
-    thud_body_id wall = add_body(world, THUD_DYNAMIC, 10, 0, 0);
+    thud_body_id wall = add_body(world, THUD_BODY_DYNAMIC, 10, 0, 0);
     thud_shape_def heavy = thud_default_shape_def();
     heavy.density = 1e4f;
     add_shape(world, wall, 0.01f, 8, true, &heavy);
     thud_body_id bullets[2];
     for (int i = 0; i < 2; i++) {
         thud_body_def def = thud_default_body_def();
-        def.kind = THUD_DYNAMIC;
+        def.kind = THUD_BODY_DYNAMIC;
         def.position.y = i * 2.0;
         def.velocity.x = 500;
         def.detection = i ? &thud_detection_swept : NULL;
@@ -342,7 +344,7 @@ static void impact_within_a_step_asks_tells_and_hits(void **state) {
         thud_world_def def = with(&thud_detection_swept, weightless());
         thud_world *world = make_world(def);
         set_listeners(world, ask, tell, &h);
-        thud_body_id wall = add_body(world, THUD_STATIC, 5, 0, 0);
+        thud_body_id wall = add_body(world, THUD_BODY_STATIC, 5, 0, 0);
         add_shape(world, wall, 0.01f, 4, true, NULL);
         thud_body_id ball = add_ball(world, 0, 0, 0.5f);
         double mass = (double)state_of(world, ball).mass;
@@ -351,10 +353,10 @@ static void impact_within_a_step_asks_tells_and_hits(void **state) {
         assert_int_equal(h.asked, 1);
         assert_int_equal(h.told, veto ? 0 : 1);
         near_to(h.impulse, veto ? 0 : mass * 600, 0.01);
-        assert_int_equal(thud_world_events(world).hit_count, veto ? 0 : 1);
+        assert_int_equal(thud_events_of(world).hit_count, veto ? 0 : 1);
         assert_true(veto == (state_of(world, ball).position.x > 9));
         if (!veto) {
-            near_to((double)thud_world_events(world).hit[0].speed, 600, 0.01);
+            near_to((double)thud_events_of(world).hit[0].speed, 600, 0.01);
         }
         thud_world_destroy(world);
     }

@@ -32,7 +32,7 @@ typedef struct heap {
 /* The def of body i, with extreme values in some of them. */
 static thud_body_def body_def(const heap *h, int i, uint64_t *seed) {
     thud_body_def def = thud_default_body_def();
-    def.kind = one_in(seed, 8) ? THUD_KINEMATIC : THUD_DYNAMIC;
+    def.kind = one_in(seed, 8) ? THUD_BODY_KINEMATIC : THUD_BODY_DYNAMIC;
     def.position = (thud_pos){(i % 4 - 2) * 2.02 * h->size,
                               (0.5 + i / 4) * 2 * h->size + random_in(seed, 0, 0.02)};
     if (h->what == 0 && one_in(seed, 3)) {
@@ -67,10 +67,10 @@ static heap make_heap(uint64_t *seed, int number) {
         OK(thud_body_create(h.world, &body, &h.body[i]));
         add_shape(h.world, h.body[i], (float)h.size, one_in(seed, 2) ? 0 : (float)h.size, false,
                   &shape);
-        if (joined && i && one_in(seed, 3) && body.kind == THUD_DYNAMIC) {
+        if (joined && i && one_in(seed, 3) && body.kind == THUD_BODY_DYNAMIC) {
             make(h.world,
-                 between(one_in(seed, 2) ? THUD_HINGE : THUD_WELD, h.body[i - 1], h.body[i],
-                         (thud_vec2){(float)h.size, 0}, (thud_vec2){-(float)h.size, 0}));
+                 between(one_in(seed, 2) ? THUD_JOINT_HINGE : THUD_JOINT_WELD, h.body[i - 1],
+                         h.body[i], (thud_vec2){(float)h.size, 0}, (thud_vec2){-(float)h.size, 0}));
         }
     }
     return h;
@@ -78,10 +78,10 @@ static heap make_heap(uint64_t *seed, int number) {
 
 static void push_some(const heap *h, uint64_t *seed) {
     for (int i = 0; i < MOST && h->what == 2; i++) {
-        if (one_in(seed, 5) && state_of(h->world, h->body[i]).kind == THUD_DYNAMIC &&
+        if (one_in(seed, 5) && state_of(h->world, h->body[i]).kind == THUD_BODY_DYNAMIC &&
             !state_of(h->world, h->body[i]).quarantined) {
             thud_vec2 force = {either_sign(seed, h->extreme), either_sign(seed, h->extreme)};
-            OK(thud_body_apply_force(h->world, h->body[i], force, 0));
+            OK(thud_body_apply_center_force(h->world, h->body[i], force));
         }
     }
 }
@@ -137,18 +137,18 @@ static flight fly(const thud_detection *detection, const thud_broadphase *broadp
     def.detection = detection;
     thud_world *world = make_world(def);
     double c = cos(angle), s = sin(angle);
-    thud_body_id ball = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+    thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
     add_shape(world, ball, 0.5f, 0, false, NULL);
     for (int i = 0; i < 9; i++) {
         double along = i < 8 ? 1e5 * (i + 1) : distance, beside = i < 8 ? 3e4 : 0;
-        thud_body_id other = add_body(world, i < 8 ? THUD_STATIC : kind, c * along - s * beside,
-                                      s * along + c * beside, 0);
+        thud_body_id other = add_body(world, i < 8 ? THUD_BODY_STATIC : kind,
+                                      c * along - s * beside, s * along + c * beside, 0);
         add_shape(world, other, 50, 0, false, NULL);
     }
     thud_vec2 velocity = {(float)(9.9e5 * c), (float)(9.9e5 * s)};
     OK(thud_body_set_velocity(world, ball, velocity, 0));
     run(world, 1);
-    flight f = {thud_world_stats(world), state_of(world, ball).position, thud_world_hash(world)};
+    flight f = {thud_stats_of(world), state_of(world, ball).position, thud_hash_of(world)};
     thud_world_destroy(world);
     return f;
 }
@@ -159,11 +159,11 @@ static void nothing_is_passed_on_the_longest_way_in_any_broadphase(void **state)
     static const double distances[] = {1e3, 4e4, 7e4, 1.3e5, 1.4e5, 2.6e5, 2.7e5, 5.3e5, 9e5};
     for (int n = 0; n < 9 * 12 * 4; n++) {
         const thud_detection *detection = detections[n % 4 == 3 ? 2 : 0];
-        thud_body_kind kind = n % 4 == 1 ? THUD_DYNAMIC : THUD_STATIC;
+        thud_body_kind kind = n % 4 == 1 ? THUD_BODY_DYNAMIC : THUD_BODY_STATIC;
         double distance = distances[n / 4 % 9], angle = n / 36 * 0.55;
         flight first = fly(detection, broadphases[0], kind, distance, angle);
         double gone = hypot(first.end.x, first.end.y);
-        if (kind == THUD_STATIC && !(gone < distance - 50)) {
+        if (kind == THUD_BODY_STATIC && !(gone < distance - 50)) {
             fail_msg("flight %d: a wall at %g is passed, to %g", n, distance, gone);
         }
         for (int b = 1; b < 3; b++) {

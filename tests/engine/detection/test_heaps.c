@@ -28,15 +28,15 @@ static load run_scene(const char *name, int size, int steps) {
     OK(scene_build_thud(&s, &def, &world, NULL, NULL));
     for (int i = 0; i < steps; i++) {
         run(world, 1);
-        thud_stats stats = thud_world_stats(world);
+        thud_stats stats = thud_stats_of(world);
         bodies += stats.awake_bodies;
         l.held += stats.held_bodies;
         l.exact += stats.motion_exact;
-        l.deepest = fmax(l.deepest, thud_world_error(world).penetration_max);
+        l.deepest = fmax(l.deepest, thud_step_error_of(world).penetration_max);
     }
     l.held /= (double)bodies;
     l.exact /= (double)bodies;
-    l.speed = sqrt(thud_world_measure(world).kinetic_energy);
+    l.speed = sqrt(thud_measure_of(world).kinetic_energy);
     thud_world_destroy(world);
     scene_free(&s);
     return l;
@@ -77,7 +77,7 @@ enum { CROWD = 100 };
 /* Rotating boxes with sides of 1/100 to 100, many of them needles, in a room of 60 by 60: the
  * bounds of most pairs overlap, so that each impact makes two bodies test nearly all others. */
 static thud_world *make_crowd(const thud_quality *quality, const thud_detection *detection) {
-    thud_world_def def = thud_world_def_of(quality);
+    thud_world_def def = thud_default_world_def_of(quality);
     def.detection = detection;
     thud_world *world = make_world(def);
     source r = {.state = 77};
@@ -89,7 +89,7 @@ static thud_world *make_crowd(const thud_quality *quality, const thud_detection 
     for (int i = 0; i < CROWD; i++) {
         double hx = pow(100, draw(&r, -1, 1));
         double hy = pow(100, draw(&r, -1, 1));
-        thud_body_options options = {.kind = THUD_DYNAMIC};
+        thud_body_options options = {.kind = THUD_BODY_DYNAMIC};
         options.restitution = (float)draw(&r, 0, 1);
         options.velocity.x = (float)draw(&r, -300, 300);
         options.velocity.y = (float)draw(&r, -300, 300);
@@ -114,7 +114,7 @@ static void crowd_of_extreme_sizes_costs_a_bounded_number_of_collision_times(voi
         thud_world *world = make_crowd(levels[i / 2], detections[i % 2]);
         for (int k = 0; k < 4; k++) {
             OK(thud_world_step(world));
-            thud_stats stats = thud_world_stats(world);
+            thud_stats stats = thud_stats_of(world);
             busiest = stats.motion_exact > busiest ? stats.motion_exact : busiest;
             if (stats.motion_exact > most) {
                 fail_msg("%s, %s: step %d worked out %d times of collision", levels[i / 2]->name,

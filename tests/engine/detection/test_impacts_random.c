@@ -7,6 +7,8 @@
 
 #include "geometry_random.h"
 
+#include <thud/thud_testing.h>
+
 #include <inttypes.h>
 
 enum { BODIES = 14, STEPS = 40 };
@@ -45,7 +47,7 @@ static void edit(room *m) {
     source *r = &m->random;
     thud_body_id body = m->bodies[draw_below(r, BODIES)];
     thud_body_state s;
-    if (!m->edits || draw_below(r, 20) || thud_body_get(m->world, body, &s) != THUD_OK) {
+    if (!m->edits || draw_below(r, 20) || thud_body_get_state(m->world, body, &s) != THUD_OK) {
         return;
     }
     thud_pos at = {draw(r, -5, 5), draw(r, -5, 5)};
@@ -60,7 +62,7 @@ static void edit(room *m) {
         done_or_short(thud_body_set_enabled(m->world, body, !s.enabled));
         break;
     default:
-        if (s.kind == THUD_DYNAMIC) {
+        if (s.kind == THUD_BODY_DYNAMIC) {
             done_or_short(thud_body_set_velocity(m->world, body, draw_velocity(r), 1));
         }
     }
@@ -68,7 +70,7 @@ static void edit(room *m) {
 
 static bool is_wall(const thud_world *world, thud_body_id body) {
     thud_body_state s;
-    return thud_body_get(world, body, &s) == THUD_OK && s.kind == THUD_STATIC;
+    return thud_body_get_state(world, body, &s) == THUD_OK && s.kind == THUD_BODY_STATIC;
 }
 
 /* A contact with a wall is never vetoed. */
@@ -91,7 +93,7 @@ static void epilogue(thud_world *world, const thud_contact *contact, void *conte
 
 static void add_walls(thud_world *world) {
     thud_shape_def def = thud_default_shape_def();
-    thud_body_id body = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id body = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     def.filter.category = WALLS;
     for (int side = 0; side < 4; side++) {
         float out = (side < 2 ? 1 : -1) * (float)(ROOM + 1), half = (float)ROOM + 2;
@@ -130,14 +132,14 @@ static void make_room(room *m, uint64_t seed, bool plain_simd) {
     m->swept = !bisects;
     m->random = (source){seed ^ 0x5555};
     def.detection = bisects ? &thud_detection_bisect : &thud_detection_swept;
-    def.baseline_simd = plain_simd;
+    thud_world_def_set_baseline_simd(&def, plain_simd);
     def.allocator = hostile_memory();
     m->world = make_world(def);
     set_listeners(m->world, prologue, epilogue, m);
     add_walls(m->world);
     for (int i = 0; i < BODIES; i++) {
         bool moves = !m->kinematic || i > 1;
-        thud_body_id body = add_body(m->world, moves ? THUD_DYNAMIC : THUD_KINEMATIC,
+        thud_body_id body = add_body(m->world, moves ? THUD_BODY_DYNAMIC : THUD_BODY_KINEMATIC,
                                      draw(&r, -5, 5), draw(&r, -5, 5), draw(&r, -3, 3));
         m->bodies[i] = body;
         add_shapes(&r, m->world, body);
@@ -153,16 +155,16 @@ static void make_room(room *m, uint64_t seed, bool plain_simd) {
 
 /* Asserts the bounds of work, and that bodies are finite and inside the room. */
 static void check(const room *m, uint64_t seed, int step) {
-    thud_stats stats = thud_world_stats(m->world);
+    thud_stats stats = thud_stats_of(m->world);
     if (stats.impacts > 9 * BODIES || stats.held_bodies > BODIES ||
         !(stats.held_seconds <= BODIES * m->time_step * 1.000001)) {
         fail_msg("room %016" PRIx64 ", step %d: %d impacts, %d held for %g s", seed, step,
                  stats.impacts, stats.held_bodies, stats.held_seconds);
     }
-    assert_int_equal(thud_world_events(m->world).quarantined_count, 0);
+    assert_int_equal(thud_events_of(m->world).quarantined_count, 0);
     for (int i = 0; i < BODIES; i++) {
         thud_body_state s;
-        if (thud_body_get(m->world, m->bodies[i], &s) != THUD_OK) {
+        if (thud_body_get_state(m->world, m->bodies[i], &s) != THUD_OK) {
             continue;
         }
         assert_true(isfinite(s.center.x + s.center.y + s.angle));
@@ -205,7 +207,7 @@ static void random_rooms_run_alike_within_bounds_and_lose_nothing(void **state) 
             run(wide.world, 1);
             run(plain.world, 1);
             check(&wide, seed, step);
-            if (thud_world_hash(wide.world) != thud_world_hash(plain.world)) {
+            if (thud_hash_of(wide.world) != thud_hash_of(plain.world)) {
                 fail_msg("room %016" PRIx64 " differs at step %d", seed, step);
             }
         }

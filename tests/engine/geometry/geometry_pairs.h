@@ -12,9 +12,12 @@
 
 enum { PAIR_KINDS = 6 };
 
-static const thud_shape_kind pair_kinds[PAIR_KINDS][2] = {
-    {THUD_CIRCLE, THUD_CIRCLE}, {THUD_CIRCLE, THUD_AABB}, {THUD_CIRCLE, THUD_OBB},
-    {THUD_AABB, THUD_AABB},     {THUD_AABB, THUD_OBB},    {THUD_OBB, THUD_OBB}};
+static const thud_shape_kind pair_kinds[PAIR_KINDS][2] = {{THUD_SHAPE_CIRCLE, THUD_SHAPE_CIRCLE},
+                                                          {THUD_SHAPE_CIRCLE, THUD_SHAPE_AABB},
+                                                          {THUD_SHAPE_CIRCLE, THUD_SHAPE_OBB},
+                                                          {THUD_SHAPE_AABB, THUD_SHAPE_AABB},
+                                                          {THUD_SHAPE_AABB, THUD_SHAPE_OBB},
+                                                          {THUD_SHAPE_OBB, THUD_SHAPE_OBB}};
 
 typedef enum pair_family {
     ANYHOW,
@@ -29,7 +32,7 @@ typedef enum pair_family {
 } pair_family;
 
 typedef struct pair {
-    thud_shape_instance a, b;
+    thud_geometry a, b;
 } pair;
 
 /* Moves b until it touches a, along the shortest way; a circle whose centre is inside of the other
@@ -59,12 +62,13 @@ static inline void bring_to_touch(pair *p) {
 static inline void place_parallel(source *r, pair *p) {
     const double gaps[] = {0.0, 0.01, -0.01, draw(r, -1.0, 1.0)};
     const double turns[] = {0.0, 0.0, 1e-12, 1e-9, 1e-6, 1e-3};
-    double angle = p->a.kind == THUD_OBB && p->b.kind == THUD_OBB ? draw(r, -4.0, 4.0) : 0.0;
+    double angle =
+        p->a.kind == THUD_SHAPE_OBB && p->b.kind == THUD_SHAPE_OBB ? draw(r, -4.0, 4.0) : 0.0;
     double turned = angle + turns[draw_below(r, 6)], gap = gaps[draw_below(r, 4)];
     set_angle(&p->a, angle);
     set_angle(&p->b, turned);
-    double height_a = p->a.kind == THUD_CIRCLE ? p->a.hx : p->a.hy;
-    double height_b = p->b.kind == THUD_CIRCLE ? p->b.hx : p->b.hy;
+    double height_a = p->a.kind == THUD_SHAPE_CIRCLE ? p->a.hx : p->a.hy;
+    double height_b = p->b.kind == THUD_SHAPE_CIRCLE ? p->b.hx : p->b.hy;
     double u = draw_below(r, 3) ? draw(r, -1.2, 1.2) * (p->a.hx + p->b.hx) : 0.0;
     double v = height_a + height_b + gap;
     p->b.x = p->a.x + cos(angle) * u - sin(angle) * v;
@@ -83,9 +87,9 @@ static inline void place_corners(source *r, pair *p) {
 
 /* Makes one shape or both a needle (a circle a point), and places them across or end to end. */
 static inline void make_needles(source *r, pair *p) {
-    thud_shape_instance *thin = draw_below(r, 2) ? &p->a : &p->b;
+    thud_geometry *thin = draw_below(r, 2) ? &p->a : &p->b;
     for (int i = 0; i < 2; i++, thin = thin == &p->a ? &p->b : &p->a) {
-        if (thin->kind == THUD_CIRCLE) {
+        if (thin->kind == THUD_SHAPE_CIRCLE) {
             thin->hx = 1e-6;
         } else {
             thin->hx = draw(r, 1.0, 2.0);
@@ -118,7 +122,7 @@ static inline pair draw_pair_of(source *r, int kinds, pair_family family) {
     case CONCENTRIC:
         p.b.x = p.a.x;
         p.b.y = p.a.y;
-        if (p.b.kind != THUD_CIRCLE && draw_below(r, 2)) { /* or on a corner */
+        if (p.b.kind != THUD_SHAPE_CIRCLE && draw_below(r, 2)) { /* or on a corner */
             thud_pos corner = outline(&p.b, 0.25 * draw_below(r, 4));
             p.b.x -= corner.x;
             p.b.y -= corner.y;
@@ -204,7 +208,7 @@ static inline real moving_distance(const moving *m, real t) {
     return solids_distance(&a, &b);
 }
 
-static inline void print_shape(const char *name, const thud_shape_instance *s) {
+static inline void print_shape(const char *name, const thud_geometry *s) {
     printf("%s = {.kind = %d, .x = %a, .y = %a, .c = %a, .s = %a, .hx = %a, .hy = %a}\n", name,
            (int)s->kind, s->x, s->y, s->c, s->s, s->hx, s->hy);
 }

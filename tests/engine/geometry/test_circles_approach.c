@@ -16,7 +16,7 @@ enum { QUICK = 200000 };
 
 /* A case: two circles in motion; `slack` is the tolerance of distances. */
 typedef struct passing {
-    thud_shape_instance a, b;
+    thud_geometry a, b;
     thud_motion motion_a, motion_b;
     vec start, way; /* of b's centre, relative to a's */
     double slack;
@@ -25,7 +25,8 @@ typedef struct passing {
 /* A random case: slow and fast, head-on, grazing, in parallel, at relative rest, tiny, or far from
  * the origin. */
 static passing draw_passing(source *r, int i) {
-    passing p = {draw_shape_of(r, THUD_CIRCLE), draw_shape_of(r, THUD_CIRCLE), .slack = 0.0};
+    passing p = {draw_shape_of(r, THUD_SHAPE_CIRCLE), draw_shape_of(r, THUD_SHAPE_CIRCLE),
+                 .slack = 0.0};
     double speed = exp(draw(r, -3.0, 8.0));
     p.b.x += draw(r, -4.0, 4.0);
     p.motion_a = (thud_motion){draw(r, -1.0, 1.0), draw(r, -1.0, 1.0), draw(r, -9.0, 9.0)};
@@ -88,14 +89,14 @@ static void least_distance_of_circles_is_that_of_long_double(void **state) {
     for (int i = 0; i < count; i++) {
         passing p = draw_passing(&r, i);
         thud_approach out;
-        assert_int_equal(thud_circles_approach(&p.a, p.motion_a, &p.b, p.motion_b, &out), THUD_OK);
+        assert_int_equal(thud_geometry_approach(&p.a, p.motion_a, &p.b, p.motion_b, &out), THUD_OK);
         real square = dot(p.way, p.way);
         real t = square > 0.0L ? -dot(p.start, p.way) / square : 0.0L;
         real exact = distance_at(&p, fminl(fmaxl(t, 0.0L), 1.0L));
-        assert_true(fabsl(out.least - exact) <= p.slack);
-        assert_true(out.least_time >= 0.0 && out.least_time <= 1.0);
-        assert_true(distance_at(&p, out.least_time) <= exact + p.slack);
-        assert_true(square > 0.0L || out.least_time == 0.0);
+        assert_true(fabsl(out.min_distance - exact) <= p.slack);
+        assert_true(out.min_distance_time >= 0.0 && out.min_distance_time <= 1.0);
+        assert_true(distance_at(&p, out.min_distance_time) <= exact + p.slack);
+        assert_true(square > 0.0L || out.min_distance_time == 0.0);
     }
 }
 
@@ -106,7 +107,7 @@ static void impact_of_circles_is_when_the_sum_of_radii_is_reached(void **state) 
     for (int i = 0; i < count; i++) {
         passing p = draw_passing(&r, i);
         thud_approach out;
-        assert_int_equal(thud_circles_approach(&p.a, p.motion_a, &p.b, p.motion_b, &out), THUD_OK);
+        assert_int_equal(thud_geometry_approach(&p.a, p.motion_a, &p.b, p.motion_b, &out), THUD_OK);
         /* With radii that differ by a few roundings the impact is a little earlier or later, or
          * there is none. */
         real touch = (real)p.a.hx + p.b.hx;

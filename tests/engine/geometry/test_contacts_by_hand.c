@@ -1,6 +1,6 @@
 /* test_contacts_by_hand.c: contact points of shapes and ground, the shortest way out of the ground,
  * and the nearest approach of circles, against answers derived by hand. */
-#include "thud/thud_shapes.h"
+#include "thud/thud_geometry.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -11,17 +11,17 @@
 
 #define NEAR(a, b) assert_true(fabs((a) - (b)) < 1e-12)
 
-static thud_shape_instance circle(double x, double y, double r) {
-    return (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
+static thud_geometry circle(double x, double y, double r) {
+    return (thud_geometry){.kind = THUD_SHAPE_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
 }
 
-static thud_shape_instance box(double x, double y, double hx, double hy) {
-    return (thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1.0, .hx = hx, .hy = hy};
+static thud_geometry box(double x, double y, double hx, double hy) {
+    return (thud_geometry){.kind = THUD_SHAPE_AABB, .x = x, .y = y, .c = 1.0, .hx = hx, .hy = hy};
 }
 
-static thud_contacts contacts(thud_shape_instance a, thud_shape_instance b, double margin) {
+static thud_contacts contacts(thud_geometry a, thud_geometry b, double margin) {
     thud_contacts c;
-    assert_int_equal(thud_shapes_contacts(&a, &b, margin, &c), THUD_OK);
+    assert_int_equal(thud_geometry_contacts(&a, &b, margin, &c), THUD_OK);
     return c;
 }
 
@@ -47,9 +47,9 @@ static void contacts_of_a_box_on_a_box_are_the_ends_of_the_shared_face(void **st
 static void contacts_of_a_tilted_box_include_what_is_within_the_margin(void **state) {
     (void)state;
     /* Tilted with the slope 3/4; its lower corners are 0 and 1.2 above the floor. */
-    thud_shape_instance floor = box(0, -1, 9, 1);
-    thud_shape_instance tilted = {
-        .kind = THUD_OBB, .x = 0.2, .y = 1.4, .c = 0.8, .s = 0.6, .hx = 1, .hy = 1};
+    thud_geometry floor = box(0, -1, 9, 1);
+    thud_geometry tilted = {
+        .kind = THUD_SHAPE_OBB, .x = 0.2, .y = 1.4, .c = 0.8, .s = 0.6, .hx = 1, .hy = 1};
     thud_contacts c = contacts(floor, tilted, 1.1);
     assert_int_equal(c.count, 1);
     point_is(&c.point[0], 0.0, 0.0, 0.0);
@@ -80,7 +80,7 @@ static void contacts_beyond_the_margin_are_none(void **state) {
 static const thud_pos valley[] = {{-6, 4}, {0, 4}, {4, 0}, {8, 4}, {14, 4}};
 static const thud_terrain ground = {.kind = THUD_TERRAIN_IRREGULAR, .points = valley, .count = 5};
 
-static thud_closest closest(thud_shape_instance shape) {
+static thud_closest closest(thud_geometry shape) {
     thud_closest c;
     assert_int_equal(thud_terrain_closest(&ground, &shape, &c), THUD_OK);
     return c;
@@ -120,7 +120,7 @@ static void way_out_into_a_corner_touches_what_it_leaves(void **state) {
      * the ridge. */
     const thud_pos points[] = {{-5, -0.5}, {-0.5, -0.25}, {0, -1.25}, {1, -0.875}, {6, 2.25}};
     thud_terrain notch = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 5};
-    thud_shape_instance ball = circle(0, 0, 1.23);
+    thud_geometry ball = circle(0, 0, 1.23);
     thud_closest c;
     assert_int_equal(thud_terrain_closest(&notch, &ball, &c), THUD_OK);
     NEAR(c.ax, -0.5);
@@ -142,7 +142,7 @@ static void way_out_of_the_ground_near_its_end_is_sideways(void **state) {
 
 static void contacts_in_a_valley_have_a_normal_each(void **state) {
     (void)state;
-    thud_shape_instance ball = circle(4, sqrt(2.0) + 0.005, 1);
+    thud_geometry ball = circle(4, sqrt(2.0) + 0.005, 1);
     thud_contacts c;
     assert_int_equal(thud_terrain_contacts(&ground, &ball, 0.01, &c), THUD_OK);
     assert_int_equal(c.count, 2);
@@ -155,7 +155,7 @@ static void contacts_in_a_valley_have_a_normal_each(void **state) {
 static void contacts_of_a_plank_over_a_valley_are_its_outermost(void **state) {
     (void)state;
     /* It lies on both rims and on the plains along its whole length. */
-    thud_shape_instance plank = box(4, 4.5, 9, 0.5);
+    thud_geometry plank = box(4, 4.5, 9, 0.5);
     thud_contacts c;
     assert_int_equal(thud_terrain_contacts(&ground, &plank, 0.01, &c), THUD_OK);
     assert_int_equal(c.count, 2);
@@ -166,38 +166,38 @@ static void contacts_of_a_plank_over_a_valley_are_its_outermost(void **state) {
 
 static void approach_of_circles_that_miss_is_where_they_are_abreast(void **state) {
     (void)state;
-    thud_shape_instance a = circle(0, 0, 1), b = circle(-6, 3, 1);
+    thud_geometry a = circle(0, 0, 1), b = circle(-6, 3, 1);
     thud_approach out;
-    assert_int_equal(thud_circles_approach(&a, (thud_motion){-2, 0, 0}, &b, (thud_motion){6, 0, 0},
-                                           &out),
+    assert_int_equal(thud_geometry_approach(&a, (thud_motion){-2, 0, 0}, &b, (thud_motion){6, 0, 0},
+                                            &out),
                      THUD_OK);
     assert_false(out.hit);
     assert_true(out.time == 1.0);
-    NEAR(out.least, 3.0);
-    NEAR(out.least_time, 0.75);
+    NEAR(out.min_distance, 3.0);
+    NEAR(out.min_distance_time, 0.75);
 }
 
 static void approach_of_circles_that_hit_goes_on_to_the_centres(void **state) {
     (void)state;
-    thud_shape_instance a = circle(0, 0, 1), b = circle(-6, 0, 1);
+    thud_geometry a = circle(0, 0, 1), b = circle(-6, 0, 1);
     thud_approach out;
-    assert_int_equal(thud_circles_approach(&a, (thud_motion){0}, &b, (thud_motion){8, 0, 5}, &out),
+    assert_int_equal(thud_geometry_approach(&a, (thud_motion){0}, &b, (thud_motion){8, 0, 5}, &out),
                      THUD_OK);
     assert_true(out.hit);
     NEAR(out.time, 0.5);
-    NEAR(out.least, 0.0);
-    NEAR(out.least_time, 0.75);
+    NEAR(out.min_distance, 0.0);
+    NEAR(out.min_distance_time, 0.75);
 }
 
 static void approach_of_circles_that_part_is_at_the_start(void **state) {
     (void)state;
-    thud_shape_instance a = circle(0, 0, 1), b = circle(3, 4, 1);
+    thud_geometry a = circle(0, 0, 1), b = circle(3, 4, 1);
     thud_approach out;
-    assert_int_equal(thud_circles_approach(&a, (thud_motion){0}, &b, (thud_motion){3, 4, 0}, &out),
+    assert_int_equal(thud_geometry_approach(&a, (thud_motion){0}, &b, (thud_motion){3, 4, 0}, &out),
                      THUD_OK);
     assert_false(out.hit);
-    NEAR(out.least, 5.0);
-    assert_true(out.least_time == 0.0);
+    NEAR(out.min_distance, 5.0);
+    assert_true(out.min_distance_time == 0.0);
 }
 
 int main(void) {

@@ -14,7 +14,7 @@
 enum { PAIRS = 12000, OUTLINE = 256, RAYS = 20000, MARCH = 400, MOTIONS = 2500, TIMES = 300 };
 
 typedef struct pair {
-    thud_shape_instance a, b;
+    thud_geometry a, b;
     double scale; /* rounding of the coordinates in use */
 } pair;
 
@@ -28,7 +28,7 @@ static void shift(pair *p, double x, double y) {
 /* Moves b along the line between the closest points until the shapes touch. */
 static void bring_together(pair *p) {
     thud_closest c;
-    assert_int_equal(thud_shapes_closest(&p->a, &p->b, &c), THUD_OK);
+    assert_int_equal(thud_geometry_closest(&p->a, &p->b, &c), THUD_OK);
     p->b.x -= c.nx * c.distance;
     p->b.y -= c.ny * c.distance;
 }
@@ -49,14 +49,14 @@ static pair draw_pair(source *r, int family) {
         p.b.y = p.a.y;
         break;
     case 4: /* parallel */
-        p.b.kind = p.a.kind = THUD_OBB;
+        p.b.kind = p.a.kind = THUD_SHAPE_OBB;
         p.a.hy = p.b.hy = 0.5;
         set_angle(&p.a, draw(r, -4.0, 4.0));
         p.b.c = p.a.c;
         p.b.s = p.a.s;
         break;
     case 5: { /* corner to corner */
-        p.a.kind = p.b.kind = THUD_OBB;
+        p.a.kind = p.b.kind = THUD_SHAPE_OBB;
         p.a.hy = 0.3;
         p.b.hy = 0.7;
         set_angle(&p.a, draw(r, -4.0, 4.0));
@@ -101,17 +101,17 @@ static void check_points(const pair *p, const thud_closest *c) {
 /* Moving b along the normal by the depth separates the shapes; moving it by less does so in no
  * direction. */
 static void check_depth(const pair *p, const thud_closest *c) {
-    thud_shape_instance moved = p->b;
+    thud_geometry moved = p->b;
     double out = -c->distance + p->scale * 10.0;
     moved.x += c->nx * out;
     moved.y += c->ny * out;
-    assert_false(thud_shapes_overlap(&p->a, &moved));
+    assert_false(thud_geometry_overlap(&p->a, &moved));
     for (int i = 0; i < 16 && c->distance < -p->scale * 100.0; i++) {
         double angle = i * 0.39269908169872414, less = -c->distance * 0.999;
         moved = p->b;
         moved.x += less * cos(angle);
         moved.y += less * sin(angle);
-        assert_true(thud_shapes_overlap(&p->a, &moved));
+        assert_true(thud_geometry_overlap(&p->a, &moved));
     }
 }
 
@@ -121,10 +121,10 @@ static void closest_of_random_pairs_agrees_with_sampled_outlines(void **state) {
     for (int i = 0; i < PAIRS; i++) {
         pair p = draw_pair(&r, i % 7);
         thud_closest c, back;
-        assert_int_equal(thud_shapes_closest(&p.a, &p.b, &c), THUD_OK);
-        assert_int_equal(thud_shapes_closest(&p.b, &p.a, &back), THUD_OK);
+        assert_int_equal(thud_geometry_closest(&p.a, &p.b, &c), THUD_OK);
+        assert_int_equal(thud_geometry_closest(&p.b, &p.a, &back), THUD_OK);
         assert_true(fabs(c.distance - back.distance) < p.scale);
-        assert_int_equal(thud_shapes_overlap(&p.a, &p.b), c.distance <= 0.0);
+        assert_int_equal(thud_geometry_overlap(&p.a, &p.b), c.distance <= 0.0);
         check_points(&p, &c);
         double sampled = sampled_distance(&p);
         if (c.distance > 0.0) {
@@ -143,7 +143,7 @@ static void touching_pairs_overlap_within_rounding(void **state) {
     for (int i = 0; i < PAIRS; i++) {
         pair p = draw_pair(&r, 1);
         thud_closest c;
-        assert_int_equal(thud_shapes_closest(&p.a, &p.b, &c), THUD_OK);
+        assert_int_equal(thud_geometry_closest(&p.a, &p.b, &c), THUD_OK);
         assert_true(fabs(c.distance) < 1e-12);
     }
 }
@@ -153,7 +153,7 @@ static void rays_at_random_shapes_agree_with_marching(void **state) {
     source r = {3};
     int hits = 0;
     for (int i = 0; i < RAYS; i++) {
-        thud_shape_instance shape = draw_shape(&r);
+        thud_geometry shape = draw_shape(&r);
         double far = i % 4 ? 0.0 : 1e6 * draw(&r, -1.0, 1.0), f, nx, ny;
         double eps = far != 0.0 ? 1e-8 : 1e-11;
         shape.x += far;
@@ -162,7 +162,7 @@ static void rays_at_random_shapes_agree_with_marching(void **state) {
         if (i % 2) { /* towards the shape */
             dx = 2.0 * (shape.x - ox) + draw(&r, -1.0, 1.0);
         }
-        bool hit = thud_shape_cast_ray(&shape, ox, oy, dx, dy, &f, &nx, &ny);
+        bool hit = thud_geometry_cast_ray(&shape, (thud_segment){ox, oy, dx, dy}, &f, &nx, &ny);
         double x = ox - shape.x, y = oy - shape.y, length = sqrt(dx * dx + dy * dy);
         bool inside = point_distance(&shape, x, y) < -eps;
         double first = 2.0;
@@ -192,11 +192,11 @@ static thud_motion draw_motion(source *r) {
                          draw_below(r, 2) ? draw(r, -6.0, 6.0) : 0.0};
 }
 
-static thud_shape_instance moved_by(const thud_shape_instance *shape, thud_motion m, double t) {
-    thud_shape_instance p = *shape;
+static thud_geometry moved_by(const thud_geometry *shape, thud_motion m, double t) {
+    thud_geometry p = *shape;
     p.x += m.dx * t;
     p.y += m.dy * t;
-    if (p.kind == THUD_OBB) {
+    if (p.kind == THUD_SHAPE_OBB) {
         double c = cos(m.turn * t), s = sin(m.turn * t);
         p.c = shape->c * c - shape->s * s;
         p.s = shape->s * c + shape->c * s;
@@ -205,9 +205,9 @@ static thud_shape_instance moved_by(const thud_shape_instance *shape, thud_motio
 }
 
 static double distance_at(const pair *p, thud_motion ma, thud_motion mb, double t) {
-    thud_shape_instance a = moved_by(&p->a, ma, t), b = moved_by(&p->b, mb, t);
+    thud_geometry a = moved_by(&p->a, ma, t), b = moved_by(&p->b, mb, t);
     thud_closest c;
-    assert_int_equal(thud_shapes_closest(&a, &b, &c), THUD_OK);
+    assert_int_equal(thud_geometry_closest(&a, &b, &c), THUD_OK);
     return c.distance;
 }
 
@@ -222,7 +222,7 @@ static void time_of_impact_of_random_motions_agrees_with_sampled_times(void **st
         thud_motion ma = draw_motion(&r), mb = draw_motion(&r);
         double target = draw_below(&r, 2) ? 0.0 : 0.05, time, first = 2.0;
         bool hit;
-        assert_int_equal(thud_shapes_time_of_impact(&p.a, ma, &p.b, mb, target, &hit, &time),
+        assert_int_equal(thud_geometry_time_of_impact(&p.a, ma, &p.b, mb, target, &hit, &time),
                          THUD_OK);
         for (int k = 0; k <= TIMES && first > 1.0; k++) {
             double t = (double)k / TIMES;
@@ -247,9 +247,9 @@ static void fast_shapes_never_pass_a_needle(void **state) {
     (void)state;
     source r = {5};
     for (int i = 0; i < PAIRS; i++) {
-        thud_shape_instance wall = {.kind = THUD_OBB, .c = 1.0, .hx = 2.0, .hy = 1e-7};
+        thud_geometry wall = {.kind = THUD_SHAPE_OBB, .c = 1.0, .hx = 2.0, .hy = 1e-7};
         set_angle(&wall, draw(&r, -4.0, 4.0));
-        thud_shape_instance shape = draw_shape(&r);
+        thud_geometry shape = draw_shape(&r);
         /* From one side of the wall to the other, through a point of it. */
         double along = draw(&r, -1.9, 1.9), way = draw(&r, 5.0, 5000.0), skew = draw(&r, -1.2, 1.2);
         double nx = -wall.s, ny = wall.c;
@@ -261,8 +261,8 @@ static void fast_shapes_never_pass_a_needle(void **state) {
         thud_motion m = {dx, dy, draw(&r, -3.0, 3.0)};
         bool hit;
         double time;
-        assert_int_equal(thud_shapes_time_of_impact(&shape, m, &wall, (thud_motion){0}, 0.0, &hit,
-                                                    &time),
+        assert_int_equal(thud_geometry_time_of_impact(&shape, m, &wall, (thud_motion){0}, 0.0, &hit,
+                                                      &time),
                          THUD_OK);
         assert_true(hit);
         assert_true(time <= back);

@@ -67,7 +67,7 @@ static void distance_of_every_pair_is_that_of_long_double(void **state) {
 }
 
 /* How far the shape extends in the direction n (its support function). */
-static real support(const thud_shape_instance *shape, vec n) {
+static real support(const thud_geometry *shape, vec n) {
     solid s = solid_of(shape, shape->x, shape->y);
     real most = -1e300L;
     for (int i = 0; i < s.count; i++) {
@@ -81,7 +81,7 @@ static void check_polygon(source *r, const trial *t) {
     (void)r;
     const thud_minkowski *m = &t->sum;
     int faces = m->count / 2;
-    int circles = (t->p.a.kind == THUD_CIRCLE) + (t->p.b.kind == THUD_CIRCLE);
+    int circles = (t->p.a.kind == THUD_SHAPE_CIRCLE) + (t->p.b.kind == THUD_SHAPE_CIRCLE);
     assert_true(circles == 2 ? m->count == 1 : circles == 1 ? m->count == 4 : m->count >= 4);
     assert_true(circles > 0 || m->radius == 0.0);
     for (int i = 0; i < m->count && m->count > 1; i++) {
@@ -105,11 +105,11 @@ static void faces_of_every_sum_support_both_shapes(void **state) {
 
 /* The engine's own distance with b at another place. */
 static double distance_at(const trial *t, double x, double y) {
-    thud_shape_instance b = t->p.b;
+    thud_geometry b = t->p.b;
     thud_closest c;
     b.x = x;
     b.y = y;
-    assert_int_equal(thud_shapes_closest(&t->p.a, &b, &c), THUD_OK);
+    assert_int_equal(thud_geometry_closest(&t->p.a, &b, &c), THUD_OK);
     return c.distance;
 }
 
@@ -160,7 +160,8 @@ static void check_cast(source *r, const trial *t) {
         dy *= 2.0;
     }
     bool hit, inside;
-    OK(thud_minkowski_cast(&t->sum, from.x, from.y, dx, dy, &hit, &fraction, &nx, &ny));
+    OK(thud_minkowski_cast(&t->sum, (thud_segment){from.x, from.y, dx, dy}, &hit, &fraction, &nx,
+                           &ny));
     OK(thud_minkowski_contains(&t->sum, from.x, from.y, &inside));
     casts++;
     hits += hit;
@@ -191,14 +192,15 @@ static void casts_of_random_motions_agree_with_the_least_distance(void **state) 
     assert_true(hits > casts / 3 && hits < casts * 9 / 10);
 }
 
-/* A negligible rotation makes thud_shapes_time_of_impact use conservative advancement. */
+/* A negligible rotation makes thud_geometry_time_of_impact use conservative advancement. */
 static void check_advancement(source *r, const trial *t) {
     thud_motion m = {draw(r, -4.0, 4.0), draw(r, -4.0, 4.0), 1e-15}, still = {0};
     bool hit, hit_by_steps;
     double fraction, time, nx, ny;
-    OK(thud_minkowski_cast(&t->sum, t->x, t->y, m.dx, m.dy, &hit, &fraction, &nx, &ny));
-    assert_int_equal(thud_shapes_time_of_impact(&t->p.a, still, &t->p.b, m, 0.0, &hit_by_steps,
-                                                &time),
+    OK(thud_minkowski_cast(&t->sum, (thud_segment){t->x, t->y, m.dx, m.dy}, &hit, &fraction, &nx,
+                           &ny));
+    assert_int_equal(thud_geometry_time_of_impact(&t->p.a, still, &t->p.b, m, 0.0, &hit_by_steps,
+                                                  &time),
                      THUD_OK);
     if (hit) {
         assert_true(hit_by_steps && time <= fraction + 1e-9);
@@ -220,8 +222,8 @@ static void normal_at_a_vertex_within_rounding_is_one_that_parts(void **state) {
     (void)state;
     source r = {6};
     for (int i = 0; i < CASES; i++) {
-        thud_shape_instance a = draw_shape_of(&r, THUD_OBB);
-        thud_shape_instance b = draw_shape_of(&r, i % 2 ? THUD_OBB : THUD_AABB);
+        thud_geometry a = draw_shape_of(&r, THUD_SHAPE_OBB);
+        thud_geometry b = draw_shape_of(&r, i % 2 ? THUD_SHAPE_OBB : THUD_SHAPE_AABB);
         thud_minkowski m;
         OK(thud_minkowski_sum(&a, &b, &m));
         thud_pos v = m.vertices[draw_below(&r, 8)];

@@ -15,13 +15,13 @@
 #define INVALID(call) assert_int_equal(call, THUD_ERROR_INVALID)
 #define MISSING(call) assert_int_equal(call, THUD_ERROR_NULL)
 
-static thud_shape_instance box(double hx, double hy) {
-    return (thud_shape_instance){.kind = THUD_AABB, .c = 1.0, .hx = hx, .hy = hy};
+static thud_geometry box(double hx, double hy) {
+    return (thud_geometry){.kind = THUD_SHAPE_AABB, .c = 1.0, .hx = hx, .hy = hy};
 }
 
 static void sum_of_boxes_by_hand_has_the_sums_of_their_extents(void **state) {
     (void)state;
-    thud_shape_instance a = box(1.0, 2.0), b = box(0.5, 0.25);
+    thud_geometry a = box(1.0, 2.0), b = box(0.5, 0.25);
     thud_minkowski m;
     OK(thud_minkowski_sum(&a, &b, &m));
     assert_int_equal(m.count, 4);
@@ -35,7 +35,7 @@ static void sum_of_boxes_by_hand_has_the_sums_of_their_extents(void **state) {
 static void sum_of_square_and_diamond_by_hand_is_an_octagon(void **state) {
     (void)state;
     double half = sqrt(0.5);
-    thud_shape_instance a = box(1.0, 1.0), b = {THUD_OBB, 0.0, 0.0, half, half, half, half};
+    thud_geometry a = box(1.0, 1.0), b = {THUD_SHAPE_OBB, 0.0, 0.0, half, half, half, half};
     thud_minkowski m;
     bool inside;
     OK(thud_minkowski_sum(&a, &b, &m));
@@ -50,7 +50,8 @@ static void sum_of_square_and_diamond_by_hand_is_an_octagon(void **state) {
 
 static void sum_of_circles_is_a_point_with_both_radii(void **state) {
     (void)state;
-    thud_shape_instance a = {.kind = THUD_CIRCLE, .hx = 2.0}, b = {.kind = THUD_CIRCLE, .hx = 0.5};
+    thud_geometry a = {.kind = THUD_SHAPE_CIRCLE, .hx = 2.0},
+                  b = {.kind = THUD_SHAPE_CIRCLE, .hx = 0.5};
     thud_minkowski m;
     memset(&m, 0xff, sizeof m);
     OK(thud_minkowski_sum(&a, &b, &m));
@@ -61,35 +62,36 @@ static void sum_of_circles_is_a_point_with_both_radii(void **state) {
 
 static void cast_along_a_face_touches_its_end(void **state) {
     (void)state;
-    thud_shape_instance a = box(1.0, 2.0), b = box(0.5, 0.25);
+    thud_geometry a = box(1.0, 2.0), b = box(0.5, 0.25);
     thud_minkowski m;
     bool hit;
     double f, nx, ny;
     OK(thud_minkowski_sum(&a, &b, &m));
-    OK(thud_minkowski_cast(&m, -4.5, 2.25, 6.0, 0.0, &hit, &f, &nx, &ny));
+    OK(thud_minkowski_cast(&m, (thud_segment){-4.5, 2.25, 6.0, 0.0}, &hit, &f, &nx, &ny));
     assert_true(hit);
     NEAR(f, 0.5);
     NEAR(nx, -1.0);
-    OK(thud_minkowski_cast(&m, -4.5, 2.2500001, 6.0, 0.0, &hit, &f, &nx, &ny));
+    OK(thud_minkowski_cast(&m, (thud_segment){-4.5, 2.2500001, 6.0, 0.0}, &hit, &f, &nx, &ny));
     assert_false(hit);
 }
 
 static void ray_from_inside_through_a_corner_hits_nothing(void **state) {
     (void)state;
-    thud_shape_instance a = box(1.0, 1.0);
+    thud_geometry a = box(1.0, 1.0);
     double f, nx, ny;
     for (int i = 0; i < 4; i++) {
         double dx = i % 2 ? 2.0 : -2.0, dy = i / 2 ? 2.0 : -2.0;
-        assert_false(thud_shape_cast_ray(&a, 0.0, 0.0, dx, dy, &f, &nx, &ny));
+        assert_false(thud_geometry_cast_ray(&a, (thud_segment){0.0, 0.0, dx, dy}, &f, &nx, &ny));
     }
 }
 
 static void ray_from_afar_does_not_pass_a_needle_thinner_than_its_rounding(void **state) {
     (void)state;
-    thud_shape_instance a = box(1.0, 1e-12);
+    thud_geometry a = box(1.0, 1e-12);
     double f, nx, ny;
     for (int i = 1; i < 1000; i++) {
-        assert_true(thud_shape_cast_ray(&a, 0.0, 1e7 / i, 0.0, -1e7, &f, &nx, &ny));
+        assert_true(
+            thud_geometry_cast_ray(&a, (thud_segment){0.0, 1e7 / i, 0.0, -1e7}, &f, &nx, &ny));
         NEAR(f, 1.0 / i);
     }
 }
@@ -99,8 +101,8 @@ static void impact_on_ground_with_points_next_to_each_other_is_found(void **stat
     (void)state;
     const thud_pos points[4] = {{-5.0, 0.0}, {0.0, 0.0}, {1e-200, 0.0}, {5.0, 0.0}};
     thud_terrain ground = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 4};
-    for (int kind = THUD_CIRCLE; kind <= THUD_OBB; kind++) {
-        thud_shape_instance a = {(thud_shape_kind)kind, 0.0, 3.0, 1.0, 0.0, 1.0, 1.0};
+    for (int kind = THUD_SHAPE_CIRCLE; kind <= THUD_SHAPE_OBB; kind++) {
+        thud_geometry a = {(thud_shape_kind)kind, 0.0, 3.0, 1.0, 0.0, 1.0, 1.0};
         bool hit;
         double time;
         OK(thud_terrain_time_of_impact(&ground, &a, (thud_motion){0.0, -4.0, 0.0}, 0.0, &hit,
@@ -112,8 +114,8 @@ static void impact_on_ground_with_points_next_to_each_other_is_found(void **stat
 
 static void sum_of_box_with_inexact_rotation_has_unit_normals(void **state) {
     (void)state;
-    thud_shape_instance b = {THUD_OBB, 0.0, 0.0, 0.6 * (1.0 + 4e-6), 0.8 * (1.0 + 4e-6), 2.0, 1.0};
-    thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1.0, .hx = 1e-9};
+    thud_geometry b = {THUD_SHAPE_OBB, 0.0, 0.0, 0.6 * (1.0 + 4e-6), 0.8 * (1.0 + 4e-6), 2.0, 1.0};
+    thud_geometry point = {.kind = THUD_SHAPE_CIRCLE, .c = 1.0, .hx = 1e-9};
     thud_minkowski m;
     OK(thud_minkowski_sum(&b, &point, &m));
     for (int i = 0; i < 2; i++) {
@@ -124,18 +126,18 @@ static void sum_of_box_with_inexact_rotation_has_unit_normals(void **state) {
 
 static void cast_past_rounded_corner_by_hand_misses_where_a_sharp_one_would_not(void **state) {
     (void)state;
-    thud_shape_instance a = box(1.0, 1.0), b = {.kind = THUD_CIRCLE, .c = 1.0, .hx = 1.0};
+    thud_geometry a = box(1.0, 1.0), b = {.kind = THUD_SHAPE_CIRCLE, .c = 1.0, .hx = 1.0};
     thud_minkowski m;
     bool hit;
     double f, nx, ny;
     OK(thud_minkowski_sum(&a, &b, &m));
     /* Diagonally past the corner (1, 1), at distances 0.99 and 1.01 from it. */
     double near = 2.0 + 0.99 * sqrt(2.0), far = 2.0 + 1.01 * sqrt(2.0);
-    OK(thud_minkowski_cast(&m, near + 3.0, -3.0, -6.0, 6.0, &hit, &f, &nx, &ny));
+    OK(thud_minkowski_cast(&m, (thud_segment){near + 3.0, -3.0, -6.0, 6.0}, &hit, &f, &nx, &ny));
     assert_true(hit);
-    OK(thud_minkowski_cast(&m, far + 3.0, -3.0, -6.0, 6.0, &hit, &f, &nx, &ny));
+    OK(thud_minkowski_cast(&m, (thud_segment){far + 3.0, -3.0, -6.0, 6.0}, &hit, &f, &nx, &ny));
     assert_false(hit);
-    OK(thud_minkowski_cast(&m, 0.0, 6.0, 0.0, -8.0, &hit, &f, &nx, &ny));
+    OK(thud_minkowski_cast(&m, (thud_segment){0.0, 6.0, 0.0, -8.0}, &hit, &f, &nx, &ny));
     assert_true(hit);
     NEAR(f, 0.5);
     NEAR(ny, 1.0);
@@ -144,8 +146,8 @@ static void cast_past_rounded_corner_by_hand_misses_where_a_sharp_one_would_not(
 static void sum_of_needles_near_parallel_loses_no_face(void **state) {
     (void)state;
     for (double angle = 1e-15; angle < 1.0; angle *= 10.0) {
-        thud_shape_instance a = {THUD_OBB, 0.0, 0.0, 1.0, 0.0, 1.0, 1e-6};
-        thud_shape_instance b = {THUD_OBB, 0.0, 0.0, cos(angle), sin(angle), 1.0, 1e-6};
+        thud_geometry a = {THUD_SHAPE_OBB, 0.0, 0.0, 1.0, 0.0, 1.0, 1e-6};
+        thud_geometry b = {THUD_SHAPE_OBB, 0.0, 0.0, cos(angle), sin(angle), 1.0, 1e-6};
         thud_minkowski m;
         bool hit;
         double f, nx, ny;
@@ -153,7 +155,8 @@ static void sum_of_needles_near_parallel_loses_no_face(void **state) {
         assert_int_equal(m.count, 8);
         /* Casts straight down onto it, everywhere along its upper side, all hit. */
         for (double x = -1.99; x < 2.0; x += 0.0398) {
-            OK(thud_minkowski_cast(&m, x * cos(angle), 5.0, 0.0, -10.0, &hit, &f, &nx, &ny));
+            OK(thud_minkowski_cast(&m, (thud_segment){x * cos(angle), 5.0, 0.0, -10.0}, &hit, &f,
+                                   &nx, &ny));
             assert_true(hit);
         }
     }
@@ -161,12 +164,12 @@ static void sum_of_needles_near_parallel_loses_no_face(void **state) {
 
 static void refused_input_leaves_every_output_as_it_was(void **state) {
     (void)state;
-    thud_shape_instance good = box(1.0, 1.0), bad[4] = {good, good, good, good};
+    thud_geometry good = box(1.0, 1.0), bad[4] = {good, good, good, good};
     thud_minkowski m, kept, wrong[3];
     bad[0].x = NAN;
     bad[1].hx = 0.0;
     bad[2].hy = -1.0;
-    bad[3].kind = THUD_TERRAIN;
+    bad[3].kind = THUD_SHAPE_TERRAIN;
     OK(thud_minkowski_sum(&good, &good, &m));
     memcpy(&kept, &m, sizeof m);
     for (int i = 0; i < 4; i++) {
@@ -187,7 +190,7 @@ static void refused_input_leaves_every_output_as_it_was(void **state) {
     for (int i = 0; i < 3; i++) {
         INVALID(thud_minkowski_contains(&wrong[i], 9, 0, &yes));
         INVALID(thud_minkowski_distance(&wrong[i], 9, 0, &d, &nx, &ny));
-        INVALID(thud_minkowski_cast(&wrong[i], 9, 0, 1, 0, &yes, &d, &nx, &ny));
+        INVALID(thud_minkowski_cast(&wrong[i], (thud_segment){9, 0, 1, 0}, &yes, &d, &nx, &ny));
     }
     const double off[] = {NAN, INFINITY, -1e17};
     for (int i = 0; i < 3; i++) {
@@ -196,10 +199,10 @@ static void refused_input_leaves_every_output_as_it_was(void **state) {
         INVALID(thud_minkowski_contains(&m, 9, o, &yes));
         INVALID(thud_minkowski_distance(&m, o, 0, &d, &nx, &ny));
         INVALID(thud_minkowski_distance(&m, 9, o, &d, &nx, &ny));
-        INVALID(thud_minkowski_cast(&m, o, 0, 1, 0, &yes, &d, &nx, &ny));
-        INVALID(thud_minkowski_cast(&m, 9, o, 1, 0, &yes, &d, &nx, &ny));
-        INVALID(thud_minkowski_cast(&m, 9, 0, o, 0, &yes, &d, &nx, &ny));
-        INVALID(thud_minkowski_cast(&m, 9, 0, 1, o, &yes, &d, &nx, &ny));
+        INVALID(thud_minkowski_cast(&m, (thud_segment){o, 0, 1, 0}, &yes, &d, &nx, &ny));
+        INVALID(thud_minkowski_cast(&m, (thud_segment){9, o, 1, 0}, &yes, &d, &nx, &ny));
+        INVALID(thud_minkowski_cast(&m, (thud_segment){9, 0, o, 0}, &yes, &d, &nx, &ny));
+        INVALID(thud_minkowski_cast(&m, (thud_segment){9, 0, 1, o}, &yes, &d, &nx, &ny));
     }
     MISSING(thud_minkowski_contains(NULL, 9, 0, &yes));
     MISSING(thud_minkowski_contains(&m, 9, 0, NULL));
@@ -207,11 +210,11 @@ static void refused_input_leaves_every_output_as_it_was(void **state) {
     MISSING(thud_minkowski_distance(&m, 9, 0, NULL, &nx, &ny));
     MISSING(thud_minkowski_distance(&m, 9, 0, &d, NULL, &ny));
     MISSING(thud_minkowski_distance(&m, 9, 0, &d, &nx, NULL));
-    MISSING(thud_minkowski_cast(NULL, 9, 0, 1, 0, &yes, &d, &nx, &ny));
-    MISSING(thud_minkowski_cast(&m, 9, 0, 1, 0, NULL, &d, &nx, &ny));
-    MISSING(thud_minkowski_cast(&m, 9, 0, 1, 0, &yes, NULL, &nx, &ny));
-    MISSING(thud_minkowski_cast(&m, 9, 0, 1, 0, &yes, &d, NULL, &ny));
-    MISSING(thud_minkowski_cast(&m, 9, 0, 1, 0, &yes, &d, &nx, NULL));
+    MISSING(thud_minkowski_cast(NULL, (thud_segment){9, 0, 1, 0}, &yes, &d, &nx, &ny));
+    MISSING(thud_minkowski_cast(&m, (thud_segment){9, 0, 1, 0}, NULL, &d, &nx, &ny));
+    MISSING(thud_minkowski_cast(&m, (thud_segment){9, 0, 1, 0}, &yes, NULL, &nx, &ny));
+    MISSING(thud_minkowski_cast(&m, (thud_segment){9, 0, 1, 0}, &yes, &d, NULL, &ny));
+    MISSING(thud_minkowski_cast(&m, (thud_segment){9, 0, 1, 0}, &yes, &d, &nx, NULL));
     assert_true(yes && d == 7.0 && nx == 8.0 && ny == 9.0);
 }
 

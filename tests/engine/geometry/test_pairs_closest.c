@@ -14,7 +14,7 @@ enum { QUICK = 20000 };
 /* Tolerance, in roundings of those lengths. Chosen. */
 #define BOUND 8.0
 
-static bool on_outline(const solid *s, const thud_shape_instance *origin, double x, double y,
+static bool on_outline(const solid *s, const thud_geometry *origin, double x, double y,
                        double slack) {
     vec p = {(real)x - origin->x, (real)y - origin->y};
     return fabsl(solid_distance(s, p)) <= slack;
@@ -25,7 +25,7 @@ static void check_closest(const pair *p) {
     solid a = solid_of(&p->a, p->a.x, p->a.y), b = solid_of(&p->b, p->a.x, p->a.y);
     real exact = solids_distance(&a, &b);
     thud_closest c;
-    assert_int_equal(thud_shapes_closest(&p->a, &p->b, &c), THUD_OK);
+    assert_int_equal(thud_geometry_closest(&p->a, &p->b, &c), THUD_OK);
     CHECK_PAIR(p, fabsl(c.distance - exact) <= slack);
     vec n = {c.nx, c.ny};
     CHECK_PAIR(p, fabsl(length_of(n) - 1.0L) <= BOUND * ROUNDING);
@@ -40,15 +40,15 @@ static void check_overlap(const pair *p) {
     solid a = solid_of(&p->a, p->a.x, p->a.y), b = solid_of(&p->b, p->a.x, p->a.y);
     real exact = solids_distance(&a, &b);
     if (fabsl(exact) > BOUND * pair_rounding(p)) {
-        CHECK_PAIR(p, thud_shapes_overlap(&p->a, &p->b) == (exact < 0.0L));
-        CHECK_PAIR(p, thud_shapes_overlap(&p->b, &p->a) == (exact < 0.0L));
+        CHECK_PAIR(p, thud_geometry_overlap(&p->a, &p->b) == (exact < 0.0L));
+        CHECK_PAIR(p, thud_geometry_overlap(&p->b, &p->a) == (exact < 0.0L));
     }
 }
 
 static void check_either_way_round(const pair *p) {
     thud_closest there, back;
-    assert_int_equal(thud_shapes_closest(&p->a, &p->b, &there), THUD_OK);
-    assert_int_equal(thud_shapes_closest(&p->b, &p->a, &back), THUD_OK);
+    assert_int_equal(thud_geometry_closest(&p->a, &p->b, &there), THUD_OK);
+    assert_int_equal(thud_geometry_closest(&p->b, &p->a, &back), THUD_OK);
     CHECK_PAIR(p, fabs(there.distance - back.distance) <= BOUND * pair_rounding(p));
 }
 

@@ -20,8 +20,8 @@ static int collisions;
 static void check_collision(const moving *m, double tolerance) {
     double slack = BOUND * (moving_rounding(m) + place_rounding(&m->p)), time;
     bool collided;
-    assert_int_equal(thud_shapes_time_of_collision(&m->p.a, m->a, &m->p.b, m->b, tolerance,
-                                                   &collided, &time),
+    assert_int_equal(thud_geometry_time_of_collision(&m->p.a, m->a, &m->p.b, m->b, tolerance,
+                                                     &collided, &time),
                      THUD_OK);
     real before = moving_distance(m, 0.0L), after = moving_distance(m, 1.0L);
     if (fabsl(before) > slack && fabsl(after) > slack) {
@@ -61,17 +61,17 @@ static void bisectable_motion_through_the_middle_is_never_missed(void **state) {
         source r = {131 + kinds};
         for (int i = 0; i < count; i++) {
             moving m = draw_moving(&r, kinds, i, false);
-            thud_shape_instance *a = &m.p.a, *b = &m.p.b;
+            thud_geometry *a = &m.p.a, *b = &m.p.b;
             double part = draw(&r, 0.0, 1.0), speed = draw(&r, 0.0, 3.0),
                    angle = draw(&r, -4.0, 4.0);
-            double thin_a = a->kind == THUD_CIRCLE ? a->hx : fmin(a->hx, a->hy);
-            double thin_b = b->kind == THUD_CIRCLE ? b->hx : fmin(b->hx, b->hy);
+            double thin_a = a->kind == THUD_SHAPE_CIRCLE ? a->hx : fmin(a->hx, a->hy);
+            double thin_b = b->kind == THUD_SHAPE_CIRCLE ? b->hx : fmin(b->hx, b->hy);
             double way = speed * fmin(thin_a, thin_b);
             m.a = (thud_motion){0};
             m.b = (thud_motion){way * cos(angle), way * sin(angle), 0.0};
             b->x = a->x - part * m.b.dx;
             b->y = a->y - part * m.b.dy;
-            if (thud_motion_is_bisectable(a, m.a, b, m.b)) {
+            if (thud_geometry_is_bisectable(a, m.a, b, m.b)) {
                 bisectable++;
                 CHECK_PAIR(&m.p,
                            moving_distance(&m, 0.0L) <= 0.0L || moving_distance(&m, 1.0L) <= 0.0L);
@@ -79,7 +79,7 @@ static void bisectable_motion_through_the_middle_is_never_missed(void **state) {
             /* The thickness is twice the half extent: the motion is bisectable below that, but for
              * rounding. */
             CHECK_PAIR(&m.p, fabs(speed - 2.0) < 1e-9 ||
-                                 thud_motion_is_bisectable(a, m.a, b, m.b) == (speed < 2.0));
+                                 thud_geometry_is_bisectable(a, m.a, b, m.b) == (speed < 2.0));
         }
     }
     assert_true(bisectable > count);

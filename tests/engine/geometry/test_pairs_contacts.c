@@ -130,8 +130,8 @@ static void check_contacts(const pair *p, double margin) {
     double slack = BOUND * place_rounding(p);
     thud_closest closest;
     thud_contacts c;
-    assert_int_equal(thud_shapes_closest(&p->a, &p->b, &closest), THUD_OK);
-    assert_int_equal(thud_shapes_contacts(&p->a, &p->b, margin, &c), THUD_OK);
+    assert_int_equal(thud_geometry_closest(&p->a, &p->b, &closest), THUD_OK);
+    assert_int_equal(thud_geometry_contacts(&p->a, &p->b, margin, &c), THUD_OK);
     if (fabs(closest.distance - margin) > slack) {
         CHECK_PAIR(p, (c.count > 0) == (closest.distance <= margin));
     }

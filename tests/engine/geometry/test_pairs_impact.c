@@ -33,8 +33,8 @@ static void check_translating(const moving *m) {
     vec way = {(real)m->a.dx - m->b.dx, (real)m->a.dy - m->b.dy};
     real early = enters(&h, h.radius + m->target + slack, way);
     real late = enters(&h, h.radius + m->target - slack, way);
-    assert_int_equal(thud_shapes_time_of_impact(&m->p.a, m->a, &m->p.b, m->b, m->target, &hit,
-                                                &time),
+    assert_int_equal(thud_geometry_time_of_impact(&m->p.a, m->a, &m->p.b, m->b, m->target, &hit,
+                                                  &time),
                      THUD_OK);
     CHECK_PAIR(&m->p, hit || time == 1.0);
     real found = hit ? (real)time : NEVER;
@@ -62,22 +62,22 @@ static void impact_of_flush_boxes_with_a_target_is_never_missed(void **state) {
     (void)state;
     for (int i = 1; i < 400; i++) {
         double c = cos(i * 0.01), s = sin(i * 0.01), length = sqrt(9.0 * c * c + 9.0 * s * s);
-        thud_shape_instance a = {THUD_OBB, 0.0, 0.0, c, s, 0.3, 1.0};
-        thud_shape_instance b = {THUD_OBB, 0.0, 0.0, 3.0 * c / length, 3.0 * s / length, 2.0, 0.5};
+        thud_geometry a = {THUD_SHAPE_OBB, 0.0, 0.0, c, s, 0.3, 1.0};
+        thud_geometry b = {THUD_SHAPE_OBB, 0.0, 0.0, 3.0 * c / length, 3.0 * s / length, 2.0, 0.5};
         for (int k = -20; k <= 20; k++) {
             thud_motion up = {-s, c, 0.0}, down = {s, -c, 0.0};
             bool hit;
             double time;
             b.x = 0.1 * k * c - 1.54 * s;
             b.y = 0.1 * k * s + 1.54 * c;
-            assert_int_equal(thud_shapes_time_of_impact(&a, (thud_motion){0}, &b, up, 0.05, &hit,
-                                                        &time),
+            assert_int_equal(thud_geometry_time_of_impact(&a, (thud_motion){0}, &b, up, 0.05, &hit,
+                                                          &time),
                              THUD_OK);
             assert_true(hit && time == 0.0);
             b.x = 0.1 * k * c - 2.0 * s;
             b.y = 0.1 * k * s + 2.0 * c;
-            assert_int_equal(thud_shapes_time_of_impact(&a, (thud_motion){0}, &b, down, 0.05, &hit,
-                                                        &time),
+            assert_int_equal(thud_geometry_time_of_impact(&a, (thud_motion){0}, &b, down, 0.05,
+                                                          &hit, &time),
                              THUD_OK);
             assert_true(hit && fabs(time - 0.45) < 1e-14);
         }
@@ -88,8 +88,8 @@ static void impact_of_flush_boxes_with_a_target_is_never_missed(void **state) {
 
 /* An upper bound of the rate at which the shapes' distance changes. */
 static real fastest(const moving *m) {
-    real reach_a = m->p.a.kind == THUD_OBB ? hypotl(m->p.a.hx, m->p.a.hy) : 0.0L;
-    real reach_b = m->p.b.kind == THUD_OBB ? hypotl(m->p.b.hx, m->p.b.hy) : 0.0L;
+    real reach_a = m->p.a.kind == THUD_SHAPE_OBB ? hypotl(m->p.a.hx, m->p.a.hy) : 0.0L;
+    real reach_b = m->p.b.kind == THUD_SHAPE_OBB ? hypotl(m->p.b.hx, m->p.b.hy) : 0.0L;
     return hypotl(m->a.dx - m->b.dx, m->a.dy - m->b.dy) + fabsl(m->a.turn) * reach_a +
            fabsl(m->b.turn) * reach_b;
 }
@@ -116,8 +116,8 @@ static void check_turning(const moving *m) {
     double size = m->p.a.hx + m->p.a.hy + m->p.b.hx + m->p.b.hy;
     double slack = 1.1e-10 * size + BOUND * moving_rounding(m), time;
     bool hit;
-    assert_int_equal(thud_shapes_time_of_impact(&m->p.a, m->a, &m->p.b, m->b, m->target, &hit,
-                                                &time),
+    assert_int_equal(thud_geometry_time_of_impact(&m->p.a, m->a, &m->p.b, m->b, m->target, &hit,
+                                                  &time),
                      THUD_OK);
     CHECK_PAIR(&m->p, time >= 0.0 && time <= 1.0 && (hit || time == 1.0));
     CHECK_PAIR(&m->p, apart_until(m, m->target - slack, time));

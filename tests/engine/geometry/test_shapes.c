@@ -1,5 +1,5 @@
 /* test_shapes.c: circles and boxes against answers derived by hand, and input that is refused. */
-#include "thud/thud_shapes.h"
+#include "thud/thud_geometry.h"
 #include "base/trig.h"
 
 #include <math.h>
@@ -11,29 +11,30 @@
 
 #define NEAR(a, b) assert_true(fabs((a) - (b)) < 1e-12)
 
-static thud_shape_instance circle(double x, double y, double r) {
-    return (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
+static thud_geometry circle(double x, double y, double r) {
+    return (thud_geometry){.kind = THUD_SHAPE_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
 }
 
-static thud_shape_instance box(double x, double y, double hx, double hy) {
-    return (thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1.0, .hx = hx, .hy = hy};
+static thud_geometry box(double x, double y, double hx, double hy) {
+    return (thud_geometry){.kind = THUD_SHAPE_AABB, .x = x, .y = y, .c = 1.0, .hx = hx, .hy = hy};
 }
 
-static thud_shape_instance turned(double x, double y, double hx, double hy, double angle) {
-    return (thud_shape_instance){THUD_OBB, x, y, cos(angle), sin(angle), hx, hy};
+static thud_geometry turned(double x, double y, double hx, double hy, double angle) {
+    return (thud_geometry){THUD_SHAPE_OBB, x, y, cos(angle), sin(angle), hx, hy};
 }
 
-static thud_closest closest(thud_shape_instance a, thud_shape_instance b) {
+static thud_closest closest(thud_geometry a, thud_geometry b) {
     thud_closest c;
-    assert_int_equal(thud_shapes_closest(&a, &b, &c), THUD_OK);
+    assert_int_equal(thud_geometry_closest(&a, &b, &c), THUD_OK);
     return c;
 }
 
 /* The time of impact with a shape b at rest, or 2 where there is none. */
-static double impact(thud_shape_instance a, thud_motion ma, thud_shape_instance b, double target) {
+static double impact(thud_geometry a, thud_motion ma, thud_geometry b, double target) {
     bool hit;
     double time;
-    assert_int_equal(thud_shapes_time_of_impact(&a, ma, &b, (thud_motion){0}, target, &hit, &time),
+    assert_int_equal(thud_geometry_time_of_impact(&a, ma, &b, (thud_motion){0}, target, &hit,
+                                                  &time),
                      THUD_OK);
     assert_true(hit || time == 1.0);
     return hit ? time : 2.0;
@@ -74,9 +75,9 @@ static void sincos_of_quarter_turns_hits_the_axes(void **state) {
 
 static void placed_check_refuses_what_no_shape_can_be(void **state) {
     (void)state;
-    thud_shape_instance good = turned(1.0, 2.0, 3.0, 4.0, 0.5), bad[9];
-    assert_int_equal(thud_placed_check(NULL), THUD_ERROR_NULL);
-    assert_int_equal(thud_placed_check(&good), THUD_OK);
+    thud_geometry good = turned(1.0, 2.0, 3.0, 4.0, 0.5), bad[9];
+    assert_int_equal(thud_geometry_check(NULL), THUD_ERROR_NULL);
+    assert_int_equal(thud_geometry_check(&good), THUD_OK);
     for (int i = 0; i < 9; i++) {
         bad[i] = good;
     }
@@ -86,70 +87,70 @@ static void placed_check_refuses_what_no_shape_can_be(void **state) {
     bad[3].hy = -1.0;
     bad[4].hx = NAN;
     bad[5].c = 1.0; /* with that sine not a unit vector */
-    bad[6].kind = THUD_TERRAIN;
+    bad[6].kind = THUD_SHAPE_TERRAIN;
     bad[7].kind = (thud_shape_kind)-1;
     bad[8].hy = INFINITY;
     for (int i = 0; i < 9; i++) {
         thud_closest c;
         bool hit;
         double time, f, nx, ny;
-        assert_int_equal(thud_placed_check(&bad[i]), THUD_ERROR_INVALID);
-        assert_int_equal(thud_shapes_closest(&bad[i], &good, &c), THUD_ERROR_INVALID);
-        assert_int_equal(thud_shapes_closest(&good, &bad[i], &c), THUD_ERROR_INVALID);
-        assert_false(thud_shapes_overlap(&bad[i], &good));
-        assert_false(thud_shape_cast_ray(&bad[i], -9, 2, 20, 0, &f, &nx, &ny));
-        assert_int_equal(thud_shapes_time_of_impact(&good, (thud_motion){0}, &bad[i],
-                                                    (thud_motion){0}, 0.0, &hit, &time),
+        assert_int_equal(thud_geometry_check(&bad[i]), THUD_ERROR_INVALID);
+        assert_int_equal(thud_geometry_closest(&bad[i], &good, &c), THUD_ERROR_INVALID);
+        assert_int_equal(thud_geometry_closest(&good, &bad[i], &c), THUD_ERROR_INVALID);
+        assert_false(thud_geometry_overlap(&bad[i], &good));
+        assert_false(thud_geometry_cast_ray(&bad[i], (thud_segment){-9, 2, 20, 0}, &f, &nx, &ny));
+        assert_int_equal(thud_geometry_time_of_impact(&good, (thud_motion){0}, &bad[i],
+                                                      (thud_motion){0}, 0.0, &hit, &time),
                          THUD_ERROR_INVALID);
     }
 }
 
 static void null_pointers_are_refused(void **state) {
     (void)state;
-    thud_shape_instance a = circle(0, 0, 1);
+    thud_geometry a = circle(0, 0, 1);
     thud_closest c;
     bool hit;
     double time;
     thud_motion still = {0};
-    assert_false(thud_shapes_overlap(NULL, &a));
-    assert_false(thud_shapes_overlap(&a, NULL));
-    assert_int_equal(thud_shapes_closest(NULL, &a, &c), THUD_ERROR_NULL);
-    assert_int_equal(thud_shapes_closest(&a, &a, NULL), THUD_ERROR_NULL);
-    assert_int_equal(thud_shapes_time_of_impact(&a, still, &a, still, 0.0, NULL, &time),
+    assert_false(thud_geometry_overlap(NULL, &a));
+    assert_false(thud_geometry_overlap(&a, NULL));
+    assert_int_equal(thud_geometry_closest(NULL, &a, &c), THUD_ERROR_NULL);
+    assert_int_equal(thud_geometry_closest(&a, &a, NULL), THUD_ERROR_NULL);
+    assert_int_equal(thud_geometry_time_of_impact(&a, still, &a, still, 0.0, NULL, &time),
                      THUD_ERROR_NULL);
-    assert_int_equal(thud_shapes_time_of_impact(&a, still, NULL, still, 0.0, &hit, &time),
+    assert_int_equal(thud_geometry_time_of_impact(&a, still, NULL, still, 0.0, &hit, &time),
                      THUD_ERROR_NULL);
 }
 
 static void impact_refuses_motion_and_target_out_of_range(void **state) {
     (void)state;
-    thud_shape_instance a = circle(0, 0, 1), b = circle(5, 0, 1);
+    thud_geometry a = circle(0, 0, 1), b = circle(5, 0, 1);
     thud_motion bad[] = {{NAN, 0, 0}, {0, INFINITY, 0}, {0, 0, 1e7}, {0, 0, NAN}}, still = {0};
     double targets[] = {-1.0, NAN, INFINITY};
     bool hit;
     double time;
     for (int i = 0; i < 4; i++) {
-        assert_int_equal(thud_shapes_time_of_impact(&a, bad[i], &b, still, 0.0, &hit, &time),
+        assert_int_equal(thud_geometry_time_of_impact(&a, bad[i], &b, still, 0.0, &hit, &time),
                          THUD_ERROR_INVALID);
-        assert_int_equal(thud_shapes_time_of_impact(&a, still, &b, bad[i], 0.0, &hit, &time),
+        assert_int_equal(thud_geometry_time_of_impact(&a, still, &b, bad[i], 0.0, &hit, &time),
                          THUD_ERROR_INVALID);
     }
     for (int i = 0; i < 3; i++) {
-        assert_int_equal(thud_shapes_time_of_impact(&a, still, &b, still, targets[i], &hit, &time),
+        assert_int_equal(thud_geometry_time_of_impact(&a, still, &b, still, targets[i], &hit,
+                                                      &time),
                          THUD_ERROR_INVALID);
     }
 }
 
 static void overlap_of_touching_shapes_is_true(void **state) {
     (void)state;
-    thud_shape_instance unit = circle(0, 0, 1), side = circle(2, 0, 1), above = box(0, 2, 1, 1);
-    thud_shape_instance square = box(0, 0, 1, 1), corner = box(2, 2, 1, 1),
-                        apart = box(2.001, 0, 1, 1);
-    assert_true(thud_shapes_overlap(&unit, &side));
-    assert_true(thud_shapes_overlap(&unit, &above));
-    assert_true(thud_shapes_overlap(&square, &corner));
-    assert_false(thud_shapes_overlap(&square, &apart));
-    assert_false(thud_shapes_overlap(&unit, &corner));
+    thud_geometry unit = circle(0, 0, 1), side = circle(2, 0, 1), above = box(0, 2, 1, 1);
+    thud_geometry square = box(0, 0, 1, 1), corner = box(2, 2, 1, 1), apart = box(2.001, 0, 1, 1);
+    assert_true(thud_geometry_overlap(&unit, &side));
+    assert_true(thud_geometry_overlap(&unit, &above));
+    assert_true(thud_geometry_overlap(&square, &corner));
+    assert_false(thud_geometry_overlap(&square, &apart));
+    assert_false(thud_geometry_overlap(&unit, &corner));
 }
 
 static void closest_of_circles_at_one_place_has_a_normal(void **state) {
@@ -203,38 +204,41 @@ static void closest_of_overlapping_boxes_is_the_least_axis(void **state) {
 
 static void ray_at_circle_and_box_gives_fraction_and_normal(void **state) {
     (void)state;
-    thud_shape_instance c = circle(5, 0, 1), b = box(0, 0, 1, 2);
+    thud_geometry c = circle(5, 0, 1), b = box(0, 0, 1, 2);
     double f, nx, ny;
-    assert_true(thud_shape_cast_ray(&c, 0, 0, 8, 0, &f, &nx, &ny));
+    assert_true(thud_geometry_cast_ray(&c, (thud_segment){0, 0, 8, 0}, &f, &nx, &ny));
     NEAR(f, 0.5);
     NEAR(nx, -1.0);
-    assert_true(thud_shape_cast_ray(&b, 0.5, 6, 0, -8, &f, &nx, &ny));
+    assert_true(thud_geometry_cast_ray(&b, (thud_segment){0.5, 6, 0, -8}, &f, &nx, &ny));
     NEAR(f, 0.5);
     NEAR(ny, 1.0);
-    assert_false(thud_shape_cast_ray(&c, 0, 0, 3.9, 0, &f, &nx, &ny));
-    assert_false(thud_shape_cast_ray(&c, 0, 1.001, 8, 0, &f, &nx, &ny));
-    assert_false(thud_shape_cast_ray(&b, 3, 0, 5, 0, &f, &nx, &ny));
+    assert_false(thud_geometry_cast_ray(&c, (thud_segment){0, 0, 3.9, 0}, &f, &nx, &ny));
+    assert_false(thud_geometry_cast_ray(&c, (thud_segment){0, 1.001, 8, 0}, &f, &nx, &ny));
+    assert_false(thud_geometry_cast_ray(&b, (thud_segment){3, 0, 5, 0}, &f, &nx, &ny));
 }
 
 static void ray_that_starts_inside_or_has_no_length_hits_nothing(void **state) {
     (void)state;
-    thud_shape_instance shapes[] = {circle(0, 0, 1), box(0, 0, 1, 1), turned(0, 0, 1, 1, 0.3)};
+    thud_geometry shapes[] = {circle(0, 0, 1), box(0, 0, 1, 1), turned(0, 0, 1, 1, 0.3)};
     double f, nx, ny;
     for (int i = 0; i < 3; i++) {
-        assert_false(thud_shape_cast_ray(&shapes[i], 0.1, 0.2, 9, 9, &f, &nx, &ny));
-        assert_false(thud_shape_cast_ray(&shapes[i], 4, 0, 0, 0, &f, &nx, &ny));
-        assert_false(thud_shape_cast_ray(&shapes[i], NAN, 0, 1, 0, &f, &nx, &ny));
-        assert_false(thud_shape_cast_ray(&shapes[i], 4, 0, -INFINITY, 0, &f, &nx, &ny));
+        assert_false(
+            thud_geometry_cast_ray(&shapes[i], (thud_segment){0.1, 0.2, 9, 9}, &f, &nx, &ny));
+        assert_false(thud_geometry_cast_ray(&shapes[i], (thud_segment){4, 0, 0, 0}, &f, &nx, &ny));
+        assert_false(
+            thud_geometry_cast_ray(&shapes[i], (thud_segment){NAN, 0, 1, 0}, &f, &nx, &ny));
+        assert_false(
+            thud_geometry_cast_ray(&shapes[i], (thud_segment){4, 0, -INFINITY, 0}, &f, &nx, &ny));
     }
 }
 
 static void ray_from_a_million_away_finds_a_small_circle_edge(void **state) {
     (void)state;
-    thud_shape_instance c = circle(0, 0, 1e-3);
+    thud_geometry c = circle(0, 0, 1e-3);
     double f, nx, ny;
-    assert_true(thud_shape_cast_ray(&c, -1e6, 0.999e-3, 2e6, 0, &f, &nx, &ny));
+    assert_true(thud_geometry_cast_ray(&c, (thud_segment){-1e6, 0.999e-3, 2e6, 0}, &f, &nx, &ny));
     assert_true(fabs(ny - 0.999) < 1e-6);
-    assert_false(thud_shape_cast_ray(&c, -1e6, 1.001e-3, 2e6, 0, &f, &nx, &ny));
+    assert_false(thud_geometry_cast_ray(&c, (thud_segment){-1e6, 1.001e-3, 2e6, 0}, &f, &nx, &ny));
 }
 
 static void impact_of_circles_is_exact(void **state) {

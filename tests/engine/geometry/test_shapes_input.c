@@ -1,6 +1,6 @@
-/* test_shapes_input.c: every function of thud_shapes.h refuses invalid input with its result code
+/* test_shapes_input.c: every function of thud_geometry.h refuses invalid input with its result code
  * or with false, and leaves its outputs unchanged. */
-#include "thud/thud_shapes.h"
+#include "thud/thud_geometry.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -12,32 +12,36 @@
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
-static const thud_shape_instance ball = {
-    .kind = THUD_CIRCLE, .x = 1.0, .y = 5.0, .c = 1.0, .hx = 0.5};
+static const thud_geometry ball = {
+    .kind = THUD_SHAPE_CIRCLE, .x = 1.0, .y = 5.0, .c = 1.0, .hx = 0.5};
 static const thud_motion still = {0.0, 0.0, 0.0};
 static const thud_pos hill[] = {{0.0, 0.0}, {1.0, 2.0}, {4.0, 0.0}};
 static const thud_terrain ground = {.kind = THUD_TERRAIN_IRREGULAR, .points = hill, .count = 3};
 
-static const thud_shape_instance bad_shapes[] = {
-    {.kind = THUD_CIRCLE, .c = 1.0, .hx = 0.0},
-    {.kind = THUD_CIRCLE, .c = 1.0, .hx = -1.0},
-    {.kind = THUD_CIRCLE, .c = 1.0, .hx = NAN},
-    {.kind = THUD_CIRCLE, .c = 1.0, .hx = INFINITY},
-    {.kind = THUD_CIRCLE, .x = NAN, .c = 1.0, .hx = 1.0},
-    {.kind = THUD_CIRCLE, .y = -INFINITY, .c = 1.0, .hx = 1.0},
-    {.kind = THUD_AABB, .c = 1.0, .hx = 1.0, .hy = 0.0},
-    {.kind = THUD_AABB, .c = 1.0, .hx = 1.0, .hy = -1.0},
-    {.kind = THUD_AABB, .c = 1.0, .hx = NAN, .hy = 1.0},
-    {.kind = THUD_AABB, .c = 1.0, .hx = 1.0, .hy = INFINITY},
-    {.kind = THUD_AABB, .c = 0.6, .s = 0.8, .hx = 1.0, .hy = 1.0}, /* rotated, as an AABB is not */
-    {.kind = THUD_AABB, .x = INFINITY, .c = 1.0, .hx = 1.0, .hy = 1.0},
-    {.kind = THUD_OBB, .c = 1.0, .hx = 0.0, .hy = 1.0},
-    {.kind = THUD_OBB, .c = 1.0, .hx = 1.0, .hy = NAN},
-    {.kind = THUD_OBB, .c = 0.0, .s = 0.0, .hx = 1.0, .hy = 1.0}, /* no direction */
-    {.kind = THUD_OBB, .c = NAN, .s = 0.0, .hx = 1.0, .hy = 1.0},
-    {.kind = THUD_OBB, .c = 1.0, .s = INFINITY, .hx = 1.0, .hy = 1.0},
-    {.kind = THUD_OBB, .y = NAN, .c = 1.0, .hx = 1.0, .hy = 1.0},
-    {.kind = THUD_TERRAIN, .c = 1.0, .hx = 1.0, .hy = 1.0},
+static const thud_geometry bad_shapes[] = {
+    {.kind = THUD_SHAPE_CIRCLE, .c = 1.0, .hx = 0.0},
+    {.kind = THUD_SHAPE_CIRCLE, .c = 1.0, .hx = -1.0},
+    {.kind = THUD_SHAPE_CIRCLE, .c = 1.0, .hx = NAN},
+    {.kind = THUD_SHAPE_CIRCLE, .c = 1.0, .hx = INFINITY},
+    {.kind = THUD_SHAPE_CIRCLE, .x = NAN, .c = 1.0, .hx = 1.0},
+    {.kind = THUD_SHAPE_CIRCLE, .y = -INFINITY, .c = 1.0, .hx = 1.0},
+    {.kind = THUD_SHAPE_AABB, .c = 1.0, .hx = 1.0, .hy = 0.0},
+    {.kind = THUD_SHAPE_AABB, .c = 1.0, .hx = 1.0, .hy = -1.0},
+    {.kind = THUD_SHAPE_AABB, .c = 1.0, .hx = NAN, .hy = 1.0},
+    {.kind = THUD_SHAPE_AABB, .c = 1.0, .hx = 1.0, .hy = INFINITY},
+    {.kind = THUD_SHAPE_AABB,
+     .c = 0.6,
+     .s = 0.8,
+     .hx = 1.0,
+     .hy = 1.0}, /* rotated, as an AABB is not */
+    {.kind = THUD_SHAPE_AABB, .x = INFINITY, .c = 1.0, .hx = 1.0, .hy = 1.0},
+    {.kind = THUD_SHAPE_OBB, .c = 1.0, .hx = 0.0, .hy = 1.0},
+    {.kind = THUD_SHAPE_OBB, .c = 1.0, .hx = 1.0, .hy = NAN},
+    {.kind = THUD_SHAPE_OBB, .c = 0.0, .s = 0.0, .hx = 1.0, .hy = 1.0}, /* no direction */
+    {.kind = THUD_SHAPE_OBB, .c = NAN, .s = 0.0, .hx = 1.0, .hy = 1.0},
+    {.kind = THUD_SHAPE_OBB, .c = 1.0, .s = INFINITY, .hx = 1.0, .hy = 1.0},
+    {.kind = THUD_SHAPE_OBB, .y = NAN, .c = 1.0, .hx = 1.0, .hy = 1.0},
+    {.kind = THUD_SHAPE_TERRAIN, .c = 1.0, .hx = 1.0, .hy = 1.0},
     {.kind = (thud_shape_kind)-1, .c = 1.0, .hx = 1.0, .hy = 1.0},
     {.kind = (thud_shape_kind)99, .c = 1.0, .hx = 1.0, .hy = 1.0},
 };
@@ -107,44 +111,46 @@ static void assert_as_it_was(void) {
 
 static void functions_of_shapes_refuse_null_pointers(void **state) {
     (void)state;
-    const thud_shape_instance *a = &ball;
+    const thud_geometry *a = &ball;
     thud_motion m = still;
-    REFUSES(THUD_ERROR_NULL, thud_placed_check(NULL));
-    REFUSES(NO, thud_shapes_overlap(NULL, a));
-    REFUSES(NO, thud_shapes_overlap(a, NULL));
-    REFUSES(THUD_ERROR_NULL, thud_shapes_closest(NULL, a, &out.closest));
-    REFUSES(THUD_ERROR_NULL, thud_shapes_closest(a, NULL, &out.closest));
-    REFUSES(THUD_ERROR_NULL, thud_shapes_closest(a, a, NULL));
-    REFUSES(THUD_ERROR_NULL, thud_shapes_contacts(NULL, a, 0.0, &out.contacts));
-    REFUSES(THUD_ERROR_NULL, thud_shapes_contacts(a, NULL, 0.0, &out.contacts));
-    REFUSES(THUD_ERROR_NULL, thud_shapes_contacts(a, a, 0.0, NULL));
-    REFUSES(NO, thud_shape_cast_ray(NULL, -9.0, 5.0, 99.0, 0.0, &out.time, &out.nx, &out.ny));
-    REFUSES(THUD_ERROR_NULL, thud_shapes_time_of_impact(NULL, m, a, m, 0.0, &out.hit, &out.time));
-    REFUSES(THUD_ERROR_NULL, thud_shapes_time_of_impact(a, m, NULL, m, 0.0, &out.hit, &out.time));
-    REFUSES(THUD_ERROR_NULL, thud_shapes_time_of_impact(a, m, a, m, 0.0, NULL, &out.time));
-    REFUSES(THUD_ERROR_NULL, thud_shapes_time_of_impact(a, m, a, m, 0.0, &out.hit, NULL));
-    REFUSES(THUD_ERROR_NULL, thud_circles_approach(NULL, m, a, m, &out.approach));
-    REFUSES(THUD_ERROR_NULL, thud_circles_approach(a, m, NULL, m, &out.approach));
-    REFUSES(THUD_ERROR_NULL, thud_circles_approach(a, m, a, m, NULL));
+    REFUSES(THUD_ERROR_NULL, thud_geometry_check(NULL));
+    REFUSES(NO, thud_geometry_overlap(NULL, a));
+    REFUSES(NO, thud_geometry_overlap(a, NULL));
+    REFUSES(THUD_ERROR_NULL, thud_geometry_closest(NULL, a, &out.closest));
+    REFUSES(THUD_ERROR_NULL, thud_geometry_closest(a, NULL, &out.closest));
+    REFUSES(THUD_ERROR_NULL, thud_geometry_closest(a, a, NULL));
+    REFUSES(THUD_ERROR_NULL, thud_geometry_contacts(NULL, a, 0.0, &out.contacts));
+    REFUSES(THUD_ERROR_NULL, thud_geometry_contacts(a, NULL, 0.0, &out.contacts));
+    REFUSES(THUD_ERROR_NULL, thud_geometry_contacts(a, a, 0.0, NULL));
+    REFUSES(NO, thud_geometry_cast_ray(NULL, (thud_segment){-9.0, 5.0, 99.0, 0.0}, &out.time,
+                                       &out.nx, &out.ny));
+    REFUSES(THUD_ERROR_NULL, thud_geometry_time_of_impact(NULL, m, a, m, 0.0, &out.hit, &out.time));
+    REFUSES(THUD_ERROR_NULL, thud_geometry_time_of_impact(a, m, NULL, m, 0.0, &out.hit, &out.time));
+    REFUSES(THUD_ERROR_NULL, thud_geometry_time_of_impact(a, m, a, m, 0.0, NULL, &out.time));
+    REFUSES(THUD_ERROR_NULL, thud_geometry_time_of_impact(a, m, a, m, 0.0, &out.hit, NULL));
+    REFUSES(THUD_ERROR_NULL, thud_geometry_approach(NULL, m, a, m, &out.approach));
+    REFUSES(THUD_ERROR_NULL, thud_geometry_approach(a, m, NULL, m, &out.approach));
+    REFUSES(THUD_ERROR_NULL, thud_geometry_approach(a, m, a, m, NULL));
     REFUSES(THUD_ERROR_NULL,
-            thud_shapes_time_of_collision(NULL, m, a, m, 0.1, &out.hit, &out.time));
+            thud_geometry_time_of_collision(NULL, m, a, m, 0.1, &out.hit, &out.time));
     REFUSES(THUD_ERROR_NULL,
-            thud_shapes_time_of_collision(a, m, NULL, m, 0.1, &out.hit, &out.time));
-    REFUSES(THUD_ERROR_NULL, thud_shapes_time_of_collision(a, m, a, m, 0.1, NULL, &out.time));
-    REFUSES(THUD_ERROR_NULL, thud_shapes_time_of_collision(a, m, a, m, 0.1, &out.hit, NULL));
-    REFUSES(NO, thud_motion_is_bisectable(NULL, m, a, m));
-    REFUSES(NO, thud_motion_is_bisectable(a, m, NULL, m));
+            thud_geometry_time_of_collision(a, m, NULL, m, 0.1, &out.hit, &out.time));
+    REFUSES(THUD_ERROR_NULL, thud_geometry_time_of_collision(a, m, a, m, 0.1, NULL, &out.time));
+    REFUSES(THUD_ERROR_NULL, thud_geometry_time_of_collision(a, m, a, m, 0.1, &out.hit, NULL));
+    REFUSES(NO, thud_geometry_is_bisectable(NULL, m, a, m));
+    REFUSES(NO, thud_geometry_is_bisectable(a, m, NULL, m));
 }
 
 static void functions_of_terrain_refuse_null_pointers(void **state) {
     (void)state;
     const thud_terrain *t = &ground;
-    const thud_shape_instance *a = &ball;
+    const thud_geometry *a = &ball;
     thud_motion m = still;
     REFUSES(THUD_ERROR_NULL, thud_terrain_check(NULL));
     REFUSES(THUD_ERROR_NULL, thud_terrain_sample_at(NULL, 1.0, &out.sample));
     REFUSES(THUD_ERROR_NULL, thud_terrain_sample_at(t, 1.0, NULL));
-    REFUSES(NO, thud_terrain_cast_ray(NULL, 1.0, 9.0, 0.0, -99.0, &out.time, &out.nx, &out.ny));
+    REFUSES(NO, thud_terrain_cast_ray(NULL, (thud_segment){1.0, 9.0, 0.0, -99.0}, &out.time,
+                                      &out.nx, &out.ny));
     REFUSES(NO, thud_terrain_overlap(NULL, a));
     REFUSES(NO, thud_terrain_overlap(t, NULL));
     REFUSES(THUD_ERROR_NULL, thud_terrain_closest(NULL, a, &out.closest));
@@ -165,24 +171,25 @@ static void functions_of_terrain_refuse_null_pointers(void **state) {
 
 static void functions_of_shapes_refuse_impossible_shapes(void **state) {
     (void)state;
-    const thud_shape_instance *a = &ball;
+    const thud_geometry *a = &ball;
     thud_motion m = still;
     for (int i = 0; i < COUNT(bad_shapes); i++) {
-        const thud_shape_instance *bad = &bad_shapes[i];
-        const thud_shape_instance *pair[2][2] = {{bad, a}, {a, bad}};
-        REFUSES(THUD_ERROR_INVALID, thud_placed_check(bad));
-        REFUSES(NO, thud_shape_cast_ray(bad, -9.0, 5.0, 99.0, 0.0, &out.time, &out.nx, &out.ny));
+        const thud_geometry *bad = &bad_shapes[i];
+        const thud_geometry *pair[2][2] = {{bad, a}, {a, bad}};
+        REFUSES(THUD_ERROR_INVALID, thud_geometry_check(bad));
+        REFUSES(NO, thud_geometry_cast_ray(bad, (thud_segment){-9.0, 5.0, 99.0, 0.0}, &out.time,
+                                           &out.nx, &out.ny));
         for (int k = 0; k < 2; k++) {
-            const thud_shape_instance *one = pair[k][0], *two = pair[k][1];
-            REFUSES(NO, thud_shapes_overlap(one, two));
-            REFUSES(THUD_ERROR_INVALID, thud_shapes_closest(one, two, &out.closest));
-            REFUSES(THUD_ERROR_INVALID, thud_shapes_contacts(one, two, 0.0, &out.contacts));
+            const thud_geometry *one = pair[k][0], *two = pair[k][1];
+            REFUSES(NO, thud_geometry_overlap(one, two));
+            REFUSES(THUD_ERROR_INVALID, thud_geometry_closest(one, two, &out.closest));
+            REFUSES(THUD_ERROR_INVALID, thud_geometry_contacts(one, two, 0.0, &out.contacts));
             REFUSES(THUD_ERROR_INVALID,
-                    thud_shapes_time_of_impact(one, m, two, m, 0.0, &out.hit, &out.time));
-            REFUSES(THUD_ERROR_INVALID, thud_circles_approach(one, m, two, m, &out.approach));
+                    thud_geometry_time_of_impact(one, m, two, m, 0.0, &out.hit, &out.time));
+            REFUSES(THUD_ERROR_INVALID, thud_geometry_approach(one, m, two, m, &out.approach));
             REFUSES(THUD_ERROR_INVALID,
-                    thud_shapes_time_of_collision(one, m, two, m, 0.1, &out.hit, &out.time));
-            REFUSES(NO, thud_motion_is_bisectable(one, m, two, m));
+                    thud_geometry_time_of_collision(one, m, two, m, 0.1, &out.hit, &out.time));
+            REFUSES(NO, thud_geometry_is_bisectable(one, m, two, m));
         }
     }
 }
@@ -190,7 +197,7 @@ static void functions_of_shapes_refuse_impossible_shapes(void **state) {
 static void functions_of_terrain_refuse_impossible_shapes(void **state) {
     (void)state;
     for (int i = 0; i < COUNT(bad_shapes); i++) {
-        const thud_shape_instance *bad = &bad_shapes[i];
+        const thud_geometry *bad = &bad_shapes[i];
         REFUSES(NO, thud_terrain_overlap(&ground, bad));
         REFUSES(THUD_ERROR_INVALID, thud_terrain_closest(&ground, bad, &out.closest));
         REFUSES(THUD_ERROR_INVALID, thud_terrain_contacts(&ground, bad, 0.0, &out.contacts));
@@ -206,7 +213,8 @@ static void refuse_ground(const thud_terrain *t, thud_result code) {
     int first = 5, last = 9;
     REFUSES(code, thud_terrain_check(t));
     REFUSES(code, thud_terrain_sample_at(t, 1.0, &out.sample));
-    REFUSES(NO, thud_terrain_cast_ray(t, 1.0, 9.0, 0.0, -99.0, &out.time, &out.nx, &out.ny));
+    REFUSES(NO, thud_terrain_cast_ray(t, (thud_segment){1.0, 9.0, 0.0, -99.0}, &out.time, &out.nx,
+                                      &out.ny));
     REFUSES(NO, thud_terrain_overlap(t, &ball));
     REFUSES(code, thud_terrain_closest(t, &ball, &out.closest));
     REFUSES(code, thud_terrain_contacts(t, &ball, 0.0, &out.contacts));
@@ -244,7 +252,7 @@ static void terrain_check_refuses_lines_that_go_back_or_are_no_number(void **sta
         /* The other functions do not check every vertex, but they terminate. */
         for (int k = 0; k < 2; k++, t.kind = THUD_TERRAIN_IRREGULAR) {
             for (int y = -2; y <= 2; y++) {
-                thud_shape_instance low = ball;
+                thud_geometry low = ball;
                 low.y = y;
                 (void)thud_terrain_overlap(&t, &low);
                 (void)thud_terrain_closest(&t, &low, &out.closest);
@@ -257,17 +265,17 @@ static void terrain_check_refuses_lines_that_go_back_or_are_no_number(void **sta
 
 static void functions_refuse_motions_out_of_range(void **state) {
     (void)state;
-    const thud_shape_instance *a = &ball;
+    const thud_geometry *a = &ball;
     for (int i = 0; i < COUNT(bad_motions); i++) {
         thud_motion bad = bad_motions[i], pair[2][2] = {{bad, still}, {still, bad}};
         for (int k = 0; k < 2; k++) {
             thud_motion m = pair[k][0], n = pair[k][1];
             REFUSES(THUD_ERROR_INVALID,
-                    thud_shapes_time_of_impact(a, m, a, n, 0.0, &out.hit, &out.time));
-            REFUSES(THUD_ERROR_INVALID, thud_circles_approach(a, m, a, n, &out.approach));
+                    thud_geometry_time_of_impact(a, m, a, n, 0.0, &out.hit, &out.time));
+            REFUSES(THUD_ERROR_INVALID, thud_geometry_approach(a, m, a, n, &out.approach));
             REFUSES(THUD_ERROR_INVALID,
-                    thud_shapes_time_of_collision(a, m, a, n, 0.1, &out.hit, &out.time));
-            REFUSES(NO, thud_motion_is_bisectable(a, m, a, n));
+                    thud_geometry_time_of_collision(a, m, a, n, 0.1, &out.hit, &out.time));
+            REFUSES(NO, thud_geometry_is_bisectable(a, m, a, n));
         }
         REFUSES(THUD_ERROR_INVALID,
                 thud_terrain_time_of_impact(&ground, a, bad, 0.0, &out.hit, &out.time));
@@ -278,21 +286,21 @@ static void functions_refuse_motions_out_of_range(void **state) {
 
 static void functions_refuse_margins_targets_and_tolerances_out_of_range(void **state) {
     (void)state;
-    const thud_shape_instance *a = &ball;
+    const thud_geometry *a = &ball;
     thud_motion m = still;
     for (int i = 0; i < COUNT(bad_lengths); i++) {
         double bad = bad_lengths[i];
-        REFUSES(THUD_ERROR_INVALID, thud_shapes_contacts(a, a, bad, &out.contacts));
+        REFUSES(THUD_ERROR_INVALID, thud_geometry_contacts(a, a, bad, &out.contacts));
         REFUSES(THUD_ERROR_INVALID, thud_terrain_contacts(&ground, a, bad, &out.contacts));
         REFUSES(THUD_ERROR_INVALID,
-                thud_shapes_time_of_impact(a, m, a, m, bad, &out.hit, &out.time));
+                thud_geometry_time_of_impact(a, m, a, m, bad, &out.hit, &out.time));
         REFUSES(THUD_ERROR_INVALID,
                 thud_terrain_time_of_impact(&ground, a, m, bad, &out.hit, &out.time));
     }
     for (int i = 0; i < COUNT(bad_tolerances); i++) {
         double bad = bad_tolerances[i];
         REFUSES(THUD_ERROR_INVALID,
-                thud_shapes_time_of_collision(a, m, a, m, bad, &out.hit, &out.time));
+                thud_geometry_time_of_collision(a, m, a, m, bad, &out.hit, &out.time));
         REFUSES(THUD_ERROR_INVALID,
                 thud_terrain_time_of_collision(&ground, a, m, bad, &out.hit, &out.time));
     }
@@ -306,8 +314,12 @@ static void rays_and_lookups_refuse_what_is_no_number(void **state) {
         for (int k = 0; k < 4; k++) {
             double ray[4] = {-9.0, 5.0, 99.0, 0.0};
             ray[k] = bad[i];
-            REFUSES(NO, thud_shape_cast_ray(&ball, ray[0], ray[1], ray[2], ray[3], f, nx, ny));
-            REFUSES(NO, thud_terrain_cast_ray(&ground, ray[0], ray[1], ray[2], ray[3], f, nx, ny));
+            REFUSES(NO,
+                    thud_geometry_cast_ray(&ball, (thud_segment){ray[0], ray[1], ray[2], ray[3]}, f,
+                                           nx, ny));
+            REFUSES(NO,
+                    thud_terrain_cast_ray(&ground, (thud_segment){ray[0], ray[1], ray[2], ray[3]},
+                                          f, nx, ny));
         }
         REFUSES(THUD_ERROR_INVALID, thud_terrain_sample_at(&ground, bad[i], &out.sample));
     }
@@ -326,9 +338,9 @@ static void rays_and_lookups_refuse_what_is_no_number(void **state) {
 
 static void approach_refuses_boxes(void **state) {
     (void)state;
-    const thud_shape_instance box = {.kind = THUD_AABB, .c = 1.0, .hx = 1.0, .hy = 1.0};
-    REFUSES(THUD_ERROR_INVALID, thud_circles_approach(&ball, still, &box, still, &out.approach));
-    REFUSES(THUD_ERROR_INVALID, thud_circles_approach(&box, still, &ball, still, &out.approach));
+    const thud_geometry box = {.kind = THUD_SHAPE_AABB, .c = 1.0, .hx = 1.0, .hy = 1.0};
+    REFUSES(THUD_ERROR_INVALID, thud_geometry_approach(&ball, still, &box, still, &out.approach));
+    REFUSES(THUD_ERROR_INVALID, thud_geometry_approach(&box, still, &ball, still, &out.approach));
 }
 
 int main(void) {

@@ -13,7 +13,7 @@
 
 /* Cases for each pair of kinds; kinds of volumes; points of a cloud at most; angles of the search
  * for the smallest box. */
-enum { CASES = 20000, KINDS = THUD_OBB + 1, CLOUD = 40, ANGLES = 720 };
+enum { CASES = 20000, KINDS = THUD_SHAPE_OBB + 1, CLOUD = 40, ANGLES = 720 };
 
 #define OK(call) assert_int_equal(call, THUD_OK)
 
@@ -39,15 +39,15 @@ static bool holds(const thud_volume *volume, double x, double y) {
 }
 
 static double area(const thud_volume *v) {
-    return v->kind == THUD_CIRCLE ? 3.141592653589793 * v->hx * v->hx : 4.0 * v->hx * v->hy;
+    return v->kind == THUD_SHAPE_CIRCLE ? 3.141592653589793 * v->hx * v->hx : 4.0 * v->hx * v->hy;
 }
 
 /* A bound of rounding errors at the shape's place. */
-static double rounding(const thud_shape_instance *shape) {
+static double rounding(const thud_geometry *shape) {
     return 1e-14 * (1.0 + fabs(shape->x) + fabs(shape->y) + shape->hx + shape->hy);
 }
 
-static thud_volume around_shape(thud_shape_kind kind, const thud_shape_instance *shape) {
+static thud_volume around_shape(thud_shape_kind kind, const thud_geometry *shape) {
     thud_volume v;
     OK(thud_volume_around_shape(kind, shape, &v));
     assert_int_equal(v.kind, kind);
@@ -101,7 +101,7 @@ static void volumes_of_overlapping_pairs_overlap(void **state) {
 }
 
 static void check_contains(source *r, const pair *p) {
-    const thud_shape_instance *a = &p->a, *b = &p->b;
+    const thud_geometry *a = &p->a, *b = &p->b;
     bool inside = contains(a, b);
     double eps = rounding(a) + rounding(b), most = -1e300;
     /* How far b extends beyond a at most: at a corner, or on the far side of a circle. */
@@ -110,7 +110,7 @@ static void check_contains(source *r, const pair *p) {
         most = fmax(most, point_distance(a, b->x - a->x + o.x, b->y - a->y + o.y));
     }
     assert_true(!inside || most < eps);
-    if (b->kind != THUD_CIRCLE) {
+    if (b->kind != THUD_SHAPE_CIRCLE) {
         assert_true(inside || most > -eps);
     } else {
         assert_true(inside || most > -0.002 * b->hx - eps);
@@ -127,9 +127,10 @@ static void containment_of_every_pair_agrees_with_sampled_outlines(void **state)
 
 static void check_around_shape(source *r, const pair *p) {
     (void)r;
-    const thud_shape_instance *a = &p->a;
-    thud_volume circle = around_shape(THUD_CIRCLE, a), upright = around_shape(THUD_AABB, a);
-    thud_volume oriented = around_shape(THUD_OBB, a);
+    const thud_geometry *a = &p->a;
+    thud_volume circle = around_shape(THUD_SHAPE_CIRCLE, a),
+                upright = around_shape(THUD_SHAPE_AABB, a);
+    thud_volume oriented = around_shape(THUD_SHAPE_OBB, a);
     double eps = rounding(a), width = 0.0, height = 0.0, far = 0.0;
     assert_true(contains(&circle, a) && contains(&upright, a) && contains(&oriented, a));
     for (int i = 0; i < 64; i++) {
@@ -141,7 +142,7 @@ static void check_around_shape(source *r, const pair *p) {
     /* The shape touches all of them, so none could be smaller about the same centre. */
     assert_true(fabs(upright.hx - width) < eps && fabs(upright.hy - height) < eps);
     assert_true(fabs(circle.hx - far) < eps);
-    double smallest = a->kind == THUD_CIRCLE ? 4.0 * a->hx * a->hx : area(a);
+    double smallest = a->kind == THUD_SHAPE_CIRCLE ? 4.0 * a->hx * a->hx : area(a);
     assert_true(fabs(area(&oriented) - smallest) < 8.0 * eps * (a->hx + a->hy));
 }
 
@@ -159,7 +160,7 @@ static thud_motion draw_motion(source *r) {
 
 /* Volumes around a motion contain the shape at sampled times, and are not much larger. */
 static void check_around_motion(source *r, const pair *both) {
-    const thud_shape_instance *shape = &both->a;
+    const thud_geometry *shape = &both->a;
     thud_motion m = draw_motion(r);
     thud_volume v[KINDS];
     double width = 0.0, height = 0.0, eps = 8.0 * rounding(shape);
@@ -168,8 +169,8 @@ static void check_around_motion(source *r, const pair *both) {
     }
     for (int i = 0; i <= 32; i++) {
         double t = i < 16 ? i / 15.0 : draw(r, 0.0, 1.0), angle = m.turn * t;
-        thud_shape_instance p = *shape;
-        if (p.kind == THUD_OBB) {
+        thud_geometry p = *shape;
+        if (p.kind == THUD_SHAPE_OBB) {
             p.c = shape->c * cos(angle) - shape->s * sin(angle);
             p.s = shape->s * cos(angle) + shape->c * sin(angle);
         }
@@ -178,21 +179,21 @@ static void check_around_motion(source *r, const pair *both) {
         for (int kind = 0; kind < KINDS; kind++) {
             /* The sampled place is rounded far from the origin, and the check itself has no
              * tolerance: the sample is made smaller by that. */
-            thud_shape_instance middle = p;
+            thud_geometry middle = p;
             middle.hx -= fmin(eps, 0.5 * p.hx);
             middle.hy -= fmin(eps, 0.5 * p.hy);
             assert_true(contains(&v[kind], &middle));
         }
-        thud_volume now = around_shape(THUD_AABB, &p);
+        thud_volume now = around_shape(THUD_SHAPE_AABB, &p);
         width = fmax(width, now.hx);
         height = fmax(height, now.hy);
     }
-    assert_true(v[THUD_AABB].hx >= width + 0.5 * fabs(m.dx) - eps);
-    assert_true(area(&v[THUD_OBB]) <= area(&v[THUD_AABB]) + eps);
+    assert_true(v[THUD_SHAPE_AABB].hx >= width + 0.5 * fabs(m.dx) - eps);
+    assert_true(area(&v[THUD_SHAPE_OBB]) <= area(&v[THUD_SHAPE_AABB]) + eps);
     if (fabs(m.turn) < 0.1) { /* sampled densely enough to find the greatest width within 1 % */
         double thick = shape->hx + shape->hy;
-        assert_true(v[THUD_AABB].hx <= width + 0.5 * fabs(m.dx) + 0.01 * thick + eps);
-        assert_true(v[THUD_AABB].hy <= height + 0.5 * fabs(m.dy) + 0.01 * thick + eps);
+        assert_true(v[THUD_SHAPE_AABB].hx <= width + 0.5 * fabs(m.dx) + 0.01 * thick + eps);
+        assert_true(v[THUD_SHAPE_AABB].hy <= height + 0.5 * fabs(m.dy) + 0.01 * thick + eps);
     }
 }
 
@@ -204,7 +205,7 @@ static void volumes_of_random_motions_hold_every_place_on_the_way(void **state) 
 /* Merged volumes contain both. */
 static void check_merge(source *r, const pair *p) {
     (void)r;
-    const thud_shape_instance *a = &p->a, *b = &p->b;
+    const thud_geometry *a = &p->a, *b = &p->b;
     double eps = rounding(a) + rounding(b);
     for (int i = 0; i < KINDS * KINDS; i++) {
         thud_volume v = around_shape((thud_shape_kind)(i / KINDS), a);
@@ -214,15 +215,15 @@ static void check_merge(source *r, const pair *p) {
             OK(thud_volume_merge((thud_shape_kind)kind, &v, &w, &both[kind]));
             assert_true(contains(&both[kind], &v) && contains(&both[kind], &w));
         }
-        assert_true(area(&both[THUD_OBB]) <= area(&both[THUD_AABB]) + 100.0 * eps);
+        assert_true(area(&both[THUD_SHAPE_OBB]) <= area(&both[THUD_SHAPE_AABB]) + 100.0 * eps);
         if (i == 0) {
             double apart = hypot(w.x - v.x, w.y - v.y);
             double smallest = fmax(fmax(v.hx, w.hx), 0.5 * (apart + v.hx + w.hx));
-            assert_true(fabs(both[THUD_CIRCLE].hx - smallest) < eps);
+            assert_true(fabs(both[THUD_SHAPE_CIRCLE].hx - smallest) < eps);
         }
         double left = fmin(v.x - v.hx, w.x - w.hx), right = fmax(v.x + v.hx, w.x + w.hx);
-        if (v.kind != THUD_OBB && w.kind != THUD_OBB) {
-            assert_true(fabs(2.0 * both[THUD_AABB].hx - (right - left)) < 8.0 * eps);
+        if (v.kind != THUD_SHAPE_OBB && w.kind != THUD_SHAPE_OBB) {
+            assert_true(fabs(2.0 * both[THUD_SHAPE_AABB].hx - (right - left)) < 8.0 * eps);
         }
     }
 }
@@ -326,15 +327,15 @@ static void volumes_of_random_points_hold_all_and_are_the_smallest(void **state)
         for (int j = 1; j < count; j++) {
             left = fmin(left, p[j].x), right = fmax(right, p[j].x);
         }
-        assert_true(fabs(2.0 * v[THUD_AABB].hx - (right - left)) < eps);
+        assert_true(fabs(2.0 * v[THUD_SHAPE_AABB].hx - (right - left)) < eps);
         if (i % 4 == 0 && count <= 12) {
-            assert_true(fabs(v[THUD_CIRCLE].hx - smallest_radius(p, count)) < eps);
+            assert_true(fabs(v[THUD_SHAPE_CIRCLE].hx - smallest_radius(p, count)) < eps);
         }
         if (i % 16 == 1) {
-            assert_true(area(&v[THUD_OBB]) <= smallest_sampled_area(p, count) + eps);
+            assert_true(area(&v[THUD_SHAPE_OBB]) <= smallest_sampled_area(p, count) + eps);
         }
         if (family == 1 || family == 2) { /* a point and a line have no area */
-            assert_true(v[THUD_OBB].hy < eps || v[THUD_OBB].hx < eps);
+            assert_true(v[THUD_SHAPE_OBB].hy < eps || v[THUD_SHAPE_OBB].hx < eps);
         }
     }
 }
@@ -374,7 +375,7 @@ static void volumes_of_random_ground_hold_every_height(void **state) {
                 }
             }
             assert_true(result == THUD_OK || (seen == 0 && v.hx == -1.0));
-            if (result == THUD_OK && kind == THUD_AABB && seen == 201) {
+            if (result == THUD_OK && kind == THUD_SHAPE_AABB && seen == 201) {
                 /* Between two samples the line rises by no more than its steepest segment
                  * allows. */
                 double steep = (high - low) / 200.0 * (t.kind == THUD_TERRAIN_FLAT ? 0.0 : 90.0);

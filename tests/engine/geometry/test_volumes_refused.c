@@ -37,8 +37,8 @@ static void volumes_that_cannot_be_are_refused_and_change_nothing(void **state) 
     bad[3].hy = NAN;
     bad[4].hx = 1e17;
     bad[5].c = 1.0; /* with that sine not a unit vector */
-    bad[6].kind = THUD_TERRAIN;
-    bad[7].kind = THUD_AABB; /* rotated, as an AABB is not */
+    bad[6].kind = THUD_SHAPE_TERRAIN;
+    bad[7].kind = THUD_SHAPE_AABB; /* rotated, as an AABB is not */
     for (int i = 0; i < 8; i++) {
         refused_by_all(&bad[i]);
     }
@@ -47,7 +47,7 @@ static void volumes_that_cannot_be_are_refused_and_change_nothing(void **state) 
 static void values_out_of_range_are_refused_and_change_nothing(void **state) {
     (void)state;
     thud_volume out = square;
-    thud_shape_instance flat = square;
+    thud_geometry flat = square;
     bool yes = true;
     flat.hy = 0.0; /* valid as a volume, but not as a shape */
     OK(thud_volume_check(&flat));
@@ -82,10 +82,10 @@ static void values_out_of_range_are_refused_and_change_nothing(void **state) {
             INVALID(thud_volume_contains_point(&square, 0.0, off[i], &yes));
         }
     }
-    INVALID(thud_volume_around_shape(THUD_TERRAIN, &square, &out));
-    INVALID(thud_volume_around_points(THUD_TERRAIN, &corner, 1, &out));
+    INVALID(thud_volume_around_shape(THUD_SHAPE_TERRAIN, &square, &out));
+    INVALID(thud_volume_around_points(THUD_SHAPE_TERRAIN, &corner, 1, &out));
     INVALID(thud_volume_around_terrain((thud_shape_kind)-1, &ground, 0.0, 1.0, &out));
-    INVALID(thud_volume_merge(THUD_TERRAIN, &square, &square, &out));
+    INVALID(thud_volume_merge(THUD_SHAPE_TERRAIN, &square, &square, &out));
     assert_true(yes);
     assert_memory_equal(&out, &square, sizeof out);
 }
@@ -97,18 +97,18 @@ static void null_pointers_are_refused_and_change_nothing(void **state) {
     thud_terrain line = {.kind = THUD_TERRAIN_UNIFORM, .spacing = 1.0, .count = 2};
     bool yes = true;
     MISSING(thud_volume_check(NULL));
-    MISSING(thud_volume_around_shape(THUD_AABB, NULL, &out));
-    MISSING(thud_volume_around_shape(THUD_AABB, &square, NULL));
-    MISSING(thud_volume_around_motion(THUD_AABB, NULL, (thud_motion){0}, &out));
-    MISSING(thud_volume_around_motion(THUD_AABB, &square, (thud_motion){0}, NULL));
-    MISSING(thud_volume_around_points(THUD_AABB, NULL, 1, &out));
-    MISSING(thud_volume_around_points(THUD_AABB, &corner, 1, NULL));
-    MISSING(thud_volume_around_terrain(THUD_AABB, NULL, 0.0, 1.0, &out));
-    MISSING(thud_volume_around_terrain(THUD_AABB, &line, 0.0, 1.0, &out));
-    MISSING(thud_volume_around_terrain(THUD_AABB, &ground, 0.0, 1.0, NULL));
-    MISSING(thud_volume_merge(THUD_AABB, NULL, &square, &out));
-    MISSING(thud_volume_merge(THUD_AABB, &square, NULL, &out));
-    MISSING(thud_volume_merge(THUD_AABB, &square, &square, NULL));
+    MISSING(thud_volume_around_shape(THUD_SHAPE_AABB, NULL, &out));
+    MISSING(thud_volume_around_shape(THUD_SHAPE_AABB, &square, NULL));
+    MISSING(thud_volume_around_motion(THUD_SHAPE_AABB, NULL, (thud_motion){0}, &out));
+    MISSING(thud_volume_around_motion(THUD_SHAPE_AABB, &square, (thud_motion){0}, NULL));
+    MISSING(thud_volume_around_points(THUD_SHAPE_AABB, NULL, 1, &out));
+    MISSING(thud_volume_around_points(THUD_SHAPE_AABB, &corner, 1, NULL));
+    MISSING(thud_volume_around_terrain(THUD_SHAPE_AABB, NULL, 0.0, 1.0, &out));
+    MISSING(thud_volume_around_terrain(THUD_SHAPE_AABB, &line, 0.0, 1.0, &out));
+    MISSING(thud_volume_around_terrain(THUD_SHAPE_AABB, &ground, 0.0, 1.0, NULL));
+    MISSING(thud_volume_merge(THUD_SHAPE_AABB, NULL, &square, &out));
+    MISSING(thud_volume_merge(THUD_SHAPE_AABB, &square, NULL, &out));
+    MISSING(thud_volume_merge(THUD_SHAPE_AABB, &square, &square, NULL));
     MISSING(thud_volumes_overlap(NULL, &square, &yes));
     MISSING(thud_volumes_overlap(&square, NULL, &yes));
     MISSING(thud_volumes_overlap(&square, &square, NULL));

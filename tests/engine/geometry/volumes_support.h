@@ -17,11 +17,11 @@
 #define INVALID(call) assert_int_equal(call, THUD_ERROR_INVALID)
 #define MISSING(call) assert_int_equal(call, THUD_ERROR_NULL)
 
-static const thud_shape_instance square = {
-    .kind = THUD_AABB, .x = 3.0, .y = 4.0, .c = 1.0, .hx = 1.0, .hy = 1.0};
+static const thud_geometry square = {
+    .kind = THUD_SHAPE_AABB, .x = 3.0, .y = 4.0, .c = 1.0, .hx = 1.0, .hy = 1.0};
 
-static inline thud_shape_instance turned(double hx, double hy, double angle) {
-    return (thud_shape_instance){THUD_OBB, 0.0, 0.0, cos(angle), sin(angle), hx, hy};
+static inline thud_geometry turned(double hx, double hy, double angle) {
+    return (thud_geometry){THUD_SHAPE_OBB, 0.0, 0.0, cos(angle), sin(angle), hx, hy};
 }
 
 #endif

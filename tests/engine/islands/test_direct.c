@@ -84,7 +84,7 @@ static void direct_plank_shares_its_load_by_the_lever_law(void **state) {
         order_problem(&p);
         assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
         if (interior) {
-            assert_true(td_direct_interior(&p.d, TOLERANCE));
+            assert_true(td_direct_solve_interior_point(&p.d, TOLERANCE));
         }
         assert_solved(&p, TOLERANCE);
         near_to(load_of(&p.contacts[2]), 1 * UNIT_SPEED, 8 * TOLERANCE);
@@ -171,7 +171,7 @@ static void direct_redundant_contacts_change_nothing(void **state) {
     assert_at_rest(&p, 20 * TOLERANCE);
     near_to(load_of(&p.contacts[0]) + load_of(&p.contacts[4]), 4 * UNIT_SPEED, 10 * TOLERANCE);
     forget_impulses(&p);
-    assert_true(td_direct_interior(&p.d, TOLERANCE));
+    assert_true(td_direct_solve_interior_point(&p.d, TOLERANCE));
     assert_solved(&p, TOLERANCE);
     end_problem(&p);
 }
@@ -248,7 +248,7 @@ static void direct_same_rows_again_take_no_matrix(void **state) {
     }
     td_direct_update_friction(&p.d);
     td_direct_update_speeds(&p.d);
-    assert_true(td_direct_again(&p.d, TOLERANCE));
+    assert_true(td_direct_solve_same_active_set(&p.d, TOLERANCE));
     assert_int_equal(p.d.factorings, factorings);
     assert_solved(&p, TOLERANCE);
     near_to(load_of(&p.contacts[0]), 20 * UNIT_SPEED, 20 * TOLERANCE);
@@ -262,7 +262,7 @@ static void direct_other_rows_are_not_solved_again(void **state) {
     make_column(&p, 10, 0.6);
     assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
     p.bodies[9].free[1] = 3;
-    assert_false(td_direct_again(&p.d, TOLERANCE));
+    assert_false(td_direct_solve_same_active_set(&p.d, TOLERANCE));
     end_problem(&p);
 }
 
@@ -340,7 +340,7 @@ static void direct_rows_not_solved_again_keep_their_impulses(void **state) {
     p.contacts[0].row[0].target_speed = p.contacts[0].row[1].target_speed = 0;
     td_direct_update_friction(&p.d);
     td_direct_update_speeds(&p.d);
-    assert_false(td_direct_again(&p.d, TOLERANCE));
+    assert_false(td_direct_solve_same_active_set(&p.d, TOLERANCE));
     near_to(load_of(&p.contacts[0]), 0, 0);
     assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
     near_to(p.bodies[0].velocity[0], 8 - 0.4 * UNIT_SPEED, 0.02 * UNIT_SPEED);

@@ -9,7 +9,8 @@ static void direct_equalities_hold_by_both_methods(void **state) {
     (void)state;
     enum { HUNG = 4 };
     static const double none[2][2] = {{0, 0}, {0, 0}};
-    bool (*const methods[])(td_direct *, double) = {td_direct_active, td_direct_interior};
+    bool (*const methods[])(td_direct *, double) = {td_direct_solve_active_set,
+                                                    td_direct_solve_interior_point};
     for (int m = 0; m < 2; m++) {
         problem p;
         double mass = HUNG - 1 + 1000;

@@ -233,7 +233,7 @@ static void direct_interior_point_solves_from_nothing(void **state) {
         problem p;
         make_random(&p, many(i % 6, 0), &seed);
         weigh(&p);
-        assert_true(td_direct_interior(&p.d, TOLERANCE));
+        assert_true(td_direct_solve_interior_point(&p.d, TOLERANCE));
         assert_solved(&p, TOLERANCE);
         end_problem(&p);
     }
@@ -252,7 +252,7 @@ static void direct_interior_point_heeds_bounds_of_friction(void **state) {
             p.contacts[n].row[0].impulse = pow(10, random_in(&seed, -3, 3));
         }
         weigh(&p);
-        if (td_direct_interior(&p.d, TOLERANCE)) {
+        if (td_direct_solve_interior_point(&p.d, TOLERANCE)) {
             assert_solved(&p, TOLERANCE);
             solved++;
         }
@@ -275,7 +275,7 @@ static void direct_active_set_solves_from_a_good_guess(void **state) {
             p.bodies[n].free[1] += random_in(&seed, -1, 1) * TOLERANCE;
         }
         p.d.factorings = 0;
-        if (td_direct_active(&p.d, TOLERANCE)) {
+        if (td_direct_solve_active_set(&p.d, TOLERANCE)) {
             assert_solved(&p, TOLERANCE);
             solved++;
         }

@@ -15,7 +15,7 @@ static void islands_heavy_on_light_turns_hard_by_itself(void **state) {
     run(world, 60);
     for (int i = 0; i < 60; i++) {
         run(world, 1);
-        thud_stats stats = thud_world_stats(world);
+        thud_stats stats = thud_stats_of(world);
         assert_int_equal(stats.direct_islands, 1);
         assert_int_equal(stats.direct_bodies, 2);
         assert_int_equal(stats.soft_islands, 0);
@@ -34,7 +34,7 @@ static void islands_turn_soft_a_second_after_their_load_is_gone(void **state) {
     OK(thud_body_destroy(world, top));
     for (int i = 0; i < 90; i++) {
         run(world, 1);
-        assert_int_equal(thud_world_stats(world).direct_bodies, i < 60 ? 2 : 0);
+        assert_int_equal(thud_stats_of(world).direct_bodies, i < 60 ? 2 : 0);
     }
     thud_world_destroy(world);
 }
@@ -45,8 +45,8 @@ static void islands_of_equal_boxes_stay_soft_at_default(void **state) {
     add_column(world, 0, 5, NULL);
     for (int i = 0; i < 120; i++) {
         run(world, 1);
-        assert_int_equal(thud_world_stats(world).direct_islands, 0);
-        assert_int_equal(thud_world_stats(world).factorings, 0);
+        assert_int_equal(thud_stats_of(world).direct_islands, 0);
+        assert_int_equal(thud_stats_of(world).factorings, 0);
     }
     thud_world_destroy(world);
 }
@@ -63,8 +63,8 @@ static void islands_pyramid_at_rest_takes_one_matrix_a_step(void **state) {
     run(world, 60);
     for (int i = 0; i < 60; i++) {
         run(world, 1);
-        assert_int_equal(thud_world_stats(world).direct_islands, 1);
-        assert_int_equal(thud_world_stats(world).factorings, 1);
+        assert_int_equal(thud_stats_of(world).direct_islands, 1);
+        assert_int_equal(thud_stats_of(world).factorings, 1);
     }
     thud_world_destroy(world);
 }
@@ -80,7 +80,7 @@ static void islands_are_all_hard_where_the_limit_is_zero(void **state) {
         }
         add_ball(world, -10, 500, 0.5f);
         run(world, 10);
-        thud_stats stats = thud_world_stats(world);
+        thud_stats stats = thud_stats_of(world);
         assert_int_equal(stats.direct_islands, 3);
         assert_int_equal(stats.direct_bodies, 6);
         assert_int_equal(stats.soft_islands, 0);
@@ -97,7 +97,7 @@ static void islands_are_none_without_a_solver(void **state) {
     add_heavy(world, 0, 1.5, 0.5f, 1e5f);
     for (int i = 0; i < 60; i++) {
         run(world, 1);
-        assert_int_equal(thud_world_stats(world).direct_islands, 0);
+        assert_int_equal(thud_stats_of(world).direct_islands, 0);
     }
     thud_world_destroy(world);
 }
@@ -110,10 +110,10 @@ static void islands_work_is_what_their_matrices_take(void **state) {
     add_column(world, 0, 20, NULL);
     for (int i = 0; i < 120; i++) {
         run(world, 1);
-        thud_stats stats = thud_world_stats(world);
+        thud_stats stats = thud_stats_of(world);
         assert_int_equal(stats.island_work, stats.factorings * (6 * 20 - 2));
     }
-    assert_int_equal(thud_world_stats(world).factorings, 1);
+    assert_int_equal(thud_stats_of(world).factorings, 1);
     thud_world_destroy(world);
 }
 
@@ -128,8 +128,8 @@ static void islands_of_more_bodies_than_the_limit_stay_soft(void **state) {
     add_column(world, 10, 6, NULL);
     for (int i = 0; i < 30; i++) {
         run(world, 1);
-        assert_int_equal(thud_world_stats(world).direct_islands, 1);
-        assert_int_equal(thud_world_stats(world).direct_bodies, 5);
+        assert_int_equal(thud_stats_of(world).direct_islands, 1);
+        assert_int_equal(thud_stats_of(world).direct_bodies, 5);
     }
     thud_world_destroy(world);
 }
@@ -145,7 +145,7 @@ static void islands_for_which_no_work_is_left_stay_soft(void **state) {
     int hard = 0, soft = 0;
     for (int i = 0; i < 300; i++) {
         run(world, 1);
-        thud_stats stats = thud_world_stats(world);
+        thud_stats stats = thud_stats_of(world);
         assert_true(stats.island_work <= little.island_work);
         hard += stats.direct_islands - stats.soft_islands;
         soft += stats.soft_islands;
@@ -165,7 +165,7 @@ static void islands_without_any_work_stay_soft(void **state) {
     add_column(world, 0, 3, NULL);
     for (int i = 0; i < 30; i++) {
         run(world, 1);
-        thud_stats stats = thud_world_stats(world);
+        thud_stats stats = thud_stats_of(world);
         assert_int_equal(stats.direct_islands, stats.soft_islands);
         assert_int_equal(stats.factorings, 0);
     }
@@ -176,7 +176,7 @@ static void islands_without_any_work_stay_soft(void **state) {
  * sequence of them. */
 static int direct_steps(int factoring_budget, int *longest) {
     thud_quality quality = thud_quality_exact;
-    quality.island_patience = factoring_budget;
+    quality.island_slow_steps = factoring_budget;
     thud_world *world = world_of(&quality);
     uint64_t seed = 5;
     for (int i = 0; i < 40; i++) {
@@ -188,7 +188,7 @@ static int direct_steps(int factoring_budget, int *longest) {
     *longest = 0;
     for (int i = 0; i < 240; i++) {
         run(world, 1);
-        thud_stats stats = thud_world_stats(world);
+        thud_stats stats = thud_stats_of(world);
         steps += stats.direct_islands > stats.soft_islands;
         strained = stats.factorings > 8 * stats.direct_islands ? strained + 1 : 0;
         *longest = strained > *longest ? strained : *longest;
@@ -197,9 +197,9 @@ static int direct_steps(int factoring_budget, int *longest) {
     return steps;
 }
 
-/* With a patience of one step, islands that exceed the budget of factorisations are solved directly
- * in fewer steps, and fewer in succession, than with unlimited patience. */
-static void islands_that_strain_are_left_alone_once_patience_is_out(void **state) {
+/* With island_slow_steps 1, islands that exceed the budget of factorisations are solved directly
+ * in fewer steps, and fewer in succession, than without that limit. */
+static void islands_that_strain_are_left_alone_after_slow_steps(void **state) {
     (void)state;
     int long_one, short_one;
     int any = direct_steps(0, &long_one), few = direct_steps(1, &short_one);
@@ -211,7 +211,7 @@ static void islands_that_strain_are_left_alone_once_patience_is_out(void **state
  * rest. */
 static int64_t work_of_heap(const thud_quality *quality, int substeps, uint64_t seed) {
     enum { POINTS = 61, BODIES = 150 };
-    thud_world_def def = thud_world_def_of(quality);
+    thud_world_def def = thud_default_world_def_of(quality);
     def.substeps = substeps;
     def.sleeping = false;
     thud_world *world = make_world(def);
@@ -221,18 +221,18 @@ static int64_t work_of_heap(const thud_quality *quality, int substeps, uint64_t 
     }
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = POINTS};
     thud_shape_def plain = thud_default_shape_def();
-    thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     OK(thud_shape_create_terrain(world, ground, &plain, &line, NULL));
     for (int i = 0; i < BODIES; i++) {
         float hx = (float)random_in(&seed, 0.25, 0.5), hy = (float)random_in(&seed, 0.25, 0.5);
-        thud_body_id id = add_body(world, THUD_DYNAMIC, i % 10 * 1.2 - 6, 6 + i / 10 * 1.2,
+        thud_body_id id = add_body(world, THUD_BODY_DYNAMIC, i % 10 * 1.2 - 6, 6 + i / 10 * 1.2,
                                    random_in(&seed, -3, 3));
         add_shape(world, id, hx, i % 3 ? hy : 0, false, NULL);
     }
     int64_t work = 0;
     for (int i = 0; i < 600; i++) {
         run(world, 1);
-        work += thud_world_stats(world).island_work;
+        work += thud_stats_of(world).island_work;
     }
     thud_world_destroy(world);
     return work;
@@ -261,7 +261,7 @@ static void islands_follow_a_copy_of_the_callers_quality(void **state) {
     thud_quality mine = thud_quality_draft;
     mine.name = "mine";
     mine.islands = &thud_islands_direct;
-    mine.sag_limit = 0;
+    mine.overlap_limit = 0;
     mine.island_limit = 10;
     mine.island_work = 1000000;
     thud_world *world = world_of(&mine);
@@ -269,8 +269,8 @@ static void islands_follow_a_copy_of_the_callers_quality(void **state) {
     mine.island_limit = 1;
     add_column(world, 0, 4, NULL);
     run(world, 10);
-    assert_int_equal(thud_world_stats(world).direct_bodies, 4);
-    assert_int_equal(thud_world_stats(world).substeps, 2);
+    assert_int_equal(thud_stats_of(world).direct_bodies, 4);
+    assert_int_equal(thud_stats_of(world).substeps, 2);
     thud_world_destroy(world);
 }
 
@@ -285,8 +285,8 @@ static void islands_follow_the_quality_back_and_forth(void **state) {
         const thud_quality *quality = qualities[i % QUALITIES];
         OK(thud_world_set_quality(world, quality));
         run(world, 20);
-        if (quality->sag_limit == 0 && quality->islands) {
-            assert_int_equal(thud_world_stats(world).direct_bodies, 30);
+        if (quality->overlap_limit == 0 && quality->islands) {
+            assert_int_equal(thud_stats_of(world).direct_bodies, 30);
         }
     }
     OK(thud_world_set_quality(world, &thud_quality_exact));
@@ -307,7 +307,7 @@ int main(void) {
         cmocka_unit_test(islands_of_more_bodies_than_the_limit_stay_soft),
         cmocka_unit_test(islands_for_which_no_work_is_left_stay_soft),
         cmocka_unit_test(islands_without_any_work_stay_soft),
-        cmocka_unit_test(islands_that_strain_are_left_alone_once_patience_is_out),
+        cmocka_unit_test(islands_that_strain_are_left_alone_after_slow_steps),
         cmocka_unit_test(heap_takes_no_more_work_at_fewer_substeps),
         cmocka_unit_test(islands_follow_a_copy_of_the_callers_quality),
         cmocka_unit_test(islands_follow_the_quality_back_and_forth),

@@ -6,6 +6,8 @@
 #include "hostile_memory.h"
 #include "pool.h"
 
+#include <thud/thud_testing.h>
+
 /* ---- the same bits ---- */
 
 /* A column, a heavy box on a light one, and falling rubble: islands of all sizes. */
@@ -25,7 +27,7 @@ static void run_hard(thud_world *world, int steps) {
     int64_t bodies = 0;
     for (int i = 0; i < steps; i++) {
         run(world, 1);
-        bodies += thud_world_stats(world).direct_bodies;
+        bodies += thud_stats_of(world).direct_bodies;
     }
     assert_true(bodies > 20);
 }
@@ -35,7 +37,7 @@ static uint64_t hash_of_yard(thud_world_def def) {
     add_floor(world, NULL);
     fill_yard(world, 0);
     run_hard(world, 90);
-    uint64_t hash = thud_world_hash(world);
+    uint64_t hash = thud_hash_of(world);
     thud_world_destroy(world);
     return hash;
 }
@@ -60,7 +62,7 @@ static void islands_are_the_same_without_avx2(void **state) {
     for (int q = 1; q < QUALITIES; q++) {
         thud_world_def def = def_of(qualities[q]);
         uint64_t wide = hash_of_yard(def);
-        def.baseline_simd = true;
+        thud_world_def_set_baseline_simd(&def, true);
         assert_true(hash_of_yard(def) == wide);
     }
 }
@@ -82,19 +84,19 @@ static void islands_are_the_same_after_memory_failed(void **state) {
     for (int i = 0; i < 60; i++) {
         bool done = false;
         for (int allowed = 0; !done; allowed++) {
-            uint64_t before = thud_world_hash(often);
+            uint64_t before = thud_hash_of(often);
             memory_allowed = allowed;
             thud_result result = thud_world_step(often);
             memory_allowed = -1;
             done = result == THUD_OK;
             if (!done) {
                 assert_int_equal(result, THUD_ERROR_MEMORY);
-                assert_true(thud_world_hash(often) == before);
+                assert_true(thud_hash_of(often) == before);
                 failures++;
             }
         }
         run(never, 1);
-        assert_true(thud_world_hash(often) == thud_world_hash(never));
+        assert_true(thud_hash_of(often) == thud_hash_of(never));
     }
     assert_true(failures > 20);
     thud_world_destroy(often);
@@ -110,17 +112,17 @@ static void islands_are_the_same_far_from_the_origin(void **state) {
     thud_world *near = make_world(def_of(&thud_quality_exact));
     thud_world *far = make_world(def_of(&thud_quality_exact));
     add_floor(near, NULL);
-    add_shape(far, add_body(far, THUD_STATIC, away, -1, 0), 100, 1, true, NULL);
+    add_shape(far, add_body(far, THUD_BODY_STATIC, away, -1, 0), 100, 1, true, NULL);
     fill_yard(near, 0);
     fill_yard(far, away);
     run_hard(near, 90);
     run_hard(far, 90);
     int count;
-    const thud_pose *poses = thud_world_poses(near, (thud_pos){0, 0}, 1, &count);
+    const thud_pose *poses = thud_poses_of(near, (thud_pos){0, 0}, 1, &count);
     assert_int_equal(count, BODIES);
     thud_pose kept[BODIES];
     memcpy(kept, poses, sizeof kept);
-    poses = thud_world_poses(far, (thud_pos){away, 0}, 1, &count);
+    poses = thud_poses_of(far, (thud_pos){away, 0}, 1, &count);
     assert_memory_equal(poses, kept, sizeof kept);
     thud_world_destroy(near);
     thud_world_destroy(far);
@@ -138,11 +140,11 @@ static void islands_sleep_and_wake_without_loss(void **state) {
         run(world, 300);
         double lost = lost_by(world, top, 1.5);
         for (int i = 0; i < 5; i++) {
-            assert_int_equal(thud_world_stats(world).awake_bodies, 0);
-            assert_int_equal(thud_world_stats(world).direct_islands, 0);
+            assert_int_equal(thud_stats_of(world).awake_bodies, 0);
+            assert_int_equal(thud_stats_of(world).direct_islands, 0);
             OK(thud_body_set_awake(world, top, true));
             run(world, 20);
-            assert_int_equal(thud_world_stats(world).direct_bodies, 2);
+            assert_int_equal(thud_stats_of(world).direct_bodies, 2);
             run(world, 280);
         }
         near_to(lost_by(world, top, 1.5), lost, 1e-3);

@@ -18,7 +18,7 @@ static void islands_box_on_its_corner_falls_over(void **state) {
             thud_world *world = make_world(def);
             add_floor(world, NULL);
             double height = 0.5 * (cos(angles[k]) + sin(fabs(angles[k])));
-            thud_body_id box = add_body(world, THUD_DYNAMIC, 0, height, angles[k]);
+            thud_body_id box = add_body(world, THUD_BODY_DYNAMIC, 0, height, angles[k]);
             add_shape(world, box, 0.5f, 0.5f, false, NULL);
             run(world, 240);
             thud_body_state end = state_of(world, box);

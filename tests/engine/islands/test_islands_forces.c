@@ -57,8 +57,8 @@ static forces forces_of_thud(const scene *s, const thud_quality *quality) {
     found.count = 0;
     memset(found.at, 0, sizeof found.at);
     run(world, 1);
-    assert_int_equal(thud_world_stats(world).soft_islands, 0);
-    assert_true(thud_world_stats(world).direct_islands > 0);
+    assert_int_equal(thud_stats_of(world).soft_islands, 0);
+    assert_true(thud_stats_of(world).direct_islands > 0);
     thud_world_destroy(world);
     return found;
 }

@@ -21,7 +21,7 @@ static double lost_by_gas(const thud_quality *quality) {
     world_def.sleeping = false;
     world_def.gravity = (thud_vec2){0, 0};
     thud_world *world = make_world(world_def);
-    thud_body_id walls = add_body(world, THUD_STATIC, 0, 0, 0), ball[SIDE * SIDE];
+    thud_body_id walls = add_body(world, THUD_BODY_STATIC, 0, 0, 0), ball[SIDE * SIDE];
     for (int side = -1; side <= 1; side += 2) {
         add_wall(world, walls, side * (SIDE + 1), 0, 1, SIDE + 2);
         add_wall(world, walls, 0, side * (SIDE + 1), SIDE + 2, 1);
@@ -34,7 +34,7 @@ static double lost_by_gas(const thud_quality *quality) {
     for (int i = 0; i < SIDE * SIDE; i++) {
         random = random * 1664525u + 1013904223u;
         double angle = (random >> 8) / 16777216.0 * 6.283185307179586;
-        ball[i] = add_body(world, THUD_DYNAMIC, 2 * (i % SIDE) - 9, 2 * (i / SIDE) - 9, 0);
+        ball[i] = add_body(world, THUD_BODY_DYNAMIC, 2 * (i % SIDE) - 9, 2 * (i / SIDE) - 9, 0);
         add_shape(world, ball[i], 0.3f, 0, false, &elastic);
         OK(thud_body_set_velocity(world, ball[i],
                                   (thud_vec2){(float)(5 * cos(angle)), (float)(5 * sin(angle))},

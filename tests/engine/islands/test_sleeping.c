@@ -12,7 +12,7 @@ static thud_world *stack(thud_body_id boxes[5], thud_body_id *floor) {
 }
 
 static int awake_of(thud_world *world) {
-    return thud_world_stats(world).awake_bodies;
+    return thud_stats_of(world).awake_bodies;
 }
 
 static void stack_sleeps_and_keeps_its_place(void **state) {
@@ -21,10 +21,10 @@ static void stack_sleeps_and_keeps_its_place(void **state) {
     thud_world *world = stack(boxes, &floor);
     run(world, 240);
     assert_int_equal(awake_of(world), 0);
-    uint64_t hash = thud_world_hash(world);
+    uint64_t hash = thud_hash_of(world);
     run(world, 600);
-    assert_true(thud_world_hash(world) == hash);
-    assert_int_equal(thud_world_stats(world).contacts, 5);
+    assert_true(thud_hash_of(world) == hash);
+    assert_int_equal(thud_stats_of(world).contacts, 5);
     thud_world_destroy(world);
 }
 
@@ -77,7 +77,7 @@ static void body_that_may_not_sleep_keeps_its_island_awake(void **state) {
     thud_world *world = stack(boxes, &floor);
     thud_body_def def = thud_default_body_def();
     thud_body_id restless;
-    def.kind = THUD_DYNAMIC;
+    def.kind = THUD_BODY_DYNAMIC;
     def.may_sleep = false;
     def.position = (thud_pos){0, 5.5};
     OK(thud_body_create(world, &def, &restless));
@@ -95,7 +95,7 @@ static void woken_body_meets_what_came_meanwhile(void **state) {
     thud_body_id ball = add_ball(world, 0, 0.5, 0.5f);
     run(world, 120);
     assert_int_equal(awake_of(world), 0);
-    thud_body_id wall = add_body(world, THUD_STATIC, 0.75, 0.5, 0);
+    thud_body_id wall = add_body(world, THUD_BODY_STATIC, 0.75, 0.5, 0);
     add_shape(world, wall, 0.25f, 0.5f, true, NULL);
     run(world, 5);
     OK(thud_body_set_velocity(world, ball, (thud_vec2){3, 0}, 0));
@@ -110,16 +110,16 @@ static void many_fall_asleep_in_the_room_that_they_have(void **state) {
     (void)state;
     enum { BOXES = 6000, LANE = 192 }; /* bytes of a lane with two points */
     thud_world *world = make_world(thud_default_world_def());
-    thud_body_id floor = add_body(world, THUD_STATIC, 0, -1, 0);
+    thud_body_id floor = add_body(world, THUD_BODY_STATIC, 0, -1, 0);
     add_shape(world, floor, 2 * BOXES, 1, true, NULL);
     for (int i = 0; i < BOXES; i++) {
         add_box(world, 1.5 * (i - BOXES / 2), 0.5, 0.5f, 0.5f);
     }
     run(world, 10);
-    uint64_t before = thud_world_stats(world).bytes;
+    uint64_t before = thud_stats_of(world).bytes;
     run(world, 50);
     assert_int_equal(awake_of(world), 0);
-    uint64_t more = thud_world_stats(world).bytes - before;
+    uint64_t more = thud_stats_of(world).bytes - before;
     if (more > LANE * BOXES) {
         fail_msg("%d boxes take %d kB to fall asleep", BOXES, (int)(more / 1000));
     }

@@ -115,7 +115,7 @@ static int64_t work_of_graph(uint64_t *seed) {
     assert_true(order(&f.memory, &f.s));
     assert_order_is_permutation(&f.s);
     assert_solves(&f.s, seed);
-    int64_t work = f.s.now.work;
+    int64_t work = f.s.current.work;
     end(&f);
     return work;
 }
@@ -206,12 +206,12 @@ static void sparse_several_systems_are_kept_at_once(void **state) {
     for (int i = 0; i < SYSTEMS; i++) {
         g = graphs[i];
         assert_true(order(&f.memory, &f.s));
-        systems[i] = f.s.now;
+        systems[i] = f.s.current;
     }
     const int turns[] = {5, 0, 3, 3, 1, 4, 2, 0};
     for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
         g = graphs[turns[i]];
-        f.s.now = systems[turns[i]];
+        f.s.current = systems[turns[i]];
         assert_order_is_permutation(&f.s);
         assert_solves(&f.s, &seed);
     }

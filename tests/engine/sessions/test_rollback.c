@@ -34,7 +34,7 @@ static thud_result play(thud_world *world, const uint64_t *inputs, void *state) 
         g->sum = g->sum * 31 + inputs[i];
     }
     if (g->sum % 5 == 0) {
-        thud_body_options ball = {.kind = THUD_DYNAMIC};
+        thud_body_options ball = {.kind = THUD_BODY_DYNAMIC};
         double x = (double)(g->steps % 9) - 4;
         if (!thud_body_make(world, thud_circle_at(x, 5, 0.25), &ball).index1) {
             return THUD_ERROR_MEMORY;
@@ -55,7 +55,7 @@ static thud_world_def hostile_def(void) {
 
 static thud_world *make_game(game *g) {
     thud_world *world = make_world(hostile_def());
-    thud_body_options ball = {.kind = THUD_DYNAMIC, .restitution = 0.5f};
+    thud_body_options ball = {.kind = THUD_BODY_DYNAMIC, .restitution = 0.5f};
     *g = (game){.sum = 1};
     thud_body_make(world, thud_aabb_at(0, -1, 30, 1), NULL);
     for (int i = 0; i < PLAYERS; i++) {
@@ -87,13 +87,13 @@ static void play_straight(uint64_t hashes[STEPS + 1], game *end) {
     thud_world *world = make_game(&g);
     for (int i = 0; i < STEPS; i++) {
         uint64_t inputs[PLAYERS];
-        hashes[i] = thud_world_hash(world);
+        hashes[i] = thud_hash_of(world);
         for (int p = 0; p < PLAYERS; p++) {
             inputs[p] = input_of(p, i);
         }
         OK(play(world, inputs, &g));
     }
-    hashes[STEPS] = thud_world_hash(world);
+    hashes[STEPS] = thud_hash_of(world);
     *end = g;
     thud_world_destroy(world);
 }
@@ -136,17 +136,17 @@ static void late_inputs_end_as_if_all_had_come_in_time(void **state) {
             hear(r, now, &seed);
             OK(thud_rollback_advance(r, &made));
             assert_true(made);
-            int64_t sure = thud_rollback_get(r).confirmed;
+            int64_t sure = thud_progress_of(r).confirmed;
             assert_true(sure >= now - DEPTH + 2 && sure <= now + 1);
-            OK(thud_rollback_at(r, sure, &hash, &before));
+            OK(thud_rollback_get_state(r, sure, &hash, &before));
             assert_true(hash == hashes[sure] && before.steps == sure);
         }
         tell_all(r);
         OK(thud_rollback_settle(r));
-        thud_rollback_progress progress = thud_rollback_get(r);
+        thud_rollback_progress progress = thud_progress_of(r);
         assert_true(progress.steps == STEPS && progress.confirmed == STEPS);
         assert_true(progress.replayed > 0 && progress.replayed == played - STEPS);
-        assert_true(thud_world_hash(world) == hashes[STEPS]);
+        assert_true(thud_hash_of(world) == hashes[STEPS]);
         assert_true(g.sum == straight.sum && g.steps == STEPS);
         thud_rollback_destroy(r);
         thud_world_destroy(world);
@@ -173,7 +173,7 @@ static void inputs_in_time_are_played_once(void **state) {
         OK(thud_rollback_advance(r, NULL));
     }
     assert_int_equal(played, 30);
-    assert_true(thud_rollback_get(r).replayed == 0);
+    assert_true(thud_progress_of(r).replayed == 0);
     thud_rollback_destroy(r);
     thud_world_destroy(world);
 }
@@ -248,7 +248,7 @@ static void failed_step_is_made_again(void **state) {
         thud_result result = thud_rollback_advance(r, NULL);
         if (result != THUD_OK) {
             assert_int_equal(result, THUD_ERROR_STALE);
-            assert_true(thud_rollback_get(r).steps == now);
+            assert_true(thud_progress_of(r).steps == now);
             failures++;
             OK(thud_rollback_advance(r, NULL));
         }
@@ -256,7 +256,7 @@ static void failed_step_is_made_again(void **state) {
     }
     tell_all(r);
     OK(thud_rollback_settle(r));
-    assert_true(failures > 20 && thud_world_hash(world) == hashes[STEPS]);
+    assert_true(failures > 20 && thud_hash_of(world) == hashes[STEPS]);
     thud_rollback_destroy(r);
     thud_world_destroy(world);
 }
@@ -304,7 +304,7 @@ static void memory_that_fails_is_asked_again(void **state) {
     OK(thud_rollback_settle(r));
     print_message("%ld allocations failed\n", failures);
     assert_true(failures > DEPTH + 12);
-    assert_true(thud_world_hash(world) == hashes[STEPS]);
+    assert_true(thud_hash_of(world) == hashes[STEPS]);
     thud_rollback_destroy(r);
     thud_world_destroy(world);
     assert_int_equal(memory_held, 0);
@@ -320,7 +320,7 @@ static thud_result ask_inside(thud_world *world, const uint64_t *inputs, void *s
     assert_int_equal(thud_rollback_input(inner, 0, 0, 1), THUD_ERROR_LOCKED);
     assert_int_equal(thud_rollback_advance(inner, &made), THUD_ERROR_LOCKED);
     assert_int_equal(thud_rollback_settle(inner), THUD_ERROR_LOCKED);
-    assert_int_equal(thud_rollback_at(inner, 0, NULL, NULL), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_rollback_get_state(inner, 0, NULL, NULL), THUD_ERROR_LOCKED);
     thud_rollback_destroy(inner);
     return thud_world_step(world);
 }
@@ -350,8 +350,8 @@ static void wrong_calls_are_refused(void **state) {
     assert_int_equal(thud_rollback_input(NULL, 0, 0, 0), THUD_ERROR_NULL);
     assert_int_equal(thud_rollback_advance(NULL, NULL), THUD_ERROR_NULL);
     assert_int_equal(thud_rollback_settle(NULL), THUD_ERROR_NULL);
-    assert_int_equal(thud_rollback_at(NULL, 0, &hash, NULL), THUD_ERROR_NULL);
-    assert_true(thud_rollback_get(NULL).steps == 0);
+    assert_int_equal(thud_rollback_get_state(NULL, 0, &hash, NULL), THUD_ERROR_NULL);
+    assert_true(thud_progress_of(NULL).steps == 0);
     thud_rollback_destroy(NULL);
 
     r = make_rollback(world, &g);
@@ -371,13 +371,13 @@ static void wrong_calls_are_refused(void **state) {
     }
     /* an input that was given long ago and is not kept any more */
     OK(thud_rollback_input(r, 0, 0, 6));
-    OK(thud_rollback_at(r, 2 * DEPTH, &hash, NULL));
-    OK(thud_rollback_at(r, 3 * DEPTH, &hash, NULL));
-    assert_true(hash == thud_world_hash(world));
+    OK(thud_rollback_get_state(r, 2 * DEPTH, &hash, NULL));
+    OK(thud_rollback_get_state(r, 3 * DEPTH, &hash, NULL));
+    assert_true(hash == thud_hash_of(world));
     hash = 7;
-    assert_int_equal(thud_rollback_at(r, 2 * DEPTH - 1, &hash, &g), THUD_ERROR_INVALID);
-    assert_int_equal(thud_rollback_at(r, 3 * DEPTH + 1, &hash, &g), THUD_ERROR_INVALID);
-    assert_int_equal(thud_rollback_at(r, -1, &hash, &g), THUD_ERROR_INVALID);
+    assert_int_equal(thud_rollback_get_state(r, 2 * DEPTH - 1, &hash, &g), THUD_ERROR_INVALID);
+    assert_int_equal(thud_rollback_get_state(r, 3 * DEPTH + 1, &hash, &g), THUD_ERROR_INVALID);
+    assert_int_equal(thud_rollback_get_state(r, -1, &hash, &g), THUD_ERROR_INVALID);
     assert_true(hash == 7);
     thud_rollback_destroy(r);
 

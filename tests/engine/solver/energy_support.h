@@ -34,7 +34,7 @@ static inline thud_shape_def surface(float restitution, float friction) {
 /* Adds a body of a kind. hx: the radius of a circle, or the half extent of a square. */
 static inline thud_body_id add(bodies *b, int kind, double x, double y, float hx,
                                const thud_shape_def *def) {
-    thud_body_id id = add_body(b->world, THUD_DYNAMIC, x, y, 0);
+    thud_body_id id = add_body(b->world, THUD_BODY_DYNAMIC, x, y, 0);
     add_shape(b->world, id, hx, kind == CIRCLE ? 0 : hx, kind == UPRIGHT, def);
     return b->id[b->count++] = id;
 }
@@ -53,7 +53,7 @@ static inline double energy_of(const bodies *b) {
 
 /* Walls around a square room, whose half width is `half`. */
 static inline void add_room(bodies *b, double half, const thud_shape_def *def) {
-    thud_body_id walls = add_body(b->world, THUD_STATIC, 0, 0, 0);
+    thud_body_id walls = add_body(b->world, THUD_BODY_STATIC, 0, 0, 0);
     for (int side = 0; side < 4; side++) {
         float out = (side < 2 ? 1 : -1) * (float)(half + 1), length = (float)half + 2;
         OK(thud_shape_create_aabb(b->world, walls, def,

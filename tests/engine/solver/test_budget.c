@@ -13,7 +13,7 @@ typedef struct fake {
 static double read_fake(void *context) {
     fake *f = context;
     if (f->calls++ % (THUD_STAGE_COUNT + 1) == THUD_STAGE_SOLVE + 1) {
-        f->now += f->fixed + f->per_substep * thud_world_stats(f->world).substeps;
+        f->now += f->fixed + f->per_substep * thud_stats_of(f->world).substeps;
     }
     return f->now;
 }
@@ -32,7 +32,7 @@ static thud_world_def budget_of(double seconds, int substeps, fake *f) {
 /* The number of substeps after that many steps. */
 static int substeps_after(fake *f, int steps) {
     run(f->world, steps);
-    return thud_world_stats(f->world).substeps;
+    return thud_stats_of(f->world).substeps;
 }
 
 static void budget_without_a_clock_or_out_of_range_is_refused(void **state) {
@@ -138,9 +138,9 @@ static void stack_stays_calm_while_substeps_change(void **state) {
         run(f.world, 1);
         fastest = fmax(fastest, fastest_in(f.world, box, 5));
         f.per_substep = i == 30 ? 1e-4 : f.per_substep; /* and rises again */
-        assert_true(i != 30 || thud_world_stats(f.world).substeps == 2);
+        assert_true(i != 30 || thud_stats_of(f.world).substeps == 2);
     }
-    assert_int_equal(thud_world_stats(f.world).substeps, 4);
+    assert_int_equal(thud_stats_of(f.world).substeps, 4);
     /* it settles a little; with impulses scaled for the wrong substep it would jump */
     assert_true(fastest < 0.1);
     thud_world_destroy(f.world);

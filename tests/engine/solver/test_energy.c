@@ -70,7 +70,7 @@ static void elastic_bodies_keep_their_energy_over_any_ground(void **state) {
             def.time_step = cases[k].time_step;
             def.detection = &thud_detection_swept;
             bodies b = {.world = make_world(def), .gravity = -10 * unit};
-            thud_body_id floor = add_body(b.world, THUD_STATIC, 0, 0, 0);
+            thud_body_id floor = add_body(b.world, THUD_BODY_STATIC, 0, 0, 0);
             OK(thud_shape_create_terrain(b.world, floor, &elastic, &grounds[ground], NULL));
             thud_body_id id =
                 add(&b, cases[k].kind, 0.3 * unit, 2.5 * unit, 0.4f * (float)unit, &elastic);
@@ -96,7 +96,7 @@ static void bounce_rises_by_the_square_of_restitution(void **state) {
             int i = 0, hits = 0;
             for (; state_of(b.world, id).velocity.y <= 0 && i < 120; i++) {
                 run(b.world, 1);
-                hits += thud_world_events(b.world).hit_count;
+                hits += thud_events_of(b.world).hit_count;
             }
             thud_body_state s = state_of(b.world, id);
             double rise = s.position.y - 0.5 + (double)(s.velocity.y * s.velocity.y) / 20;

@@ -9,7 +9,7 @@ static const thud_quality *const SOFT[] = {&thud_quality_draft, &thud_quality_de
                                            &thud_quality_high};
 
 static bodies make_soft(const thud_quality *quality, double gravity) {
-    thud_world_def def = thud_world_def_of(quality);
+    thud_world_def def = thud_default_world_def_of(quality);
     def.gravity = (thud_vec2){0, (float)gravity};
     def.sleeping = false;
     return (bodies){.world = make_world(def), .gravity = gravity};

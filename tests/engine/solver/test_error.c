@@ -1,5 +1,5 @@
 /* test_error.c: the errors that every step reports (penetration, residual), against values derived
- * by hand and thud_world_measure. */
+ * by hand and thud_measure_of. */
 #include "error_support.h"
 
 #include "build_thud.h"
@@ -7,13 +7,15 @@
 #include "pool.h"
 #include "scenes.h"
 
+#include <thud/thud_testing.h>
+
 static void error_before_the_first_step_and_without_a_world_is_zero(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     add_ball(world, 0, 0, 1);
     const thud_world *asked[] = {world, NULL};
     for (int i = 0; i < 2; i++) {
-        thud_step_error e = thud_world_error(asked[i]);
+        thud_step_error e = thud_step_error_of(asked[i]);
         assert_true(e.penetration_max == 0 && e.penetration_mean == 0 && e.residual == 0);
         assert_true(e.energy_change == 0 && e.overlaps == 0);
     }
@@ -73,7 +75,7 @@ static void penetration_agrees_with_the_measure_in_every_scene(void **state) {
         thud_world *world = world_of(scenes[i].name, scenes[i].size, def);
         for (int k = 0; k < 100; k++) {
             thud_step_error e = error_of_step(world);
-            thud_measure m = thud_world_measure(world);
+            thud_measure m = thud_measure_of(world);
             near_to(e.penetration_max, m.penetration_max, 1e-7 + 1e-6 * m.penetration_max);
             near_to(e.penetration_mean, m.penetration_mean, 1e-7 + 1e-5 * m.penetration_mean);
         }
@@ -81,7 +83,7 @@ static void penetration_agrees_with_the_measure_in_every_scene(void **state) {
     }
 }
 
-/* td_error_recount, which computes the report from the final state, agrees with what the step has
+/* td_errors_recount, which computes the report from the final state, agrees with what the step has
  * counted. */
 static void recount_finds_what_the_step_found(void **state) {
     (void)state;
@@ -92,8 +94,8 @@ static void recount_finds_what_the_step_found(void **state) {
         thud_world *world = world_of(names[i], i ? 300 : 20, def);
         run(world, 100);
         thud_step_error step = error_of_step(world);
-        td_error_recount(world);
-        thud_step_error again = thud_world_error(world);
+        td_errors_recount(world);
+        thud_step_error again = thud_step_error_of(world);
         assert_true(again.penetration_max == step.penetration_max);
         near_to(again.penetration_mean, step.penetration_mean, 1e-7);
         assert_int_equal(again.overlaps, step.overlaps);
@@ -120,10 +122,10 @@ static void contacts_of_sleepers_and_vetoed_ones_do_not_count(void **state) {
         thud_step_error e = error_of_step(world);
         assert_int_equal(e.penetration_max > 0, !vetoed);
         run(world, vetoed ? 1 : 120);
-        e = thud_world_error(world);
+        e = thud_step_error_of(world);
         assert_true(e.penetration_max == 0 && e.penetration_mean == 0 && e.residual == 0);
         assert_int_equal(e.overlaps, 0);
-        assert_int_equal(thud_world_stats(world).awake_bodies, vetoed);
+        assert_int_equal(thud_stats_of(world).awake_bodies, vetoed);
         thud_world_destroy(world);
     }
 }
@@ -133,7 +135,7 @@ static void contacts_of_sleepers_and_vetoed_ones_do_not_count(void **state) {
 static void body_that_is_no_number_leaves_no_trace_in_the_errors(void **state) {
     (void)state;
     for (int which = 0; which < 4; which++) {
-        thud_world *world = make_world(thud_world_def_of(&thud_quality_high));
+        thud_world *world = make_world(thud_default_world_def_of(&thud_quality_high));
         thud_body_id box[4];
         add_floor(world, NULL);
         for (int i = 0; i < 4; i++) {
@@ -141,10 +143,10 @@ static void body_that_is_no_number_leaves_no_trace_in_the_errors(void **state) {
         }
         run(world, 5);
         for (int i = 0; i < 2; i++) {
-            OK(thud_body_apply_force(world, box[which], (thud_vec2){3e38f, -3e38f}, 0));
+            OK(thud_body_apply_center_force(world, box[which], (thud_vec2){3e38f, -3e38f}));
         }
         thud_step_error e = error_of_step(world);
-        assert_int_equal(thud_world_events(world).quarantined_count, 1);
+        assert_int_equal(thud_events_of(world).quarantined_count, 1);
         assert_true(isfinite(e.penetration_max) && isfinite(e.penetration_mean));
         assert_true(isfinite(e.residual) && isfinite(e.energy_change));
         thud_world_destroy(world);
@@ -165,9 +167,9 @@ static void residual_is_large_where_the_solver_does_not_get_done(void **state) {
         heavy.density = hard ? 1e4f : 1;
         add_floor(world, NULL);
         add_box(world, 0, 0.5, 0.5f, 0.5f);
-        add_shape(world, add_body(world, THUD_DYNAMIC, 0, 1.5, 0), 0.5f, 0.5f, false, &heavy);
+        add_shape(world, add_body(world, THUD_BODY_DYNAMIC, 0, 1.5, 0), 0.5f, 0.5f, false, &heavy);
         run(world, 20);
-        residual[hard] = thud_world_error(world).residual;
+        residual[hard] = thud_step_error_of(world).residual;
         thud_world_destroy(world);
     }
     assert_true(residual[0] < 0.02);
@@ -190,9 +192,9 @@ static void points_of_a_stack_overlap_under_a_weight_that_crushes_it(void **stat
         for (int i = 0; i < 3; i++) {
             add_box(world, 0, 0.5 + i, 0.5f, 0.5f);
         }
-        add_shape(world, add_body(world, THUD_DYNAMIC, 0, 3.5, 0), 0.5f, 0.5f, false, &heavy);
+        add_shape(world, add_body(world, THUD_BODY_DYNAMIC, 0, 3.5, 0), 0.5f, 0.5f, false, &heavy);
         run(world, 30);
-        overlaps[crushed] = thud_world_error(world).overlaps;
+        overlaps[crushed] = thud_step_error_of(world).overlaps;
         thud_world_destroy(world);
     }
     assert_int_equal(overlaps[0], 0);
@@ -242,7 +244,7 @@ static void report_is_the_same_with_any_workers_and_any_simd(void **state) {
             if (threads[k]) {
                 def.job_system = pool_job_system(threads[k]);
             }
-            def.baseline_simd = k == 4;
+            thud_world_def_set_baseline_simd(&def, k == 4);
             world[k] = world_of(scenes[i].name, scenes[i].size, def);
         }
         bool overlaps = false;

@@ -26,7 +26,7 @@ static void fall_changes_no_more_energy_than_the_integrator_loses(void **state) 
     double h = def.time_step / 4, lost = 4 * 0.5 * mass * 10 * h * 10 * h; /* of Euler's substeps */
     for (int i = 0; i < 60; i++) {
         double before = energy_of(world), change = error_of_step(world).energy_change;
-        double tolerance = 1e-6 * thud_world_measure(world).kinetic_energy + 1e-7;
+        double tolerance = 1e-6 * thud_measure_of(world).kinetic_energy + 1e-7;
         near_to(change, energy_of(world) - before, tolerance);
         assert_true(change < tolerance && change > -lost - tolerance);
     }
@@ -41,7 +41,7 @@ static void fall_on_exact_parabolas_changes_no_energy(void **state) {
     add_ball(world, 0, 0, 0.5f);
     for (int i = 0; i < 60; i++) {
         double change = error_of_step(world).energy_change;
-        near_to(change, 0, 1e-6 * thud_world_measure(world).kinetic_energy + 1e-6);
+        near_to(change, 0, 1e-6 * thud_measure_of(world).kinetic_energy + 1e-6);
     }
     thud_world_destroy(world);
 }
@@ -54,7 +54,7 @@ static void slide_loses_what_friction_works(void **state) {
     thud_shape_def rough = thud_default_shape_def();
     rough.friction = 0.3f;
     add_floor(world, &rough);
-    thud_body_id box = add_body(world, THUD_DYNAMIC, 0, 0.25, 0);
+    thud_body_id box = add_body(world, THUD_BODY_DYNAMIC, 0, 0.25, 0);
     add_shape(world, box, 0.5f, 0.25f, false, &rough);
     OK(thud_body_set_velocity(world, box, (thud_vec2){5, 0}, 0));
     run(world, 10); /* until its contact has settled */
@@ -82,7 +82,7 @@ static void energy_change_leaves_edits_out(void **state) {
     thud_shape_def bouncy = thud_default_shape_def();
     bouncy.restitution = 0.7f;
     for (int i = 0; i < 40; i++) {
-        body[i] = add_body(world, THUD_DYNAMIC, 1.2 * (i % 8), 1.2 * (i / 8), 0);
+        body[i] = add_body(world, THUD_BODY_DYNAMIC, 1.2 * (i % 8), 1.2 * (i / 8), 0);
         add_shape(world, body[i], 0.5f, i % 2 ? 0.5f : 0, false, &bouncy);
     }
     bool collided = false;
@@ -117,9 +117,9 @@ static void energy_change_leaves_edits_out(void **state) {
         default:
             break;
         }
-        double before = thud_world_measure(world).kinetic_energy;
+        double before = thud_measure_of(world).kinetic_energy;
         double change = error_of_step(world).energy_change;
-        double after = thud_world_measure(world).kinetic_energy;
+        double after = thud_measure_of(world).kinetic_energy;
         near_to(change, after - before, 1e-5 * (before + 1));
         collided |= change < -0.01;
     }
@@ -143,7 +143,7 @@ static void energy_counts_anew_after_a_collision_within_the_step(void **state) {
         if (met) { /* from now on it slides or rests, and no single step loses much */
             assert_true(e.energy_change > -0.1 * before);
         }
-        met |= thud_world_stats(world).impacts > 0;
+        met |= thud_stats_of(world).impacts > 0;
     }
     assert_true(met);
     thud_world_destroy(world);
@@ -155,18 +155,18 @@ static void energies_are_told_whatever_acts(void **state) {
     for (int pushed = 0; pushed < 2; pushed++) {
         thud_world *world = make_world(thud_default_world_def());
         thud_body_def def = thud_default_body_def();
-        def.kind = THUD_DYNAMIC;
+        def.kind = THUD_BODY_DYNAMIC;
         def.gravity_scale = pushed ? 1.0f : 1e35f;
         thud_body_id body;
         OK(thud_body_create(world, &def, &body));
         run(world, 1);
-        assert_true(isfinite(thud_world_error(world).energy_change));
+        assert_true(isfinite(thud_step_error_of(world).energy_change));
         for (int i = 0; i < 3 * pushed; i++) {
             OK(thud_body_apply_impulse(world, body, (thud_vec2){3e38f, 3e38f}, (thud_pos){0, 0}));
         }
-        assert_true(isfinite(thud_world_measure(world).kinetic_energy));
+        assert_true(isfinite(thud_measure_of(world).kinetic_energy));
         run(world, 1);
-        assert_true(isfinite(thud_world_error(world).energy_change));
+        assert_true(isfinite(thud_step_error_of(world).energy_change));
         thud_world_destroy(world);
     }
 }

@@ -17,7 +17,7 @@ static void ball_that_runs_into_a_held_one_is_as_deep_as_they_stand(void **state
     for (int i = 0; i < 60; i++) {
         double gap = 0.01 * i;
         thud_world *world = make_world(weightless());
-        add_shape(world, add_body(world, THUD_STATIC, 10, 0, 0), 0.5f, 5, true, NULL);
+        add_shape(world, add_body(world, THUD_BODY_STATIC, 10, 0, 0), 0.5f, 5, true, NULL);
         thud_body_id first = add_ball(world, 9 - gap, 0, 0.5f);
         thud_body_id second = add_ball(world, 8 - gap, 0, 0.5f);
         move(world, first, 60, 0);
@@ -26,7 +26,7 @@ static void ball_that_runs_into_a_held_one_is_as_deep_as_they_stand(void **state
         double a = state_of(world, first).position.x, b = state_of(world, second).position.x;
         double deepest = fmax(fmax(1 - (a - b), a - 9), 0);
         near_to(e.penetration_max, deepest, 1e-6);
-        near_to(thud_world_measure(world).penetration_max, deepest, 1e-6);
+        near_to(thud_measure_of(world).penetration_max, deepest, 1e-6);
         assert_int_equal(e.overlaps, deepest > 0.005);
         ran_into |= deepest > 0.4;
         thud_world_destroy(world);
@@ -38,7 +38,7 @@ static void ball_that_runs_into_a_held_one_is_as_deep_as_they_stand(void **state
 static void shortfall_is_the_way_that_the_held_ball_lacks(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
-    add_shape(world, add_body(world, THUD_STATIC, 10, 0, 0), 0.01f, 5, true, NULL);
+    add_shape(world, add_body(world, THUD_BODY_STATIC, 10, 0, 0), 0.01f, 5, true, NULL);
     thud_body_id fast = add_ball(world, 0, 0, 0.1f), slow = add_ball(world, 0, 1, 0.1f);
     move(world, fast, 120, 0);
     move(world, slow, 60, 0);
@@ -49,7 +49,7 @@ static void shortfall_is_the_way_that_the_held_ball_lacks(void **state) {
                        (double)state_of(world, slow).velocity.x};
         thud_step_error e = error_of_step(world);
         double h = thud_default_world_def().time_step, lacks = 0;
-        int now = thud_world_stats(world).held_bodies;
+        int now = thud_stats_of(world).held_bodies;
         if (now) {
             lacks = fmax(x[0] + v[0] * h - state_of(world, fast).position.x,
                          x[1] + v[1] * h - state_of(world, slow).position.x);
@@ -77,11 +77,11 @@ static void energy_change_is_the_world_s_where_balls_are_held(void **state) {
         }
         int held = 0, met = 0;
         for (int i = 0; i < 40; i++) {
-            double before = energy_of(world), kinetic = thud_world_measure(world).kinetic_energy;
+            double before = energy_of(world), kinetic = thud_measure_of(world).kinetic_energy;
             thud_step_error e = error_of_step(world);
             near_to(e.energy_change, energy_of(world) - before, 2e-6 * kinetic + 1e-5);
-            held += thud_world_stats(world).held_bodies;
-            met += thud_world_stats(world).impacts;
+            held += thud_stats_of(world).held_bodies;
+            met += thud_stats_of(world).impacts;
         }
         assert_true(k ? met >= 20 : held >= 15);
         thud_world_destroy(world);

@@ -8,7 +8,7 @@
 #include <thud/thud_reads.h>
 
 static thud_body_id make_car(thud_world *world, double angle, thud_vec2 velocity, float spin) {
-    thud_body_options car = {.kind = THUD_DYNAMIC,
+    thud_body_options car = {.kind = THUD_BODY_DYNAMIC,
                              .velocity = velocity,
                              .angular_velocity = spin,
                              .density = 3};
@@ -19,9 +19,9 @@ static thud_body_id make_car(thud_world *world, double angle, thud_vec2 velocity
 static double speed_along(thud_world *world, thud_body_id body, thud_vec2 point, thud_vec2 axis) {
     thud_pos at;
     thud_vec2 velocity, along;
-    OK(thud_body_world_point(world, body, point, &at));
-    OK(thud_body_world_vector(world, body, axis, &along));
-    OK(thud_body_velocity_at(world, body, at, &velocity));
+    OK(thud_body_get_world_point(world, body, point, &at));
+    OK(thud_body_get_world_vector(world, body, axis, &along));
+    OK(thud_body_get_velocity_at(world, body, at, &velocity));
     return velocity.x * along.x + velocity.y * along.y;
 }
 
@@ -48,7 +48,8 @@ static void great_force_brings_any_point_to_its_speed_in_a_step(void **state) {
         thud_vec2 axis = {(float)cosine, (float)sine}, longer = {9 * axis.x, 9 * axis.y};
         thud_body_id car = make_car(world, angle, (thud_vec2){3, -4}, (float)way);
         if (i % 4 == 0) {
-            OK(thud_body_apply_force(world, car, (thud_vec2){4e5f, 1e5f}, 3e4f));
+            OK(thud_body_apply_center_force(world, car, (thud_vec2){4e5f, 1e5f}));
+            OK(thud_body_apply_torque(world, car, 3e4f));
         }
         OK(thud_body_apply_grip(world, car, point, longer, speed, 1e9f));
         run(world, 1);
@@ -124,7 +125,9 @@ static void sleepers_and_who_is_switched_off_are_left_alone(void **state) {
 static void fixed_rotation_is_heeded(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
-    thud_body_options slider = {.kind = THUD_DYNAMIC, .fixed_rotation = true, .velocity = {0, 3}};
+    thud_body_options slider = {.kind = THUD_BODY_DYNAMIC,
+                                .fixed_rotation = true,
+                                .velocity = {0, 3}};
     thud_body_id body = thud_body_make(world, thud_obb_at(0, 0, 1, 0.5, 0), &slider);
     OK(thud_body_apply_grip(world, body, (thud_vec2){1, 0}, (thud_vec2){0, 1}, 0, 1e6f));
     run(world, 1);

@@ -8,7 +8,7 @@
 static thud_quality rough(void) {
     thud_quality q = thud_quality_draft;
     q.islands = &thud_islands_direct;
-    q.sag_limit = INFINITY;
+    q.overlap_limit = INFINITY;
     q.island_limit = 100;
     q.island_work = 100000;
     return q;
@@ -38,8 +38,8 @@ static void error_without_limit_is_missed(void **state) {
     thud_world *world = world_with(0.0, &q);
     add_column(world, 0, 10);
     run(world, 120);
-    assert_true(thud_world_error(world).penetration_max > 0.005);
-    assert_int_equal(thud_world_stats(world).direct_islands, 0);
+    assert_true(thud_step_error_of(world).penetration_max > 0.005);
+    assert_int_equal(thud_stats_of(world).direct_islands, 0);
     thud_world_destroy(world);
 }
 
@@ -52,11 +52,11 @@ static void column_keeps_the_limit_and_the_lone_box_stays_soft(void **state) {
     add_column(world, 0, 10);
     add_column(world, 10, 1);
     run(world, 120);
-    thud_step_error error = thud_world_error(world);
+    thud_step_error error = thud_step_error_of(world);
     assert_true(error.penetration_max < 0.002);
     assert_int_equal(error.overlaps, 0);
-    assert_int_equal(thud_world_stats(world).direct_islands, 1);
-    assert_int_equal(thud_world_stats(world).direct_bodies, 10);
+    assert_int_equal(thud_stats_of(world).direct_islands, 1);
+    assert_int_equal(thud_stats_of(world).direct_bodies, 10);
     thud_world_destroy(world);
 }
 
@@ -70,13 +70,13 @@ static void quality_falls_again_when_the_load_is_gone(void **state) {
         boxes[i] = add_box(world, 0, 0.5 + i, 0.5f, 0.5f);
     }
     run(world, 120);
-    assert_int_equal(thud_world_stats(world).direct_islands, 1);
+    assert_int_equal(thud_stats_of(world).direct_islands, 1);
     for (int i = 1; i < 10; i++) {
         OK(thud_body_destroy(world, boxes[i]));
     }
     run(world, 120);
-    assert_int_equal(thud_world_stats(world).direct_islands, 0);
-    assert_true(thud_world_error(world).penetration_max < 0.002);
+    assert_int_equal(thud_stats_of(world).direct_islands, 0);
+    assert_true(thud_step_error_of(world).penetration_max < 0.002);
     thud_world_destroy(world);
 }
 
@@ -89,7 +89,7 @@ static void limit_set_later_takes_effect(void **state) {
     run(world, 200);
     OK(thud_world_set_max_error(world, 0.002));
     run(world, 60);
-    assert_true(thud_world_error(world).penetration_max < 0.002);
+    assert_true(thud_step_error_of(world).penetration_max < 0.002);
     thud_world_destroy(world);
 }
 
@@ -129,7 +129,7 @@ enum { COLUMN = 16 };
 
 /* A column of COLUMN boxes at the case's scale. */
 static thud_world *make_column(const column *c, double max_error, thud_body_id *boxes) {
-    thud_world_def def = thud_world_def_of(c->quality);
+    thud_world_def def = thud_default_world_def_of(c->quality);
     float half = (float)(0.5 * c->scale);
     def.detection = c->detection;
     def.length_scale = (float)c->scale;
@@ -138,13 +138,13 @@ static thud_world *make_column(const column *c, double max_error, thud_body_id *
     def.max_error = max_error * c->scale;
     thud_world *world = make_world(def);
     thud_body_make(world, thud_aabb_at(0, -c->scale, 20 * c->scale, c->scale),
-                   &(thud_body_options){.kind = THUD_STATIC});
+                   &(thud_body_options){.kind = THUD_BODY_STATIC});
     for (int i = 0; i < COLUMN; i++) {
         double y = (0.5 + i) * c->scale;
-        thud_shape_instance at = c->kind == THUD_AABB
-                                     ? thud_aabb_at(0, y, (double)half, (double)half)
-                                     : thud_obb_at(0, y, (double)half, (double)half, 0);
-        boxes[i] = thud_body_make(world, at, &(thud_body_options){.kind = THUD_DYNAMIC});
+        thud_geometry at = c->kind == THUD_SHAPE_AABB
+                               ? thud_aabb_at(0, y, (double)half, (double)half)
+                               : thud_obb_at(0, y, (double)half, (double)half, 0);
+        boxes[i] = thud_body_make(world, at, &(thud_body_options){.kind = THUD_BODY_DYNAMIC});
         assert_true(boxes[i].index1 > 0);
     }
     return world;
@@ -162,7 +162,7 @@ static void try_columns(column_fn *try_it) {
     for (size_t i = 0; i < 2 * 2 * 2 * 3 * sizeof scales / sizeof *scales; i++) {
         try_it(&(column){.step = i & 1 ? 1.0 / 30 : 1.0 / 60,
                          .detection = i & 2 ? &thud_detection_swept : &thud_detection_bisect,
-                         .kind = i & 4 ? THUD_OBB : THUD_AABB,
+                         .kind = i & 4 ? THUD_SHAPE_OBB : THUD_SHAPE_AABB,
                          .quality = levels[i / 8 % 3],
                          .scale = scales[i / 24]});
     }
@@ -175,7 +175,7 @@ static void keeps_max_error(const column *c) {
     thud_world *world = make_column(c, most, boxes);
     for (int k = 0; k < 60; k++) {
         OK(thud_world_step(world));
-        double depth = thud_world_error(world).penetration_max / c->scale;
+        double depth = thud_step_error_of(world).penetration_max / c->scale;
         if (depth > most) {
             fail_msg("%s, %s, steps of %g s, length scale %g: %g too deep in step %d",
                      c->quality->name, c->detection == &thud_detection_swept ? "swept" : "bisect",

@@ -24,7 +24,7 @@ static void ball_bounces_by_its_restitution(void **state) {
         bouncy.restitution = 0.1f * (float)i;
         thud_world *world = make_world(thud_default_world_def());
         add_floor(world, NULL);
-        thud_body_id ball = add_body(world, THUD_DYNAMIC, 0, 5.5, 0);
+        thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 0, 5.5, 0);
         add_shape(world, ball, 0.5f, 0, false, &bouncy);
         double before = 0, after = 0;
         for (int k = 0; k < 120 && after <= 0; k++) {
@@ -46,11 +46,11 @@ static thud_body_state slide(double slope, float mu, float radius, double second
     thud_shape_def rough = thud_default_shape_def();
     rough.friction = mu;
     thud_terrain flat = {.kind = THUD_TERRAIN_FLAT, .slope = slope};
-    thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     OK(thud_shape_create_terrain(world, ground, &rough, &flat, NULL));
     double angle = atan(slope), up = radius > 0 ? (double)radius : 0.5;
-    thud_body_id body =
-        add_body(world, THUD_DYNAMIC, -up * sin(angle), up * cos(angle), radius > 0 ? 0 : angle);
+    thud_body_id body = add_body(world, THUD_BODY_DYNAMIC, -up * sin(angle), up * cos(angle),
+                                 radius > 0 ? 0 : angle);
     add_shape(world, body, radius > 0 ? radius : 0.5f, radius > 0 ? 0 : 0.5f, false, &rough);
     run(world, (int)(seconds * 60));
     thud_body_state s = state_of(world, body);
@@ -83,8 +83,8 @@ static void elastic_circles_exchange_momentum_and_keep_energy(void **state) {
     thud_shape_def elastic = thud_default_shape_def();
     elastic.restitution = 1;
     elastic.friction = 0;
-    thud_body_id a = add_body(world, THUD_DYNAMIC, -2, 0, 0),
-                 b = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+    thud_body_id a = add_body(world, THUD_BODY_DYNAMIC, -2, 0, 0),
+                 b = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
     add_shape(world, a, 0.5f, 0, false, &elastic);
     elastic.density = 3;
     add_shape(world, b, 0.5f, 0, false, &elastic);
@@ -122,7 +122,7 @@ static double depth_of_column(const thud_quality *quality) {
         add_box(world, 0, 0.5 + i, 0.5f, 0.5f);
     }
     run(world, 120);
-    double depth = thud_world_measure(world).penetration_max;
+    double depth = thud_measure_of(world).penetration_max;
     thud_world_destroy(world);
     return depth;
 }

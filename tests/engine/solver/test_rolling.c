@@ -18,8 +18,8 @@ static off roll(const thud_quality *quality, double degrees) {
     def.sleeping = false;
     rough.friction = 0.5f;
     thud_world *world = make_world(def);
-    add_shape(world, add_body(world, THUD_STATIC, 0, 0, -angle), 200, 0.5f, false, &rough);
-    thud_body_id disc = add_body(world, THUD_DYNAMIC, s, c, 0);
+    add_shape(world, add_body(world, THUD_BODY_STATIC, 0, 0, -angle), 200, 0.5f, false, &rough);
+    thud_body_id disc = add_body(world, THUD_BODY_DYNAMIC, s, c, 0);
     add_shape(world, disc, 0.5f, 0, false, &rough);
     run(world, 60 * SECONDS);
     thud_body_state end = state_of(world, disc);

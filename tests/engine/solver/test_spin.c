@@ -25,13 +25,14 @@ static double apart(double a, double b) {
 /* Asserts that bodies with this angular velocity keep it and rotate by it. */
 static void spins_as_it_was_told(const thud_quality *quality, const thud_detection *detection,
                                  float spin) {
-    thud_world_def def = thud_world_def_of(quality);
+    thud_world_def def = thud_default_world_def_of(quality);
     def.gravity = (thud_vec2){0, 0};
     def.detection = detection;
     thud_world *world = make_world(def);
     thud_body_id bodies[4];
     for (int i = 0; i < 4; i++) {
-        bodies[i] = add_spinning(world, i < 2 ? THUD_DYNAMIC : THUD_KINEMATIC, i & 1, 2 * i, spin);
+        bodies[i] = add_spinning(world, i < 2 ? THUD_BODY_DYNAMIC : THUD_BODY_KINEMATIC, i & 1,
+                                 2 * i, spin);
     }
     double before = 0;
     for (int step = 1; step <= STEPS; step++) {
@@ -64,8 +65,8 @@ static void free_body_keeps_any_spin_at_every_quality_and_detection(void **state
 static void spin_beyond_the_highest_is_held_there_with_its_sign(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
-    thud_body_id left = add_spinning(world, THUD_DYNAMIC, true, 0, 3e30f);
-    thud_body_id right = add_spinning(world, THUD_KINEMATIC, false, 2, -3e30f);
+    thud_body_id left = add_spinning(world, THUD_BODY_DYNAMIC, true, 0, 3e30f);
+    thud_body_id right = add_spinning(world, THUD_BODY_KINEMATIC, false, 2, -3e30f);
     run(world, STEPS);
     assert_true(state_of(world, left).angular_velocity == 1e8f);
     assert_true(state_of(world, right).angular_velocity == -1e8f);
@@ -78,16 +79,16 @@ static void small_ball_rolls_on_forwards_at_every_quality_and_size(void **state)
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
         for (float scale = 1e-3f; scale < 1e4f; scale *= 1e3f) {
-            thud_world_def def = thud_world_def_of(qualities[q]);
+            thud_world_def def = thud_default_world_def_of(qualities[q]);
             def.length_scale = scale;
             def.gravity.y *= scale;
             thud_world *world = make_world(def);
             thud_terrain flat = {.kind = THUD_TERRAIN_FLAT};
             thud_shape_def plain = thud_default_shape_def();
-            thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0);
+            thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
             OK(thud_shape_create_terrain(world, ground, &plain, &flat, NULL));
             float radius = 0.05f * scale, speed = 12 * scale;
-            thud_body_id ball = add_body(world, THUD_DYNAMIC, 0, (double)radius, 0);
+            thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 0, (double)radius, 0);
             add_shape(world, ball, radius, 0, false, NULL);
             OK(thud_body_set_velocity(world, ball, (thud_vec2){speed, 0}, -speed / radius));
             for (int step = 0; step < 120; step++) {

@@ -4,7 +4,10 @@
 
 static bool found(thud_world *world, double x, double y) {
     bool hit;
-    OK(thud_world_cast_circle(world, (thud_pos){x, y}, 0.01, 0, 0, NULL, &hit, NULL));
+    OK(thud_world_cast_shape(world,
+                             &(thud_shape_cast){(thud_pos){x, y}, thud_circle_at(0, 0, 0.01), 0, 0,
+                                                NULL},
+                             &hit, NULL));
     return hit;
 }
 
@@ -24,7 +27,7 @@ static void disabled_body_meets_nothing_and_comes_back_as_it_was(void **state) {
             assert_false(state_of(world, below).enabled);
             assert_false(found(world, 0, 0.5));
             run(world, 1);
-            assert_int_equal(thud_world_events(world).end_count, 2);
+            assert_int_equal(thud_events_of(world).end_count, 2);
             run(world, 60);
             near_to(state_of(world, above).position.y, 0.5, 0.02);
             near_to(state_of(world, below).position.y, 0.5, 0.02);
@@ -52,7 +55,8 @@ static void disabled_ground_lets_fall_and_wakes_who_slept_on_it(void **state) {
         thud_world *world = make_world(thud_default_world_def());
         thud_terrain flat = {.kind = THUD_TERRAIN_FLAT};
         thud_shape_def def = thud_default_shape_def();
-        thud_body_id floor = line ? add_body(world, THUD_STATIC, 0, 0, 0) : add_floor(world, NULL);
+        thud_body_id floor =
+            line ? add_body(world, THUD_BODY_STATIC, 0, 0, 0) : add_floor(world, NULL);
         if (line) {
             OK(thud_shape_create_terrain(world, floor, &def, &flat, NULL));
         }
@@ -76,7 +80,7 @@ static void disabled_box_hides_no_face_of_its_neighbour(void **state) {
     thud_world *world = make_world(weightless());
     thud_body_id boxes[2];
     for (int i = 0; i < 2; i++) {
-        boxes[i] = add_body(world, THUD_STATIC, 2 * i, 0, 0);
+        boxes[i] = add_body(world, THUD_BODY_STATIC, 2 * i, 0, 0);
         add_shape(world, boxes[i], 1, 1, true, NULL);
     }
     run(world, 1);
@@ -103,9 +107,9 @@ static void body_disabled_inside_a_callback_leaves_with_the_next_step(void **sta
     add_floor(world, NULL);
     thud_body_id ball = add_ball(world, 0, 0.5, 0.5f);
     run(world, 1);
-    assert_int_equal(thud_world_events(world).begin_count, 1);
+    assert_int_equal(thud_events_of(world).begin_count, 1);
     run(world, 1);
-    assert_int_equal(thud_world_events(world).end_count, 1);
+    assert_int_equal(thud_events_of(world).end_count, 1);
     assert_false(state_of(world, ball).enabled);
     thud_world_destroy(world);
 }

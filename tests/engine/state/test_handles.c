@@ -27,7 +27,7 @@ static void handle_of_destroyed_body_is_stale_even_when_its_slot_lives_again(voi
     run(world, 1);
     thud_body_id new = add_ball(world, 0, 0, 1);
     assert_int_equal(new.index1, old.index1);
-    assert_int_equal(thud_body_get(world, old, NULL), THUD_ERROR_STALE);
+    assert_int_equal(thud_body_get_state(world, old, NULL), THUD_ERROR_STALE);
     assert_int_equal(thud_body_destroy(world, old), THUD_ERROR_STALE);
     assert_true(thud_body_is_valid(world, new));
     assert_int_equal(logged, 2);
@@ -41,7 +41,7 @@ static void handle_of_another_world_is_refused(void **state) {
     add_ball(two, 0, 0, 1);
     assert_false(thud_body_is_valid(two, body));
     assert_int_equal(thud_body_set_velocity(two, body, (thud_vec2){1, 0}, 0), THUD_ERROR_STALE);
-    assert_int_equal(thud_body_get(two, (thud_body_id){0, 0}, NULL), THUD_ERROR_STALE);
+    assert_int_equal(thud_body_get_state(two, (thud_body_id){0, 0}, NULL), THUD_ERROR_STALE);
     thud_world_destroy(one);
     thud_world_destroy(two);
 }
@@ -53,7 +53,7 @@ static void handle_is_refused_however_many_worlds_are_made_after_its_own(void **
     thud_body_id body = add_ball(one, 0, 0, 1);
     for (int i = 0; i < 20000; i++) {
         thud_world *other = make_world(thud_default_world_def());
-        thud_body_id same = add_body(other, THUD_STATIC, 0, 0, 0);
+        thud_body_id same = add_body(other, THUD_BODY_STATIC, 0, 0, 0);
         assert_int_equal(same.index1, body.index1);
         assert_false(thud_body_is_valid(other, body));
         assert_false(thud_body_is_valid(one, same));
@@ -72,10 +72,10 @@ static void static_body_with_a_velocity_is_refused(void **state) {
     OK(thud_body_create(world, &def, NULL));
     def.angular_velocity = 1;
     assert_int_equal(thud_body_create(world, &def, NULL), THUD_ERROR_INVALID);
-    def.kind = THUD_KINEMATIC;
+    def.kind = THUD_BODY_KINEMATIC;
     OK(thud_body_create(world, &def, NULL));
     assert_int_equal(logged, 2);
-    assert_int_equal(thud_world_stats(world).bodies, 2);
+    assert_int_equal(thud_stats_of(world).bodies, 2);
     thud_world_destroy(world);
 }
 
@@ -92,7 +92,7 @@ static void shape_whose_filter_is_zeroed_is_made_and_told_to_meet_nothing(void *
     def.log = note_zero_filter;
     def.log_context = &told;
     thud_world *world = make_world(def);
-    thud_body_id body = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+    thud_body_id body = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
     thud_shape_def zeroed = thud_default_shape_def();
     zeroed.filter = (thud_filter){0};
     thud_shape_def grouped = zeroed, shy = zeroed;
@@ -104,18 +104,18 @@ static void shape_whose_filter_is_zeroed_is_made_and_told_to_meet_nothing(void *
     add_shape(world, body, 1, 0, false, &shy);
     add_shape(world, body, 1, 0, false, NULL);
     assert_int_equal(told, 1);
-    assert_int_equal(thud_world_stats(world).shapes, 4);
+    assert_int_equal(thud_stats_of(world).shapes, 4);
     thud_world_destroy(world);
 }
 
 static void shapes_die_with_their_body(void **state) {
     (void)state;
     thud_world *world = logging_world();
-    thud_body_id body = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+    thud_body_id body = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
     thud_shape_id shape = add_shape(world, body, 1, 0, false, NULL);
     OK(thud_body_destroy(world, body));
     assert_false(thud_shape_is_valid(world, shape));
-    assert_int_equal(thud_shape_get(world, shape, NULL), THUD_ERROR_STALE);
+    assert_int_equal(thud_shape_get_state(world, shape, NULL), THUD_ERROR_STALE);
     thud_world_destroy(world);
 }
 
@@ -145,7 +145,7 @@ static void bad_worlds_are_refused(void **state) {
     none.detection = NULL;
     REFUSED(quality, &none);
     none = thud_quality_default;
-    none.sag_limit = NAN;
+    none.overlap_limit = NAN;
     REFUSED(quality, &none);
     REFUSED(substeps, -1);
     REFUSED(substeps, 65);
@@ -161,10 +161,10 @@ static void bad_calls_change_nothing(void **state) {
     (void)state;
     thud_world *world = logging_world();
     thud_body_id ball = add_ball(world, 0, 5, 1), floor = add_floor(world, NULL);
-    thud_body_id turned = add_body(world, THUD_DYNAMIC, 9, 9, 1);
+    thud_body_id turned = add_body(world, THUD_BODY_DYNAMIC, 9, 9, 1);
     run(world, 3);
-    uint64_t hash = thud_world_hash(world);
-    thud_stats stats = thud_world_stats(world);
+    uint64_t hash = thud_hash_of(world);
+    thud_stats stats = thud_stats_of(world);
     thud_body_def body = thud_default_body_def();
     thud_shape_def shape = thud_default_shape_def();
     thud_vec2 zero = {0, 0}, one = {1, 1};
@@ -218,8 +218,8 @@ static void bad_calls_change_nothing(void **state) {
     INVALID(thud_body_apply_impulse(world, ball, (thud_vec2){0, INFINITY}, (thud_pos){0, 0}));
     INVALID(thud_body_apply_impulse(world, ball, one, (thud_pos){NAN, 0}));
     INVALID(thud_body_apply_impulse(world, floor, one, (thud_pos){0, 0}));
-    INVALID(thud_body_apply_force(world, ball, (thud_vec2){NAN, 0}, 0));
-    INVALID(thud_body_apply_force(world, floor, one, 0));
+    INVALID(thud_body_apply_center_force(world, ball, (thud_vec2){NAN, 0}));
+    INVALID(thud_body_apply_center_force(world, floor, one));
     INVALID(thud_body_set_awake(world, floor, true));
     INVALID(thud_world_set_gravity(world, (thud_vec2){NAN, 0}));
     INVALID(thud_world_set_time_step(world, 0));
@@ -229,16 +229,17 @@ static void bad_calls_change_nothing(void **state) {
     INVALID(thud_world_advance(world, -1, 1, NULL, NULL));
     INVALID(thud_world_advance(world, NAN, 1, NULL, NULL));
     INVALID(thud_world_advance(world, 1, 0, NULL, NULL));
-    INVALID(thud_world_cast_ray(world, (thud_pos){NAN, 0}, 1, 0, NULL, NULL, NULL));
-    INVALID(thud_world_cast_ray(world, (thud_pos){0, 0}, INFINITY, 0, NULL, NULL, NULL));
+    INVALID(thud_world_cast_ray(world, &(thud_ray){(thud_pos){NAN, 0}, 1, 0, NULL}, NULL, NULL));
+    INVALID(
+        thud_world_cast_ray(world, &(thud_ray){(thud_pos){0, 0}, INFINITY, 0, NULL}, NULL, NULL));
     assert_int_equal(thud_body_create(world, NULL, NULL), THUD_ERROR_NULL);
     assert_int_equal(thud_shape_create_circle(world, ball, NULL, zero, 1, NULL), THUD_ERROR_NULL);
     assert_int_equal(thud_shape_create_terrain(world, floor, &shape, NULL, NULL), THUD_ERROR_NULL);
     assert_int_equal(logged, refused + 3);
     assert_int_equal(thud_world_step(NULL), THUD_ERROR_NULL);
-    assert_true(thud_world_hash(world) == hash);
-    assert_int_equal(thud_world_stats(world).bodies, stats.bodies);
-    assert_int_equal(thud_world_stats(world).shapes, stats.shapes);
+    assert_true(thud_hash_of(world) == hash);
+    assert_int_equal(thud_stats_of(world).bodies, stats.bodies);
+    assert_int_equal(thud_stats_of(world).shapes, stats.shapes);
     thud_world_destroy(world);
 }
 

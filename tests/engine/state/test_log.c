@@ -104,30 +104,42 @@ typedef struct drive_case {
 static void drives_name_the_field(void **state) {
     (void)state;
     const drive_case cases[] = {
-        {THUD_HINGE, THUD_TURN, {.limited = true, .lower = 1, .upper = -1}, "lower is above"},
-        {THUD_HINGE,
-         THUD_TURN,
+        {THUD_JOINT_HINGE,
+         THUD_DIRECTION_TURN,
+         {.limited = true, .lower = 1, .upper = -1},
+         "lower is above"},
+        {THUD_JOINT_HINGE,
+         THUD_DIRECTION_TURN,
          {.limited = true, .upper = 90},
          "upper is 90, not in [-3.141593, 3.141593]"},
-        {THUD_SLIDER,
-         THUD_ALONG,
+        {THUD_JOINT_SLIDER,
+         THUD_DIRECTION_ALONG,
          {.limited = true, .upper = 1e9f},
          "upper is 1e9, not in [-1000000, 1000000]"},
-        {THUD_DISTANCE,
-         THUD_ALONG,
+        {THUD_JOINT_DISTANCE,
+         THUD_DIRECTION_ALONG,
          {.limited = true, .lower = -1},
          "lower is -1, not in [0, 1000000]"},
-        {THUD_HINGE, THUD_TURN, {.frequency = -1}, "frequency is -1, not in [0, 10000]"},
-        {THUD_HINGE, THUD_TURN, {.damping = NAN}, "damping is NaN, not in [0, 1000]"},
-        {THUD_HINGE, THUD_TURN, {.target = 90}, "target is 90"},
-        {THUD_HINGE, THUD_TURN, {.spring_force = -1}, "spring_force is -1, not in [0, 1e30]"},
-        {THUD_HINGE, THUD_TURN, {.motor_speed = 1e9f}, "motor_speed is 1e9"},
-        {THUD_SLIDER, THUD_ALONG, {.motor_speed = NAN}, "motor_speed is NaN"},
-        {THUD_HINGE, THUD_TURN, {.motor_force = -1}, "motor_force is -1"},
+        {THUD_JOINT_HINGE,
+         THUD_DIRECTION_TURN,
+         {.frequency = -1},
+         "frequency is -1, not in [0, 10000]"},
+        {THUD_JOINT_HINGE,
+         THUD_DIRECTION_TURN,
+         {.damping = NAN},
+         "damping is NaN, not in [0, 1000]"},
+        {THUD_JOINT_HINGE, THUD_DIRECTION_TURN, {.target = 90}, "target is 90"},
+        {THUD_JOINT_HINGE,
+         THUD_DIRECTION_TURN,
+         {.spring_force = -1},
+         "spring_force is -1, not in [0, 1e30]"},
+        {THUD_JOINT_HINGE, THUD_DIRECTION_TURN, {.motor_speed = 1e9f}, "motor_speed is 1e9"},
+        {THUD_JOINT_SLIDER, THUD_DIRECTION_ALONG, {.motor_speed = NAN}, "motor_speed is NaN"},
+        {THUD_JOINT_HINGE, THUD_DIRECTION_TURN, {.motor_force = -1}, "motor_force is -1"},
         /* In a direction that the kind of joint cannot drive. */
-        {THUD_HINGE, THUD_ALONG, {.frequency = 2}, "no drive along"},
-        {THUD_SLIDER, THUD_TURN, {.motor_force = 2}, "no drive of turn"},
-        {THUD_FILTER, THUD_ACROSS, {.limited = true}, "no drive across"},
+        {THUD_JOINT_HINGE, THUD_DIRECTION_ALONG, {.frequency = 2}, "no drive along"},
+        {THUD_JOINT_SLIDER, THUD_DIRECTION_TURN, {.motor_force = 2}, "no drive of turn"},
+        {THUD_JOINT_FILTER, THUD_DIRECTION_ACROSS, {.limited = true}, "no drive across"},
     };
     heard h = {.count = 0};
     thud_world_def world_def = thud_default_world_def();
@@ -145,13 +157,13 @@ static void drives_name_the_field(void **state) {
         expect(&h, THUD_ERROR_INVALID, cases[i].word);
     }
     /* A motor without force is created, with a message. */
-    thud_joint_def def = thud_default_joint_def(THUD_HINGE);
+    thud_joint_def def = thud_default_joint_def(THUD_JOINT_HINGE);
     def.body_a = a;
     def.body_b = b;
-    def.drive[THUD_TURN].motor_speed = 3;
+    def.drive[THUD_DIRECTION_TURN].motor_speed = 3;
     OK(thud_joint_create(world, &def, &joint));
     expect(&h, THUD_OK, "motor_speed without");
-    OK(thud_joint_set_drive(world, joint, THUD_TURN, &def.drive[THUD_TURN]));
+    OK(thud_joint_set_drive(world, joint, THUD_DIRECTION_TURN, &def.drive[THUD_DIRECTION_TURN]));
     expect(&h, THUD_OK, "motor_speed without");
     thud_world_destroy(world);
 }
@@ -207,7 +219,7 @@ static void lines_name_the_field(void **state) {
     heard h = {.count = 0};
     thud_world *world = make_world(thud_default_world_def());
     OK(thud_world_set_log(world, hear, &h));
-    thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     thud_shape_def def = thud_default_shape_def();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         thud_result result = thud_shape_create_terrain(world, ground, &def, &cases[i].line, NULL);
@@ -238,7 +250,7 @@ static void what_meets_nobody_is_refused(void **state) {
     add_ball(world, 0, 0, 0.5f);
     const thud_query_filter zero = {0};
     const thud_pos at = {-3, 0};
-    thud_shape_instance ball = thud_circle_at(0, 0, 1);
+    thud_geometry ball = thud_circle_at(0, 0, 1);
     thud_ray_hit hit;
     thud_mover mover = thud_default_mover(ball);
     mover.filter = zero;
@@ -246,21 +258,22 @@ static void what_meets_nobody_is_refused(void **state) {
     blast.radius = 1;
     blast.filter = zero;
     const thud_ray ray = {.dx = 6, .filter = &zero};
-    const thud_shape_cast cast = {.shape = &ball, .dx = 6, .filter = &zero};
+    const thud_shape_cast cast = {.shape = ball, .dx = 6, .filter = &zero};
     const struct {
         thud_result result;
         const char *word;
     } refused[] = {
 #define FILTER(call) {call, "category and mask"}
-        FILTER(thud_world_cast_ray(world, at, 6, 0, &zero, NULL, NULL)),
-        FILTER(thud_world_cast_ray_all(world, at, 6, 0, &zero, NULL, 0, NULL)),
-        FILTER(thud_world_cast_ray_each(world, at, 6, 0, &zero, keep_on, NULL)),
+        FILTER(thud_world_cast_ray(world, &(thud_ray){at, 6, 0, &zero}, NULL, NULL)),
+        FILTER(thud_world_cast_ray_all(world, &(thud_ray){at, 6, 0, &zero}, NULL, 0, NULL)),
+        FILTER(thud_world_cast_ray_each(world, &(thud_ray){at, 6, 0, &zero}, keep_on, NULL)),
         FILTER(thud_world_cast_rays(world, &ray, 1, &hit)),
-        FILTER(thud_world_cast_shape(world, at, &ball, 6, 0, &zero, NULL, NULL)),
-        FILTER(thud_world_cast_shape_each(world, at, &ball, 6, 0, &zero, keep_on, NULL)),
+        FILTER(thud_world_cast_shape(world, &(thud_shape_cast){at, ball, 6, 0, &zero}, NULL, NULL)),
+        FILTER(thud_world_cast_shape_each(world, &(thud_shape_cast){at, ball, 6, 0, &zero}, keep_on,
+                                          NULL)),
         FILTER(thud_world_cast_shapes(world, &cast, 1, &hit)),
         FILTER(thud_world_closest(world, at, 6, &zero, NULL, NULL)),
-        FILTER(thud_world_overlap_circle(world, at, 1, &zero, none, NULL)),
+        FILTER(thud_world_overlap_shape(world, at, thud_circle_at(0, 0, 1), &zero, none, NULL)),
         FILTER(thud_mover_move(world, &mover, (thud_vec2){0, 0}, 0.1, NULL)),
         FILTER(thud_world_explode(world, &blast, NULL)),
 #undef FILTER

@@ -19,9 +19,9 @@ static thud_shape_state shape_of(const thud_world *world, thud_body_id body) {
     thud_shape_id shape;
     thud_shape_state state;
     int shapes = 0;
-    OK(thud_body_shapes(world, body, &shape, 1, &shapes));
+    OK(thud_body_get_shapes(world, body, &shape, 1, &shapes));
     assert_int_equal(shapes, 1);
-    OK(thud_shape_get(world, shape, &state));
+    OK(thud_shape_get_state(world, shape, &state));
     return state;
 }
 
@@ -31,7 +31,7 @@ static void world_has_the_gravity_and_quality_that_were_asked_for(void **state) 
     thud_step_settings settings;
     thud_world *world = thud_world_make((thud_vec2){1, -3}, &thud_quality_draft);
     assert_non_null(world);
-    OK(thud_world_step_settings(world, &settings));
+    OK(thud_world_get_step_settings(world, &settings));
     assert_true(settings.gravity.x == 1 && settings.gravity.y == -3);
     assert_int_equal(settings.substeps, thud_quality_draft.substeps);
     thud_world_destroy(world);
@@ -48,9 +48,9 @@ static void zero_is_the_default(void **state) {
     thud_body_state plain = state_of(world, body);
     thud_shape_state shape = shape_of(world, body);
     thud_shape_def def = thud_default_shape_def();
-    assert_true(plain.kind == THUD_STATIC && plain.position.x == 3 && plain.position.y == 4);
+    assert_true(plain.kind == THUD_BODY_STATIC && plain.position.x == 3 && plain.position.y == 4);
     assert_true(plain.angle == 0 && plain.gravity_scale == 1 && plain.user_data == 0);
-    assert_true(shape.kind == THUD_CIRCLE && shape.half_extents.x == 0.5f);
+    assert_true(shape.kind == THUD_SHAPE_CIRCLE && shape.half_extents.x == 0.5f);
     assert_true(shape.offset.x == 0 && shape.offset.y == 0);
     assert_true(shape.density == def.density && shape.friction == def.friction);
     assert_true(shape.restitution == 0 && shape.surface_speed == 0 && !shape.sensor);
@@ -61,7 +61,7 @@ static void zero_is_the_default(void **state) {
 static void options_are_those_of_body_and_shape(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
-    thud_body_options all = {.kind = THUD_DYNAMIC,
+    thud_body_options all = {.kind = THUD_BODY_DYNAMIC,
                              .velocity = {1, 2},
                              .angular_velocity = 3,
                              .weightless = true,
@@ -77,10 +77,10 @@ static void options_are_those_of_body_and_shape(void **state) {
     thud_body_id body = thud_body_make(world, thud_obb_at(1, 2, 3, 4, 0.75), &all);
     thud_body_state made = state_of(world, body);
     thud_shape_state shape = shape_of(world, body);
-    assert_true(made.kind == THUD_DYNAMIC && made.gravity_scale == 0 && made.user_data == 77);
+    assert_true(made.kind == THUD_BODY_DYNAMIC && made.gravity_scale == 0 && made.user_data == 77);
     assert_true(made.velocity.x == 1 && made.velocity.y == 2 && made.angular_velocity == 3);
     near_to(made.angle, 0.75, 1e-8);
-    assert_true(shape.kind == THUD_OBB && shape.angle == 0);
+    assert_true(shape.kind == THUD_SHAPE_OBB && shape.angle == 0);
     assert_true(shape.half_extents.x == 3 && shape.half_extents.y == 4);
     assert_true(shape.density == 4 && shape.friction == 0 && shape.restitution == 0.5f);
     assert_true(shape.surface_speed == 6 && shape.sensor && shape.user_data == 77);
@@ -91,7 +91,7 @@ static void options_are_those_of_body_and_shape(void **state) {
 /* Options that no state contains are seen in the motion. */
 static void dampings_rotation_and_detection_are_as_of_a_def(void **state) {
     (void)state;
-    thud_body_options options = {.kind = THUD_DYNAMIC,
+    thud_body_options options = {.kind = THUD_BODY_DYNAMIC,
                                  .velocity = {100, 0},
                                  .angular_velocity = 2,
                                  .linear_damping = 0.5f,
@@ -100,7 +100,7 @@ static void dampings_rotation_and_detection_are_as_of_a_def(void **state) {
     thud_body_def def = thud_default_body_def();
     thud_world *here = make_world(weightless()), *there = make_world(weightless());
     thud_body_make(here, thud_circle_at(0, 0, 0.5), &options);
-    def.kind = THUD_DYNAMIC;
+    def.kind = THUD_BODY_DYNAMIC;
     def.velocity = options.velocity;
     def.angular_velocity = 2;
     def.linear_damping = 0.5f;
@@ -111,10 +111,10 @@ static void dampings_rotation_and_detection_are_as_of_a_def(void **state) {
     add_shape(there, ball, 0.5f, 0, false, NULL);
     for (int i = 0; i < 2; i++) {
         thud_world *world = i ? there : here;
-        add_shape(world, add_body(world, THUD_STATIC, 9, 0, 0), 0.01f, 5, true, NULL);
+        add_shape(world, add_body(world, THUD_BODY_STATIC, 9, 0, 0), 0.01f, 5, true, NULL);
         run(world, 60);
     }
-    assert_true(thud_world_hash(here) == thud_world_hash(there));
+    assert_true(thud_hash_of(here) == thud_hash_of(there));
     options.fixed_rotation = true;
     options.angular_velocity = 0;
     thud_body_id fixed = thud_body_make(here, thud_circle_at(0, 5, 0.5), &options);
@@ -130,9 +130,9 @@ static void refused_options_make_nothing(void **state) {
     def.log = count;
     def.log_context = &heard;
     thud_world *world = make_world(def);
-    thud_shape_instance ball = thud_circle_at(0, 0, 0.5), line = {.kind = THUD_TERRAIN, .hx = 1};
+    thud_geometry ball = thud_circle_at(0, 0, 0.5), line = {.kind = THUD_SHAPE_TERRAIN, .hx = 1};
     const thud_body_options wrong[] = {{.kind = (thud_body_kind)3},
-                                       {.kind = THUD_STATIC, .velocity = {1, 0}},
+                                       {.kind = THUD_BODY_STATIC, .velocity = {1, 0}},
                                        {.density = -1},
                                        {.density = NAN},
                                        {.friction = -1},
@@ -141,27 +141,27 @@ static void refused_options_make_nothing(void **state) {
                                        {.surface_speed = NAN},
                                        {.linear_damping = -1},
                                        {.frictionless = true, .friction = 1},
-                                       {.kind = THUD_DYNAMIC, .angular_velocity = NAN}};
+                                       {.kind = THUD_BODY_DYNAMIC, .angular_velocity = NAN}};
     enum { WRONG = sizeof wrong / sizeof *wrong };
     told = 0;
     for (int i = 0; i < WRONG; i++) {
         assert_int_equal(thud_body_make(world, ball, &wrong[i]).index1, 0);
         assert_int_equal(heard, THUD_ERROR_INVALID);
     }
-    const thud_shape_instance shapes[] = {line,
-                                          thud_circle_at(NAN, 0, 1),
-                                          thud_circle_at(1e10, 0, 1),
-                                          thud_circle_at(0, 0, 0),
-                                          thud_aabb_at(0, 0, 1, -1),
-                                          thud_obb_at(0, 0, 1, 1, 1e9),
-                                          {.kind = (thud_shape_kind)9}};
+    const thud_geometry shapes[] = {line,
+                                    thud_circle_at(NAN, 0, 1),
+                                    thud_circle_at(1e10, 0, 1),
+                                    thud_circle_at(0, 0, 0),
+                                    thud_aabb_at(0, 0, 1, -1),
+                                    thud_obb_at(0, 0, 1, 1, 1e9),
+                                    {.kind = (thud_shape_kind)9}};
     enum { SHAPES = sizeof shapes / sizeof *shapes };
     for (int i = 0; i < SHAPES; i++) {
         assert_int_equal(thud_body_make(world, shapes[i], NULL).index1, 0);
         assert_int_equal(heard, THUD_ERROR_INVALID);
     }
     assert_int_equal(told, WRONG + SHAPES);
-    assert_int_equal(thud_world_stats(world).bodies, 0);
+    assert_int_equal(thud_stats_of(world).bodies, 0);
     assert_int_equal(thud_body_make(NULL, ball, NULL).index1, 0);
     thud_world_destroy(world);
 }
@@ -178,7 +178,7 @@ static void without_memory_nothing_is_made(void **state) {
     assert_int_equal(thud_body_make(world, thud_circle_at(0, 0, 1), NULL).index1, 0);
     memory_allowed = -1;
     assert_int_equal(heard, THUD_ERROR_MEMORY);
-    assert_int_equal(thud_world_stats(world).bodies, 0);
+    assert_int_equal(thud_stats_of(world).bodies, 0);
     assert_int_not_equal(thud_body_make(world, thud_circle_at(0, 0, 1), NULL).index1, 0);
     thud_world_destroy(world);
     assert_int_equal(memory_held, 0);
@@ -187,7 +187,7 @@ static void without_memory_nothing_is_made(void **state) {
 static void reads_by_value_give_nothing_of_what_is_gone(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
-    thud_body_options moving = {.kind = THUD_DYNAMIC, .velocity = {5, 6}};
+    thud_body_options moving = {.kind = THUD_BODY_DYNAMIC, .velocity = {5, 6}};
     thud_body_id body = thud_body_make(world, thud_circle_at(3, 4, 0.5), &moving);
     assert_true(thud_position_of(world, body).x == 3 && thud_position_of(world, body).y == 4);
     assert_true(thud_velocity_of(world, body).x == 5 && thud_velocity_of(world, body).y == 6);

@@ -27,7 +27,7 @@ static thud_world *build(const char *name, int size) {
  * attempts failed. */
 static long step_with_failures(thud_world *world) {
     for (long failures = 0;; failures++) {
-        uint64_t before = thud_world_hash(world);
+        uint64_t before = thud_hash_of(world);
         memory_allowed = failures;
         thud_result result = thud_world_step(world);
         memory_allowed = -1;
@@ -35,7 +35,7 @@ static long step_with_failures(thud_world *world) {
             return failures;
         }
         assert_int_equal(result, THUD_ERROR_MEMORY);
-        assert_true(thud_world_hash(world) == before);
+        assert_true(thud_hash_of(world) == before);
     }
 }
 
@@ -55,10 +55,10 @@ static void step_after_failed_ones_is_the_same_step(void **state) {
         for (int k = 0; k < 120; k++) {
             run(never, 1);
             failures += step_with_failures(often);
-            if (thud_world_hash(never) != thud_world_hash(often)) {
+            if (thud_hash_of(never) != thud_hash_of(often)) {
                 fail_msg("%s: differs at step %d", scenes[i].name, k);
             }
-            thud_events e = thud_world_events(never), f = thud_world_events(often);
+            thud_events e = thud_events_of(never), f = thud_events_of(often);
             assert_int_equal(e.begin_count, f.begin_count);
             assert_int_equal(e.end_count, f.end_count);
         }
@@ -91,10 +91,10 @@ static void creation_that_fails_leaves_nothing_behind(void **state) {
     int refused = 0;
     for (int made = 0; made < 300;) {
         memory_allowed = 0;
-        thud_stats before = thud_world_stats(world);
+        thud_stats before = thud_stats_of(world);
         thud_result result = thud_body_create(world, &body, &id);
         if (result != THUD_OK) {
-            assert_int_equal(thud_world_stats(world).bodies, before.bodies);
+            assert_int_equal(thud_stats_of(world).bodies, before.bodies);
             refused++;
             memory_allowed = -1;
             OK(thud_body_create(world, &body, &id));
@@ -102,7 +102,7 @@ static void creation_that_fails_leaves_nothing_behind(void **state) {
         memory_allowed = 0;
         result = thud_shape_create_circle(world, id, &shape, (thud_vec2){0, 0}, 1, NULL);
         if (result != THUD_OK) {
-            assert_int_equal(thud_world_stats(world).shapes, before.shapes);
+            assert_int_equal(thud_stats_of(world).shapes, before.shapes);
             refused++;
             memory_allowed = -1;
             OK(thud_shape_create_circle(world, id, &shape, (thud_vec2){0, 0}, 1, NULL));
@@ -123,7 +123,7 @@ static void settled_world_allocates_nothing(void **state) {
         run(world, 400);
         for (int k = 0; k < 100; k++) {
             run(world, 1);
-            assert_int_equal(thud_world_stats(world).step_allocations, 0);
+            assert_int_equal(thud_stats_of(world).step_allocations, 0);
         }
         thud_world_destroy(world);
     }

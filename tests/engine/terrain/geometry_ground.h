@@ -25,7 +25,7 @@ typedef enum ground_family {
 typedef struct ground {
     thud_terrain terrain;
     thud_pos points[MAX_VERTICES];
-    thud_shape_instance shape;
+    thud_geometry shape;
 } ground;
 
 static inline double vertex_x(const thud_terrain *t, int i) {
@@ -55,13 +55,13 @@ static inline void draw_line(source *r, ground *g, ground_family family) {
 }
 
 /* A vertex relative to the shape's centre: exact, also far from the origin. */
-static inline vec vertex_from(const thud_terrain *t, const thud_shape_instance *s, int i) {
+static inline vec vertex_from(const thud_terrain *t, const thud_geometry *s, int i) {
     return (vec){(real)vertex_x(t, i) - s->x, (real)t->points[i].y - s->y};
 }
 
 /* Height of the line above the shape's centre at distance x from it, by a scan of all segments;
  * -infinity where there is no ground. */
-static inline real line_height(const thud_terrain *t, const thud_shape_instance *s, real x) {
+static inline real line_height(const thud_terrain *t, const thud_geometry *s, real x) {
     if (t->kind == THUD_TERRAIN_FLAT) {
         return t->slope * (s->x + x) - s->y;
     }
@@ -76,15 +76,15 @@ static inline real line_height(const thud_terrain *t, const thud_shape_instance 
 }
 
 /* Half of the shape's horizontal extent. */
-static inline real half_width(const thud_shape_instance *s) {
-    return s->kind == THUD_CIRCLE ? (real)s->hx
-                                  : fabsl((real)s->c * s->hx) + fabsl((real)s->s * s->hy);
+static inline real half_width(const thud_geometry *s) {
+    return s->kind == THUD_SHAPE_CIRCLE ? (real)s->hx
+                                        : fabsl((real)s->c * s->hx) + fabsl((real)s->s * s->hy);
 }
 
 /* The height of the shape's underside relative to its centre, at distance dx from it. */
-static inline real underside(const thud_shape_instance *s, real dx) {
+static inline real underside(const thud_geometry *s, real dx) {
     real low = HUGE_VALL;
-    if (s->kind == THUD_CIRCLE) {
+    if (s->kind == THUD_SHAPE_CIRCLE) {
         return -sqrtl(fmaxl(0.0L, ((real)s->hx - dx) * ((real)s->hx + dx)));
     }
     solid box = solid_of(s, s->x, s->y);
@@ -101,10 +101,10 @@ static inline real underside(const thud_shape_instance *s, real dx) {
 /* By how much the shape, moved sideways by x, must be lifted to be just out of the ground; negative
  * where it may sink, -infinity where there is no ground below. The greatest lift is at a vertex, at
  * a corner of a box, or where a circle is parallel to a segment. */
-static inline real lift_at(const ground *g, const thud_shape_instance *s, real x) {
+static inline real lift_at(const ground *g, const thud_geometry *s, real x) {
     const thud_terrain *t = &g->terrain;
     real half = half_width(s), lift = -HUGE_VALL;
-    bool flat = t->kind == THUD_TERRAIN_FLAT, round = s->kind == THUD_CIRCLE;
+    bool flat = t->kind == THUD_TERRAIN_FLAT, round = s->kind == THUD_SHAPE_CIRCLE;
     solid box = solid_of(s, s->x, s->y);
     for (int k = 0; k < 4 && !round; k++) {
         lift = fmaxl(lift, line_height(t, s, x + box.v[k].x) - box.v[k].y);
@@ -151,7 +151,7 @@ static inline real outline_distance(const ground *g, const solid *s) {
 
 /* Places the shape on the ground, in it, above it, beyond its ends, or on a vertex. */
 static inline void place_shape(source *r, ground *g) {
-    thud_shape_instance *s = &g->shape;
+    thud_geometry *s = &g->shape;
     const thud_terrain *t = &g->terrain;
     bool flat = t->kind == THUD_TERRAIN_FLAT;
     double from = flat ? -3.0 : vertex_x(t, 0), to = flat ? 3.0 : vertex_x(t, t->count - 1);
@@ -180,11 +180,11 @@ static inline ground *draw_ground_of(source *r, ground *g, thud_terrain_kind kin
                                      thud_shape_kind shape, int i) {
     *g = (ground){.terrain = {.kind = kind}, .shape = {.kind = shape, .c = 1.0}};
     draw_line(r, g, (ground_family)(i % GROUND_FAMILIES));
-    thud_shape_instance *s = &g->shape;
+    thud_geometry *s = &g->shape;
     s->hx = exp(draw(r, -2.0, 0.7));
-    s->hy = shape == THUD_CIRCLE ? 0.0 : exp(draw(r, -2.0, 0.7));
+    s->hy = shape == THUD_SHAPE_CIRCLE ? 0.0 : exp(draw(r, -2.0, 0.7));
     if (draw_below(r, 8) == 0) {
-        *(draw_below(r, 2) && shape != THUD_CIRCLE ? &s->hy : &s->hx) = 1e-6;
+        *(draw_below(r, 2) && shape != THUD_SHAPE_CIRCLE ? &s->hy : &s->hx) = 1e-6;
     }
     const double slope =
         kind == THUD_TERRAIN_FLAT || i % GROUND_FAMILIES == STRAIGHT ? atan(g->terrain.slope) : 0.0;
@@ -236,7 +236,7 @@ static inline double steepest(const thud_terrain *t) {
 
 static inline void print_ground(const ground *g) {
     const thud_terrain *t = &g->terrain;
-    const thud_shape_instance *s = &g->shape;
+    const thud_geometry *s = &g->shape;
     printf("shape = {.kind = %d, .x = %a, .y = %a, .c = %a, .s = %a, .hx = %a, .hy = %a}\n",
            (int)s->kind, s->x, s->y, s->c, s->s, s->hx, s->hy);
     printf("terrain = {.kind = %d, .slope = %a, .x0 = %a, .spacing = %a, .count = %d}\n",

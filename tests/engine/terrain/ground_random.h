@@ -70,14 +70,14 @@ static inline double height(const thud_terrain *t, double x) {
 }
 
 /* Half of the shape's horizontal extent. */
-static inline double half_width(const thud_shape_instance *s) {
-    return s->kind == THUD_CIRCLE ? s->hx : fabs(s->c) * s->hx + fabs(s->s) * s->hy;
+static inline double half_width(const thud_geometry *s) {
+    return s->kind == THUD_SHAPE_CIRCLE ? s->hx : fabs(s->c) * s->hx + fabs(s->s) * s->hy;
 }
 
 /* Height of the shape's lowest point at x. */
-static inline double underside(const thud_shape_instance *s, double x) {
+static inline double underside(const thud_geometry *s, double x) {
     double dx = x - s->x, low = INFINITY;
-    if (s->kind == THUD_CIRCLE) {
+    if (s->kind == THUD_SHAPE_CIRCLE) {
         return s->y - sqrt(fmax(0.0, s->hx * s->hx - dx * dx));
     }
     for (int k = 0; k < 4; k++) {
@@ -90,7 +90,7 @@ static inline double underside(const thud_shape_instance *s, double x) {
 }
 
 /* How deep the shape is in the ground, vertically; negative above it. */
-static inline double sampled_depth(const thud_terrain *t, const thud_shape_instance *s) {
+static inline double sampled_depth(const thud_terrain *t, const thud_geometry *s) {
     double half = half_width(s), depth = -INFINITY;
     double from = fmax(s->x - half, first_x(t)), to = fmin(s->x + half, last_x(t));
     for (int i = 0; i <= SAMPLES && from <= to; i++) {
@@ -107,8 +107,8 @@ static inline double sampled_depth(const thud_terrain *t, const thud_shape_insta
 }
 
 /* A random shape near the ground. */
-static inline thud_shape_instance draw_over(source *r, const thud_terrain *t) {
-    thud_shape_instance s = draw_shape(r);
+static inline thud_geometry draw_over(source *r, const thud_terrain *t) {
+    thud_geometry s = draw_shape(r);
     s.hx = fmax(s.hx, 0.05);
     double from = fmax(first_x(t), -3.0), to = fmin(last_x(t), 3.0);
     s.x = from < to ? draw(r, from - 0.5, to + 0.5) : draw(r, -1.0, 1.0);

@@ -62,7 +62,8 @@ static void rays_at_random_ground_agree_with_marching(void **state) {
         for (int k = 0; k < PER_LINE; k++) {
             double ox = draw(&r, -4.0, 4.0), oy = draw(&r, -2.0, 4.0);
             double dx = k % 5 ? draw(&r, -6.0, 6.0) : 0.0, dy = draw(&r, -6.0, 3.0), f, nx, ny;
-            bool hit = thud_terrain_cast_ray(&g.terrain, ox, oy, dx, dy, &f, &nx, &ny);
+            bool hit =
+                thud_terrain_cast_ray(&g.terrain, (thud_segment){ox, oy, dx, dy}, &f, &nx, &ny);
             /* The ray goes down through the line between two samples. */
             double first = 2.0, above = oy - height(&g.terrain, ox);
             bool below = above < 0.0;
@@ -100,7 +101,7 @@ static void overlap_with_random_ground_agrees_with_sampled_depth(void **state) {
     for (int i = 0; i < LINES; i++) {
         draw_ground(&r, &g);
         for (int k = 0; k < PER_LINE; k++) {
-            thud_shape_instance s = draw_over(&r, &g.terrain);
+            thud_geometry s = draw_over(&r, &g.terrain);
             double depth = sampled_depth(&g.terrain, &s);
             bool overlap = thud_terrain_overlap(&g.terrain, &s);
             in += overlap;
@@ -108,10 +109,10 @@ static void overlap_with_random_ground_agrees_with_sampled_depth(void **state) {
             if (overlap && depth < -1e-7) {
                 /* Samples may miss an overlap between them, or with the side alone: a shape that is
                  * a little larger shows it. */
-                thud_shape_instance more = s;
+                thud_geometry more = s;
                 double step = 2.0 * half_width(&s) / SAMPLES;
                 more.hx += 1.5 * step + 1e-9;
-                more.hy += s.kind == THUD_CIRCLE ? 0.0 : 1.5 * step + 1e-9;
+                more.hy += s.kind == THUD_SHAPE_CIRCLE ? 0.0 : 1.5 * step + 1e-9;
                 more.y -= 0.5 * step;
                 assert_true(sampled_depth(&g.terrain, &more) > -8.0 * step);
             }
@@ -128,7 +129,7 @@ static void impact_on_random_ground_agrees_with_sampled_times(void **state) {
     for (int i = 0; i < LINES; i++) {
         draw_ground(&r, &g);
         for (int k = 0; k < PER_LINE / 2; k++) {
-            thud_shape_instance s = draw_over(&r, &g.terrain);
+            thud_geometry s = draw_over(&r, &g.terrain);
             thud_motion m = {draw(&r, -3.0, 3.0), draw(&r, -8.0, 1.0),
                              k % 2 ? draw(&r, -5.0, 5.0) : 0.0};
             double time, first = 2.0;
@@ -136,29 +137,29 @@ static void impact_on_random_ground_agrees_with_sampled_times(void **state) {
             assert_int_equal(thud_terrain_time_of_impact(&g.terrain, &s, m, 0.0, &hit, &time),
                              THUD_OK);
             for (int j = 0; j <= TIMES && first > 1.0; j++) {
-                thud_shape_instance at = s;
+                thud_geometry at = s;
                 double t = (double)j / TIMES;
                 at.x += m.dx * t;
                 at.y += m.dy * t;
-                if (s.kind == THUD_OBB) {
+                if (s.kind == THUD_SHAPE_OBB) {
                     set_angle(&at, atan2(s.s, s.c) + m.turn * t);
                 }
                 /* Smaller by 1e-9: whether touching counts depends on rounding. */
                 at.hx -= 1e-9;
-                at.hy -= s.kind == THUD_CIRCLE ? 0.0 : 1e-9;
+                at.hy -= s.kind == THUD_SHAPE_CIRCLE ? 0.0 : 1e-9;
                 first = thud_terrain_overlap(&g.terrain, &at) ? t : 2.0;
             }
             assert_false(first <= 1.0 && !hit);
             assert_true(hit ? time <= first : time == 1.0);
             if (hit) {
-                thud_shape_instance at = s;
+                thud_geometry at = s;
                 at.x += m.dx * time;
                 at.y += m.dy * time;
-                if (s.kind == THUD_OBB) {
+                if (s.kind == THUD_SHAPE_OBB) {
                     set_angle(&at, atan2(s.s, s.c) + m.turn * time);
                 }
                 at.hx += 1e-8;
-                at.hy += s.kind == THUD_CIRCLE ? 0.0 : 1e-8;
+                at.hy += s.kind == THUD_SHAPE_CIRCLE ? 0.0 : 1e-8;
                 hits++;
                 exact += thud_terrain_overlap(&g.terrain, &at);
             }

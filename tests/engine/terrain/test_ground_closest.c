@@ -17,22 +17,22 @@ enum { QUICK = 2000, SAMPLES = 48, REFINEMENTS = 40 };
 /* Tolerance, in roundings of the lengths that an answer is computed from. Chosen. */
 #define BOUND 16.0
 
-static thud_shape_instance thicker(const thud_shape_instance *s, double by) {
-    thud_shape_instance t = *s;
+static thud_geometry thicker(const thud_geometry *s, double by) {
+    thud_geometry t = *s;
     t.hx += by;
-    t.hy += s->kind == THUD_CIRCLE ? 0.0 : by;
+    t.hy += s->kind == THUD_SHAPE_CIRCLE ? 0.0 : by;
     return t;
 }
 
 /* Squared length of the way out that leads over the outline at x; where there is no ground it is
  * straight sideways. */
-static real way_out(const ground *g, const thud_shape_instance *s, real x) {
+static real way_out(const ground *g, const thud_geometry *s, real x) {
     real lift = lift_at(g, s, x);
     return x * x + (lift > 0.0L ? lift * lift : 0.0L);
 }
 
 /* The shortest way out that a search finds: at least as long as the shortest way. */
-static real searched_way_out(const ground *g, const thud_shape_instance *s, real within) {
+static real searched_way_out(const ground *g, const thud_geometry *s, real within) {
     real step = 2.0L * within / SAMPLES, best = way_out(g, s, 0.0L), at = 0.0L;
     for (int i = 0; i <= SAMPLES; i++) {
         real x = i * step - within, way = way_out(g, s, x);
@@ -64,10 +64,10 @@ static void check_normal(const ground *g, const thud_closest *c, real coarse) {
 static int ways, parted;
 
 static void check_closest(const ground *g) {
-    const thud_shape_instance *s = &g->shape;
+    const thud_geometry *s = &g->shape;
     double slack = BOUND * ground_rounding(g), coarse = BOUND * spot_rounding(g);
     solid shape = solid_of(s, s->x, s->y);
-    thud_shape_instance more = thicker(s, slack), less = thicker(s, -slack);
+    thud_geometry more = thicker(s, slack), less = thicker(s, -slack);
     thud_closest c;
     assert_int_equal(thud_terrain_closest(&g->terrain, s, &c), THUD_OK);
     CHECK_GROUND(g, fabs(c.nx * c.nx + c.ny * c.ny - 1.0) <= BOUND * ROUNDING);

@@ -44,7 +44,7 @@ static vec nearest_on(vec a, vec b, vec p) {
  * is uncertain. */
 static void offer_corner(reach *k, vec corner) {
     const thud_terrain *t = &k->g->terrain;
-    const thud_shape_instance *s = &k->g->shape;
+    const thud_geometry *s = &k->g->shape;
     vec place[MAX_VERTICES + 2];
     int count = 0;
     if (t->kind == THUD_TERRAIN_FLAT) {
@@ -79,10 +79,10 @@ static void offer_corner(reach *k, vec corner) {
 }
 
 /* The direction in which the shape would be moved away from the place p. */
-static vec way_off(const thud_shape_instance *s, vec p, real *distance) {
+static vec way_off(const thud_geometry *s, vec p, real *distance) {
     solid shape = solid_of(s, s->x, s->y);
     *distance = solid_distance(&shape, p);
-    if (s->kind == THUD_CIRCLE) {
+    if (s->kind == THUD_SHAPE_CIRCLE) {
         return unit(vec_of(-p.x, -p.y));
     }
     real u = s->c * p.x + s->s * p.y, v = s->c * p.y - s->s * p.x;
@@ -104,7 +104,7 @@ static vec way_off(const thud_shape_instance *s, vec p, real *distance) {
  * outline, at its centre (where it may be NaN), and where two faces are equally near. */
 static void offer_ridge(reach *k, int i) {
     const thud_terrain *t = &k->g->terrain;
-    const thud_shape_instance *s = &k->g->shape;
+    const thud_geometry *s = &k->g->shape;
     vec v = vertex_from(t, s, i), before = {0.0L, 1.0L}, after = {0.0L, -1.0L};
     if (i > 0) {
         before = unit(minus(v, vertex_from(t, s, i - 1)));
@@ -116,7 +116,7 @@ static void offer_ridge(reach *k, int i) {
     vec n = way_off(s, v, &distance);
     real u = fabsl(s->c * v.x + s->s * v.y) - s->hx, w = fabsl(s->c * v.y - s->s * v.x) - s->hy;
     bool chosen = fabsl(distance) <= 1e-6L || !(fabsl(dot(n, v)) > k->slack) ||
-                  (s->kind != THUD_CIRCLE && fabsl(u - w) <= k->slack);
+                  (s->kind != THUD_SHAPE_CIRCLE && fabsl(u - w) <= k->slack);
     bool within = dot(n, before) >= -1e-8L && dot(n, after) <= 1e-8L;
     bool clearly = ridge > 1e-8L && dot(n, before) > 1e-8L && dot(n, after) < -1e-8L;
     if (ridge > 0.0L && (within || chosen)) {
@@ -145,7 +145,7 @@ static reach search(const ground *g, const thud_closest *from, double depth, dou
                .slack = slack};
     const thud_terrain *t = &g->terrain;
     solid shape = solid_of(&g->shape, g->shape.x, g->shape.y);
-    bool round = g->shape.kind == THUD_CIRCLE, flat = t->kind == THUD_TERRAIN_FLAT;
+    bool round = g->shape.kind == THUD_SHAPE_CIRCLE, flat = t->kind == THUD_TERRAIN_FLAT;
     for (int i = 0; i < 4 && !round; i++) {
         offer_corner(&k, shape.v[i]);
     }
@@ -161,7 +161,7 @@ static reach search(const ground *g, const thud_closest *from, double depth, dou
 /* Asserts that a contact's points are on the shape and on the ground, and the distance apart along
  * the normal. */
 static void check_point(const ground *g, const thud_closest *c, double coarse) {
-    const thud_shape_instance *s = &g->shape;
+    const thud_geometry *s = &g->shape;
     solid shape = solid_of(s, s->x, s->y);
     vec on_shape = {(real)c->bx - s->x, (real)c->by - s->y};
     solid on_ground = {.count = 1, .v = {{(real)c->ax - s->x, (real)c->ay - s->y}}};
@@ -227,7 +227,7 @@ static void each_ground(thud_terrain_kind kind) {
                                                                                     : i % 2 ? 0.0
                                                                                             : 10.0);
         }
-        bool never = kind == THUD_TERRAIN_FLAT && shape == THUD_CIRCLE;
+        bool never = kind == THUD_TERRAIN_FLAT && shape == THUD_SHAPE_CIRCLE;
         assert_true(never ? seconds == 0 : seconds > count / 50);
     }
 }

@@ -14,10 +14,10 @@ enum { QUICK = 6000, QUICK_TURNING = 200, STEPS = 1000 };
 /* Tolerance, in roundings of the lengths that an answer is computed from. Chosen. */
 #define BOUND 16.0
 
-static thud_shape_instance thicker(const thud_shape_instance *s, double by) {
-    thud_shape_instance t = *s;
+static thud_geometry thicker(const thud_geometry *s, double by) {
+    thud_geometry t = *s;
     t.hx += by;
-    t.hy += s->kind == THUD_CIRCLE ? 0.0 : by;
+    t.hy += s->kind == THUD_SHAPE_CIRCLE ? 0.0 : by;
     return t;
 }
 
@@ -25,7 +25,7 @@ typedef enum answer { NO, YES, EITHER } answer;
 
 /* Whether the shape is in the ground or touches it; EITHER where a few roundings decide. */
 static answer in_ground(const ground *g, double slack) {
-    thud_shape_instance more = thicker(&g->shape, slack), less = thicker(&g->shape, -slack);
+    thud_geometry more = thicker(&g->shape, slack), less = thicker(&g->shape, -slack);
     return lift_at(g, &less, 0.0L) > 0.0L ? YES : lift_at(g, &more, 0.0L) < 0.0L ? NO : EITHER;
 }
 
@@ -117,7 +117,7 @@ static real ground_distance(const ground *g, thud_motion m, real t) {
 
 /* Whether the shape stays at least `least` from the ground until `end`. */
 static bool apart_until(const ground *g, thud_motion m, real least, real end) {
-    real reach = g->shape.kind == THUD_OBB ? hypotl(g->shape.hx, g->shape.hy) : 0.0L;
+    real reach = g->shape.kind == THUD_SHAPE_OBB ? hypotl(g->shape.hx, g->shape.hy) : 0.0L;
     real speed = hypotl(m.dx, m.dy) + fabsl(m.turn) * reach;
     for (real t = 0.0L; t < end;) {
         real distance = ground_distance(g, m, t);
@@ -174,11 +174,11 @@ static void check_turning(const ground *g, thud_motion m, double target) {
 /* Whether the shape is in the ground after the share t of the motion. */
 static answer in_ground_after(const ground *g, thud_motion m, double t, double slack) {
     ground moved = *g;
-    thud_shape_instance *s = &moved.shape;
+    thud_geometry *s = &moved.shape;
     moved.terrain.points = moved.points;
     s->x += m.dx * t;
     s->y += m.dy * t;
-    if (s->kind == THUD_OBB) {
+    if (s->kind == THUD_SHAPE_OBB) {
         double c = cos(m.turn * t), si = sin(m.turn * t);
         s->c = g->shape.c * c - g->shape.s * si;
         s->s = g->shape.s * c + g->shape.c * si;

@@ -15,14 +15,14 @@ typedef enum shape_of_test { BALL, UPRIGHT, ORIENTED, SHAPES } shape_of_test;
 static thud_world *make_ground(thud_world_def def, float half_x, bool oriented,
                                const thud_shape_def *shape) {
     thud_world *world = make_world(def);
-    thud_body_id ground = add_body(world, THUD_STATIC, 0, -1, 0);
+    thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, -1, 0);
     add_shape(world, ground, half_x, 1, !oriented, shape);
     return world;
 }
 
 static thud_body_id add(thud_world *world, shape_of_test kind, double x, double y,
                         const thud_shape_def *shape) {
-    thud_body_id id = add_body(world, THUD_DYNAMIC, x, y, 0);
+    thud_body_id id = add_body(world, THUD_BODY_DYNAMIC, x, y, 0);
     add_shape(world, id, 0.5f, kind == BALL ? 0 : 0.5f, kind == UPRIGHT, shape);
     return id;
 }
@@ -32,7 +32,7 @@ static void bodies_rest_far_from_the_middle_as_on_a_small_box(void **state) {
     for (int q = 0; q < QUALITIES; q++) {
         for (int kind = 0; kind < SHAPES; kind++) {
             for (int oriented = 0; oriented < 2; oriented++) {
-                thud_world_def def = thud_world_def_of(qualities[q]);
+                thud_world_def def = thud_default_world_def_of(qualities[q]);
                 thud_world *small = make_ground(def, 20, oriented, NULL);
                 thud_world *large = make_ground(def, HALF, oriented, NULL);
                 thud_body_id a = add(small, (shape_of_test)kind, 0.12, 0.7, NULL);
@@ -54,8 +54,8 @@ static void bodies_rest_far_from_the_middle_as_on_a_small_box(void **state) {
 static void stack_stands_at_the_end_as_on_a_small_box(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
-        thud_world *small = make_ground(thud_world_def_of(qualities[q]), 20, false, NULL);
-        thud_world *large = make_ground(thud_world_def_of(qualities[q]), HALF, false, NULL);
+        thud_world *small = make_ground(thud_default_world_def_of(qualities[q]), 20, false, NULL);
+        thud_world *large = make_ground(thud_default_world_def_of(qualities[q]), HALF, false, NULL);
         thud_body_id a[10], b[10];
         for (int i = 0; i < 10; i++) {
             a[i] = add(small, ORIENTED, -19, 0.5 + 1.0 * i, NULL);
@@ -100,8 +100,10 @@ static void body_slides_from_one_long_box_to_the_next(void **state) {
     ice.friction = 0;
     for (int q = 0; q < 2; q++) {
         for (int kind = 0; kind < SHAPES; kind++) {
-            thud_world *world = make_ground(thud_world_def_of(qualities[q]), HALF, false, &ice);
-            add_shape(world, add_body(world, THUD_STATIC, 2.0 * HALF, -1, 0), HALF, 1, true, &ice);
+            thud_world *world =
+                make_ground(thud_default_world_def_of(qualities[q]), HALF, false, &ice);
+            add_shape(world, add_body(world, THUD_BODY_STATIC, 2.0 * HALF, -1, 0), HALF, 1, true,
+                      &ice);
             thud_body_id body = add(world, (shape_of_test)kind, HALF - 10, 0.5, &ice);
             OK(thud_body_set_velocity(world, body, (thud_vec2){8, 0}, 0));
             for (int i = 0; i < 180; i++) {
@@ -127,7 +129,7 @@ static void queries_find_it_all_along(void **state) {
             thud_closest_hit closest = {0};
             bool hit = false;
             double x = i * 999.7;
-            OK(thud_world_cast_ray(world, (thud_pos){x, 4}, 0, -8, NULL, &hit, &ray));
+            OK(thud_world_cast_ray(world, &(thud_ray){(thud_pos){x, 4}, 0, -8, NULL}, &hit, &ray));
             assert_true(hit);
             near_to(ray.fraction, 0.5, 1e-6);
             OK(thud_world_closest(world, (thud_pos){x, 3}, 10, NULL, &hit, &closest));
@@ -142,7 +144,8 @@ static void sizes_beyond_the_limits_are_refused(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     thud_shape_def def = thud_default_shape_def();
-    thud_body_id rests = add_body(world, THUD_STATIC, 0, 0, 0), moves = add_ball(world, 0, 0, 1);
+    thud_body_id rests = add_body(world, THUD_BODY_STATIC, 0, 0, 0),
+                 moves = add_ball(world, 0, 0, 1);
     thud_vec2 zero = {0, 0}, most = {32000, 32000}, more = {32001, 1}, dynamic = {16385, 1};
     OK(thud_shape_create_aabb(world, rests, &def, zero, most, NULL));
     OK(thud_shape_create_obb(world, rests, &def, zero, most, 1, NULL));

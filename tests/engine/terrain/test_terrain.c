@@ -1,6 +1,6 @@
 /* test_terrain.c: terrains against answers derived by hand (look-up, rays, overlap, impact), and
  * input that is refused. */
-#include "thud/thud_shapes.h"
+#include "thud/thud_geometry.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -21,16 +21,16 @@ static const thud_terrain uniform = {
 
 static const thud_terrain flat = {.kind = THUD_TERRAIN_FLAT, .slope = 0.75};
 
-static thud_shape_instance circle(double x, double y, double r) {
-    return (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
+static thud_geometry circle(double x, double y, double r) {
+    return (thud_geometry){.kind = THUD_SHAPE_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
 }
 
-static thud_shape_instance box(double x, double y, double hx, double hy) {
-    return (thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1.0, .hx = hx, .hy = hy};
+static thud_geometry box(double x, double y, double hx, double hy) {
+    return (thud_geometry){.kind = THUD_SHAPE_AABB, .x = x, .y = y, .c = 1.0, .hx = hx, .hy = hy};
 }
 
 /* The time of impact, or 2 where there is none. */
-static double impact(const thud_terrain *t, thud_shape_instance shape, double dx, double dy,
+static double impact(const thud_terrain *t, thud_geometry shape, double dx, double dy,
                      double target) {
     bool hit;
     double time;
@@ -40,7 +40,7 @@ static double impact(const thud_terrain *t, thud_shape_instance shape, double dx
     return hit ? time : 2.0;
 }
 
-static bool overlaps(const thud_terrain *t, thud_shape_instance shape) {
+static bool overlaps(const thud_terrain *t, thud_geometry shape) {
     return thud_terrain_overlap(t, &shape);
 }
 
@@ -72,7 +72,7 @@ static void check_refuses_what_no_ground_can_be(void **state) {
 
 static void calls_with_bad_input_are_refused(void **state) {
     (void)state;
-    thud_shape_instance shape = circle(0, 9, 1), bad_shape = circle(NAN, 9, 1);
+    thud_geometry shape = circle(0, 9, 1), bad_shape = circle(NAN, 9, 1);
     thud_terrain none = {.kind = THUD_TERRAIN_UNIFORM, .spacing = 1, .count = 3};
     thud_terrain_sample sample;
     thud_motion still = {0}, wild = {0, 0, NAN};
@@ -89,8 +89,8 @@ static void calls_with_bad_input_are_refused(void **state) {
     assert_true(first > last);
     thud_terrain_segments(&flat, NAN, 1, &first, &last);
     assert_true(first > last);
-    assert_false(thud_terrain_cast_ray(&none, 0, 9, 0, -99, &f, &nx, &ny));
-    assert_false(thud_terrain_cast_ray(&flat, 0, 9, 0, -INFINITY, &f, &nx, &ny));
+    assert_false(thud_terrain_cast_ray(&none, (thud_segment){0, 9, 0, -99}, &f, &nx, &ny));
+    assert_false(thud_terrain_cast_ray(&flat, (thud_segment){0, 9, 0, -INFINITY}, &f, &nx, &ny));
     assert_false(thud_terrain_overlap(&none, &shape));
     assert_false(thud_terrain_overlap(&flat, &bad_shape));
     assert_false(thud_terrain_overlap(&flat, NULL));
@@ -154,31 +154,31 @@ static void segments_of_an_interval_include_touched_ones(void **state) {
 static void ray_from_above_hits_the_first_segment_on_its_way(void **state) {
     (void)state;
     double f, nx, ny;
-    assert_true(thud_terrain_cast_ray(&irregular, 9, 1, -9, 0, &f, &nx, &ny));
+    assert_true(thud_terrain_cast_ray(&irregular, (thud_segment){9, 1, -9, 0}, &f, &nx, &ny));
     NEAR(9 - 9 * f, 3.0);
     NEAR(nx, sqrt(0.5));
-    assert_true(thud_terrain_cast_ray(&irregular, 2, 5, 0, -6, &f, &nx, &ny));
+    assert_true(thud_terrain_cast_ray(&irregular, (thud_segment){2, 5, 0, -6}, &f, &nx, &ny));
     NEAR(f, 0.5);
-    assert_true(thud_terrain_cast_ray(&irregular, -5, 1, 20, 0, &f, &nx, &ny));
+    assert_true(thud_terrain_cast_ray(&irregular, (thud_segment){-5, 1, 20, 0}, &f, &nx, &ny));
     NEAR(f, 0.3);
-    assert_true(thud_terrain_cast_ray(&flat, -4, 0, 8, 0, &f, &nx, &ny));
+    assert_true(thud_terrain_cast_ray(&flat, (thud_segment){-4, 0, 8, 0}, &f, &nx, &ny));
     NEAR(f, 0.5);
     NEAR(ny, 0.8);
-    assert_true(thud_terrain_cast_ray(&flat, 0, 1, 0, -1, NULL, NULL, NULL));
+    assert_true(thud_terrain_cast_ray(&flat, (thud_segment){0, 1, 0, -1}, NULL, NULL, NULL));
 }
 
 static void ray_that_starts_below_or_comes_from_below_hits_nothing(void **state) {
     (void)state;
     double f, nx, ny;
-    assert_false(thud_terrain_cast_ray(&irregular, 2, 1, 0, 5, &f, &nx, &ny));
+    assert_false(thud_terrain_cast_ray(&irregular, (thud_segment){2, 1, 0, 5}, &f, &nx, &ny));
     /* It starts inside a hill and comes down on the next one. */
-    assert_false(thud_terrain_cast_ray(&irregular, 2, 1, 8, -1.5, &f, &nx, &ny));
+    assert_false(thud_terrain_cast_ray(&irregular, (thud_segment){2, 1, 8, -1.5}, &f, &nx, &ny));
     /* It enters through the side and leaves through the line. */
-    assert_false(thud_terrain_cast_ray(&irregular, -1, -1, 4, 8, &f, &nx, &ny));
-    assert_false(thud_terrain_cast_ray(&flat, 0, -1, 0, -5, &f, &nx, &ny));
+    assert_false(thud_terrain_cast_ray(&irregular, (thud_segment){-1, -1, 4, 8}, &f, &nx, &ny));
+    assert_false(thud_terrain_cast_ray(&flat, (thud_segment){0, -1, 0, -5}, &f, &nx, &ny));
     /* Beyond the ends, and too short. */
-    assert_false(thud_terrain_cast_ray(&irregular, -1, 5, 0, -50, &f, &nx, &ny));
-    assert_false(thud_terrain_cast_ray(&irregular, 2, 5, 0, -2.9, &f, &nx, &ny));
+    assert_false(thud_terrain_cast_ray(&irregular, (thud_segment){-1, 5, 0, -50}, &f, &nx, &ny));
+    assert_false(thud_terrain_cast_ray(&irregular, (thud_segment){2, 5, 0, -2.9}, &f, &nx, &ny));
 }
 
 static void ray_at_a_vertex_does_not_slip_through(void **state) {
@@ -186,10 +186,12 @@ static void ray_at_a_vertex_does_not_slip_through(void **state) {
     double f, nx, ny;
     for (int i = -50; i <= 50; i++) {
         double x = 6 + i * 0.02;
-        assert_true(thud_terrain_cast_ray(&irregular, x, 3, 1.2 * (6 - x), -6, &f, &nx, &ny));
+        assert_true(thud_terrain_cast_ray(&irregular, (thud_segment){x, 3, 1.2 * (6 - x), -6}, &f,
+                                          &nx, &ny));
         NEAR(3 - 6 * f, -2.0);
         x = i * 0.2;
-        assert_true(thud_terrain_cast_ray(&uniform, x, 4, 1.2 * (2 - x), -1.2, &f, &nx, &ny));
+        assert_true(thud_terrain_cast_ray(&uniform, (thud_segment){x, 4, 1.2 * (2 - x), -1.2}, &f,
+                                          &nx, &ny));
     }
 }
 

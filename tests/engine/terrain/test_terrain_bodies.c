@@ -1,5 +1,6 @@
 /* test_terrain_bodies.c: bodies on ground that is edited: which of them wake, where they come to
- * rest, and that their contacts and events are right. */
+ * rest, and that their contacts and events are right; and bodies that are teleported from ground.
+ */
 #include "terrain_support.h"
 
 /* Makes one of four edits at x: dig, raise, or replace a range. */
@@ -41,7 +42,7 @@ static void edit_wakes_what_rests_there_and_nothing_far_away(void **state) {
         edit_by_number(&g, which, 0);
         run(g.world, 1);
         assert_true(awake(&g, here));
-        assert_int_equal(thud_world_stats(g.world).awake_bodies, 3);
+        assert_int_equal(thud_stats_of(g.world).awake_bodies, 3);
         run(g.world, 300);
         sleeps_as_it_was(&g, left, &was_left);
         sleeps_as_it_was(&g, right, &was_right);
@@ -74,7 +75,7 @@ static void edit_of_bare_ground_does_not_touch_the_motion_elsewhere(void **state
         }
         run(edited.world, 1);
         run(other.world, 1);
-        assert_true(thud_world_hash(edited.world) == thud_world_hash(other.world));
+        assert_true(thud_hash_of(edited.world) == thud_hash_of(other.world));
     }
     thud_world_destroy(edited.world);
     thud_world_destroy(other.world);
@@ -115,7 +116,7 @@ static void bodies_inside_raised_ground_are_pushed_out(void **state) {
             assert_true(fabs(s.position.x) < 29);
             assert_true(s.position.y - 0.25 > height_of(&line, s.position.x));
         }
-        assert_true(thud_world_measure(g.world).penetration_max < 0.02);
+        assert_true(thud_measure_of(g.world).penetration_max < 0.02);
         thud_world_destroy(g.world);
     }
 }
@@ -125,10 +126,10 @@ static void bodies_inside_raised_ground_are_pushed_out(void **state) {
 static void raised_ground_wakes_a_body_that_did_not_touch_it(void **state) {
     (void)state;
     ground g = level_ground(THUD_TERRAIN_UNIFORM, thud_default_world_def());
-    thud_body_id shelf = add_body(g.world, THUD_STATIC, 0, 1, 0);
+    thud_body_id shelf = add_body(g.world, THUD_BODY_STATIC, 0, 1, 0);
     add_shape(g.world, shelf, 0.5f, 0.1f, true, NULL);
     thud_body_id plank = add_box(g.world, 0, 1.2, 3, 0.1f), high = add_ball(g.world, 9, 8, 0.3f);
-    thud_body_id perch = add_body(g.world, THUD_STATIC, 9, 7.6, 0);
+    thud_body_id perch = add_body(g.world, THUD_BODY_STATIC, 9, 7.6, 0);
     add_shape(g.world, perch, 0.5f, 0.1f, true, NULL);
     run_to_sleep(&g);
     OK(thud_shape_raise(g.world, g.shape, 6, 5, 4));
@@ -169,8 +170,8 @@ static void edit_among_sensors(const thud_broadphase *broadphase) {
     thud_shape_def sensor = thud_default_shape_def();
     sensor.sensor = true;
     for (int i = 0; i < 80; i++) {
-        thud_body_id body =
-            add_body(g.world, THUD_DYNAMIC, random_in(&seed, -52, 52), random_in(&seed, -3, 2), 0);
+        thud_body_id body = add_body(g.world, THUD_BODY_DYNAMIC, random_in(&seed, -52, 52),
+                                     random_in(&seed, -3, 2), 0);
         add_shape(g.world, body, (float)random_in(&seed, 0.05, 1.5),
                   i % 2 ? (float)random_in(&seed, 0.05, 0.5) : 0, false, &sensor);
     }
@@ -184,11 +185,11 @@ static void edit_among_sensors(const thud_broadphase *broadphase) {
             OK(thud_shape_replace_range(g.world, g.shape, ends[0].x, ends[0].x, ends, 1));
         }
         run(g.world, 1);
-        int pairs = thud_world_stats(g.world).pairs;
+        int pairs = thud_stats_of(g.world).pairs;
         assert_true(pairs > 50);
         OK(thud_body_set_transform(g.world, g.body, (thud_pos){0, 0}, 0));
         run(g.world, 1);
-        assert_int_equal(pairs, thud_world_stats(g.world).pairs);
+        assert_int_equal(pairs, thud_stats_of(g.world).pairs);
     }
     thud_world_destroy(g.world);
 }
@@ -203,7 +204,7 @@ static void pairs_after_random_edits_are_those_of_a_new_line(void **state) {
 
 /* Counts the shapes that each shape touches, by its slot, according to the events. */
 static void count_touches(const thud_world *world, int touches[256]) {
-    thud_events e = thud_world_events(world);
+    thud_events e = thud_events_of(world);
     for (int i = 0; i < e.begin_count; i++) {
         touches[e.begin[i].shape_a.index1]++;
         touches[e.begin[i].shape_b.index1]++;
@@ -255,6 +256,29 @@ static void edits_under_a_crowd_lose_no_event_and_no_body(void **state) {
     thud_world_destroy(g.world);
 }
 
+/* A box at rest on a slope is teleported downhill, so that it is in the air, and must fall. The
+ * manifold cache of terrain has places modulo 256 length scales. */
+static void teleported_box_leaves_the_ground_whatever_the_distance(void **state) {
+    (void)state;
+    static const thud_pos slope[] = {{-1000, -100}, {1000, 100}};
+    static const double distances[] = {8, 255, 256, 512};
+    thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = slope, .count = 2};
+    for (int i = 0; i < 4; i++) {
+        thud_world *world = make_world(thud_default_world_def());
+        add_terrain(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0), &line);
+        thud_body_id box = add_body(world, THUD_BODY_DYNAMIC, 0, 0.51, atan(0.1));
+        add_shape(world, box, 0.5f, 0.5f, false, NULL);
+        run(world, 20);
+        thud_body_state at = state_of(world, box);
+        near_to(at.position.y, 0.5, 0.02);
+        at.position.x -= distances[i];
+        OK(thud_body_set_transform(world, box, at.position, at.angle));
+        run(world, 10);
+        assert_true(state_of(world, box).position.y < at.position.y - 0.1);
+        thud_world_destroy(world);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(edit_wakes_what_rests_there_and_nothing_far_away),
@@ -265,6 +289,7 @@ int main(void) {
         cmocka_unit_test(two_edits_between_steps_wake_only_their_own_places),
         cmocka_unit_test(pairs_after_random_edits_are_those_of_a_new_line),
         cmocka_unit_test(edits_under_a_crowd_lose_no_event_and_no_body),
+        cmocka_unit_test(teleported_box_leaves_the_ground_whatever_the_distance),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

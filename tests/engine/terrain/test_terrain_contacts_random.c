@@ -41,7 +41,7 @@ static bool within_neighbours(const thud_terrain *t, int i, double nx, double ny
 }
 
 /* The deepest contact of the shape with any segment near it. */
-static deepest meet(const thud_terrain *t, const thud_shape_instance *s) {
+static deepest meet(const thud_terrain *t, const thud_geometry *s) {
     deepest d = {0, 1e300, 0.0, 1.0};
     double reach = half_width(s) + MARGIN;
     int first, last;
@@ -68,10 +68,10 @@ static deepest meet(const thud_terrain *t, const thud_shape_instance *s) {
 
 /* A shape that is neither a needle nor wider than half the ground, with its centre above or in the
  * ground. */
-static thud_shape_instance draw_body_over(source *r, const thud_terrain *t) {
+static thud_geometry draw_body_over(source *r, const thud_terrain *t) {
     double width = last_x(t) - first_x(t);
-    thud_shape_instance s = draw_over(r, t);
-    s.hy = s.kind == THUD_CIRCLE ? 0.0 : fmax(s.hy, 0.05);
+    thud_geometry s = draw_over(r, t);
+    s.hy = s.kind == THUD_SHAPE_CIRCLE ? 0.0 : fmax(s.hy, 0.05);
     while (half_width(&s) > 0.25 * width) {
         s.hx *= 0.5;
         s.hy *= 0.5;
@@ -82,7 +82,7 @@ static thud_shape_instance draw_body_over(source *r, const thud_terrain *t) {
 
 /* Whether at most half of the shape's extent is in the ground, as in a world with reasonable
  * steps. */
-static bool shallow(const thud_terrain *t, thud_shape_instance s) {
+static bool shallow(const thud_terrain *t, thud_geometry s) {
     s.hx *= 0.5;
     s.hy *= 0.5;
     return !thud_terrain_overlap(t, &s);
@@ -96,10 +96,10 @@ static void contacts_exist_whenever_a_shape_is_in_the_ground(void **state) {
     for (int i = 0; i < LINES * 4; i++) {
         draw_ground(&r, &g);
         for (int k = 0; k < PER_LINE; k++) {
-            thud_shape_instance s = draw_body_over(&r, &g.terrain), less = s;
+            thud_geometry s = draw_body_over(&r, &g.terrain), less = s;
             bool deep = !shallow(&g.terrain, s);
             less.hx -= 1e-6;
-            less.hy -= s.kind == THUD_CIRCLE ? 0.0 : 1e-6;
+            less.hy -= s.kind == THUD_SHAPE_CIRCLE ? 0.0 : 1e-6;
             if (thud_terrain_overlap(&g.terrain, &less)) {
                 deepest d = meet(&g.terrain, &s);
                 in[deep]++;
@@ -122,7 +122,7 @@ static void contacts_followed_out_leave_the_ground(void **state) {
     for (int i = 0; i < LINES * 4; i++) {
         draw_ground(&r, &g);
         for (int k = 0; k < PER_LINE; k++) {
-            thud_shape_instance s = draw_body_over(&r, &g.terrain);
+            thud_geometry s = draw_body_over(&r, &g.terrain);
             bool deep = !shallow(&g.terrain, s);
             if (!thud_terrain_overlap(&g.terrain, &s)) {
                 continue;
@@ -152,7 +152,7 @@ static void contacts_of_parted_shapes_are_no_nearer_than_the_ground(void **state
     for (int i = 0; i < LINES * 4; i++) {
         draw_ground(&r, &g);
         for (int k = 0; k < PER_LINE; k++) {
-            thud_shape_instance s = draw_over(&r, &g.terrain), more = s;
+            thud_geometry s = draw_over(&r, &g.terrain), more = s;
             if (thud_terrain_overlap(&g.terrain, &s)) {
                 continue;
             }
@@ -161,7 +161,7 @@ static void contacts_of_parted_shapes_are_no_nearer_than_the_ground(void **state
             assert_true(d.count == 0 || d.separation >= -1e-9);
             /* Beyond the margin there are no contacts. */
             more.hx += 1.5 * MARGIN;
-            more.hy += s.kind == THUD_CIRCLE ? 0.0 : 1.5 * MARGIN;
+            more.hy += s.kind == THUD_SHAPE_CIRCLE ? 0.0 : 1.5 * MARGIN;
             assert_false(d.count > 0 && !thud_terrain_overlap(&g.terrain, &more));
         }
     }

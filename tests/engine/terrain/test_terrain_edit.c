@@ -25,18 +25,18 @@ static ground hills(uint64_t *seed) {
     }
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 120};
     ground g = {.world = make_world(thud_default_world_def())};
-    g.body = add_body(g.world, THUD_STATIC, 0, 0, 0);
-    g.shape = add_line(g.world, g.body, &line, false);
+    g.body = add_body(g.world, THUD_BODY_STATIC, 0, 0, 0);
+    g.shape = add_terrain(g.world, g.body, &line);
     return g;
 }
 
 static void dig_in_irregular_ground_follows_the_circle_and_leaves_the_rest(void **state) {
     (void)state;
     uint64_t seed = 3;
-    thud_pos room[ROOM];
+    thud_pos points[POINTS_MAX];
     for (int k = 0; k < 200; k++) {
         ground g = hills(&seed);
-        thud_terrain old = keep_line(&g, room);
+        thud_terrain old = copy_line(&g, points);
         double r = random_in(&seed, 0.3, 4), cx = random_in(&seed, -20, 20);
         double cy = height_of(&old, cx) + random_in(&seed, -0.9, 1.1) * r;
         OK(thud_shape_dig(g.world, g.shape, (thud_pos){cx, cy}, r));
@@ -59,22 +59,22 @@ static void dig_in_irregular_ground_follows_the_circle_and_leaves_the_rest(void 
 
 static void dig_that_meets_no_ground_changes_nothing(void **state) {
     (void)state;
-    thud_pos room[ROOM];
+    thud_pos points[POINTS_MAX];
     ground g = level_ground(THUD_TERRAIN_IRREGULAR, thud_default_world_def());
     ground u = level_ground(THUD_TERRAIN_UNIFORM, thud_default_world_def());
     thud_body_id box = add_box(g.world, 0, 0.25, 0.25f, 0.25f);
     run_to_sleep(&g);
-    thud_terrain old = keep_line(&g, room);
+    thud_terrain old = copy_line(&g, points);
     OK(thud_shape_dig(g.world, g.shape, (thud_pos){0, 2.01}, 2));
     OK(thud_shape_dig(g.world, g.shape, (thud_pos){-70, 0}, 2));
     OK(thud_shape_raise(g.world, g.shape, 0, 2, 0));
-    line_is(&g, &old);
+    assert_line_is(&g, &old);
     run(g.world, 1);
     assert_false(awake(&g, box));
     /* The circle lies between two vertices of the grid. */
-    old = keep_line(&u, room);
+    old = copy_line(&u, points);
     OK(thud_shape_dig(u.world, u.shape, (thud_pos){0.25, 0}, 0.2));
-    line_is(&u, &old);
+    assert_line_is(&u, &old);
     thud_world_destroy(g.world);
     thud_world_destroy(u.world);
 }
@@ -96,8 +96,8 @@ static void dig_of_the_whole_line_leaves_a_line(void **state) {
     const thud_pos two[] = {{0, 0}, {1, 0}};
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = two, .count = 2};
     ground g = {.world = make_world(thud_default_world_def())};
-    g.body = add_body(g.world, THUD_STATIC, 0, 0, 0);
-    g.shape = add_line(g.world, g.body, &line, false);
+    g.body = add_body(g.world, THUD_BODY_STATIC, 0, 0, 0);
+    g.shape = add_terrain(g.world, g.body, &line);
     OK(thud_shape_dig(g.world, g.shape, (thud_pos){0.5, 0}, 900));
     line = line_of(&g);
     near_to(height_of(&line, 0.5), -900, 4.5);
@@ -145,14 +145,14 @@ static void edits_go_by_places_in_the_world_wherever_the_body_stands(void **stat
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 4};
     ground here = {.world = make_world(thud_default_world_def())};
     ground there = {.world = make_world(thud_default_world_def())};
-    here.body = add_body(here.world, THUD_STATIC, 0, 0, 0);
-    there.body = add_body(there.world, THUD_STATIC, 1048576, -7340032, 0);
-    here.shape = add_line(here.world, here.body, &line, false);
-    there.shape = add_line(there.world, there.body, &line, false);
+    here.body = add_body(here.world, THUD_BODY_STATIC, 0, 0, 0);
+    there.body = add_body(there.world, THUD_BODY_STATIC, 1048576, -7340032, 0);
+    here.shape = add_terrain(here.world, here.body, &line);
+    there.shape = add_terrain(there.world, there.body, &line);
     OK(thud_shape_dig(here.world, here.shape, (thud_pos){0.5, 0.25}, 2));
     OK(thud_shape_dig(there.world, there.shape, (thud_pos){1048576.5, -7340031.75}, 2));
     thud_terrain wanted = line_of(&here);
-    line_is(&there, &wanted);
+    assert_line_is(&there, &wanted);
     thud_world_destroy(here.world);
     thud_world_destroy(there.world);
 }
@@ -165,15 +165,15 @@ static void replace_range_changes_what_is_in_it_and_may_move_the_ends(void **sta
     const thud_pos longer[] = {{0, 0}, {0.5, 5}, {1.5, 6}, {2.5, 7}, {7, 1}, {9, 2}};
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 5};
     ground g = {.world = make_world(thud_default_world_def())};
-    g.body = add_body(g.world, THUD_STATIC, 0, 0, 0);
-    g.shape = add_line(g.world, g.body, &line, false);
+    g.body = add_body(g.world, THUD_BODY_STATIC, 0, 0, 0);
+    g.shape = add_terrain(g.world, g.body, &line);
     OK(thud_shape_replace_range(g.world, g.shape, 0.5, 2.9, more, 3));
     OK(thud_shape_replace_range(g.world, g.shape, 4, 4, NULL, 0));
-    line_is(&g, &(thud_terrain){.points = wanted, .count = 5});
+    assert_line_is(&g, &(thud_terrain){.points = wanted, .count = 5});
     OK(thud_shape_replace_range(g.world, g.shape, 3, INFINITY, beyond, 2));
-    line_is(&g, &(thud_terrain){.points = longer, .count = 6});
+    assert_line_is(&g, &(thud_terrain){.points = longer, .count = 6});
     OK(thud_shape_replace_range(g.world, g.shape, -3, 2, NULL, 0));
-    line_is(&g, &(thud_terrain){.points = longer + 3, .count = 3});
+    assert_line_is(&g, &(thud_terrain){.points = longer + 3, .count = 3});
     thud_world_destroy(g.world);
 }
 

@@ -22,12 +22,12 @@ typedef struct contacts {
     double nx[64], ny[64];
 } contacts;
 
-static thud_shape_instance circle(double x, double y, double r) {
-    return (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
+static thud_geometry circle(double x, double y, double r) {
+    return (thud_geometry){.kind = THUD_SHAPE_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
 }
 
-static thud_shape_instance box(double x, double y, double hx, double hy, double angle) {
-    return (thud_shape_instance){THUD_OBB, x, y, cos(angle), sin(angle), hx, hy};
+static thud_geometry box(double x, double y, double hx, double hy, double angle) {
+    return (thud_geometry){THUD_SHAPE_OBB, x, y, cos(angle), sin(angle), hx, hy};
 }
 
 static thud_terrain line(const thud_pos *points, int count) {
@@ -35,7 +35,7 @@ static thud_terrain line(const thud_pos *points, int count) {
 }
 
 /* The contacts that a world finds: those with all segments near the shape. */
-static contacts meet(const thud_terrain *t, thud_shape_instance shape) {
+static contacts meet(const thud_terrain *t, thud_geometry shape) {
     contacts c = {0};
     double reach = shape.hx + shape.hy + MARGIN;
     int first, last;
@@ -108,7 +108,7 @@ static void box_sliding_over_collinear_segments_meets_two_corners_with_one_norma
         double length = sqrt(1 + 0.09 * slope * slope);
         for (int i = 0; i < 4000; i++) {
             double x = 2.0 + i * 0.0015;
-            thud_shape_instance b = box(x, 0.3 * slope * x + 0.49 * length, 0.8, 0.5, 0);
+            thud_geometry b = box(x, 0.3 * slope * x + 0.49 * length, 0.8, 0.5, 0);
             b.c = 1 / length;
             b.s = 0.3 * slope / length;
             contacts c = meet(&t, b);
@@ -293,7 +293,7 @@ static void manifold_has_the_same_bits_every_time(void **state) {
     (void)state;
     const thud_pos hills[] = {{-4, 1}, {-1, 0}, {0, 0.5}, {4, -4}};
     thud_terrain t = line(hills, 4);
-    thud_shape_instance b = box(-0.3, 0.8, 1, 0.6, 0.3);
+    thud_geometry b = box(-0.3, 0.8, 1, 0.6, 0.3);
     for (int i = 0; i < 3; i++) {
         td_terrain_manifold one, two;
         memset(&one, 0, sizeof one);

@@ -180,5 +180,5 @@ test("script_that_does_not_know_where_it_lies_is_told_what_load_needs", async ()
   const options = { entryPoints, outdir: out, bundle: true, platform: "node", logLevel: "silent" };
   await build({ ...options, format: "cjs" });
   write(out, { "package.json": "{}" });
-  assert.throws(() => tell(process.execPath, ["node.js"], out), /give load the address of thud.wasm/);
+  assert.throws(() => tell(process.execPath, ["node.js"], out), /give load the URL of thud.wasm/);
 });

@@ -22,7 +22,7 @@ test("shapes_in_few_words_are_plain_objects", () => {
 test("bodies_queries_and_movers_take_them", () => {
   const world = engine.createWorld();
   const ball = world.createBody({ kind: "dynamic", shapes: [circle(0.5), obb(1, 0.2), aabb(1, 1)] });
-  const kinds = world.shapesOf(ball).map((shape) => world.shapeState(shape).kind);
+  const kinds = world.shapesOf(ball).map((shape) => world.shapeStateOf(shape).kind);
   assert.deepEqual(kinds, ["aabb", "obb", "circle"]);
   for (const shape of [circle(1), aabb(1, 1), obb(1, 1)]) {
     assert.equal(world.castShape(shape, [-5, 0], [9, 0])?.shape.kind, "shape");
@@ -77,7 +77,7 @@ test("where_one_body_is_refused_none_is_left", () => {
 test("bits_may_be_those_of_a_negative_number", () => {
   const world = engine.createWorld();
   const [shape] = world.shapesOf(world.createBody({ shapes: [circle(1, { category: 1 << 31, mask: ~4 })] }));
-  const told = () => [world.shapeState(shape).category, world.shapeState(shape).mask];
+  const told = () => [world.shapeStateOf(shape).category, world.shapeStateOf(shape).mask];
   assert.deepEqual(told(), [0x80000000, 0xfffffffb]);
   world.setFilter(shape, { category: -1, mask: ~0xff });
   assert.deepEqual(told(), [0xffffffff, 0xffffff00]);

@@ -16,7 +16,7 @@ function disc(world, category, x, vx, more = {}) {
 }
 
 function meet(world, a, b) {
-  return [...world.meetings(a, b)].map((pair) => [pair.a.body.index, pair.b.body.index]);
+  return [...world.eventPairs(a, b)].map((pair) => [pair.a.body.index, pair.b.body.index]);
 }
 
 test("meetings_are_of_the_kinds_asked_for_in_their_order", () => {
@@ -29,8 +29,8 @@ test("meetings_are_of_the_kinds_asked_for_in_their_order", () => {
   const side = (body, category) => {
     return { shape: shape(body), category, body, bodyData: 70 + category, shapeData: 7, sensor: false };
   };
-  assert.deepEqual([...world.meetings(BALL, WALL)], [{ a: side(one, BALL), b: side(two, WALL) }]);
-  assert.deepEqual([...world.meetings(WALL, BALL)], [{ a: side(two, WALL), b: side(one, BALL) }]);
+  assert.deepEqual([...world.eventPairs(BALL, WALL)], [{ a: side(one, BALL), b: side(two, WALL) }]);
+  assert.deepEqual([...world.eventPairs(WALL, BALL)], [{ a: side(two, WALL), b: side(one, BALL) }]);
   assert.equal(meet(world, BALL, BALL).length, 1);
   assert.equal(meet(world, BALL | GOAL, BALL | WALL).length, 2);
   assert.deepEqual(meet(world, GOAL, 0xffffffff), []);
@@ -55,7 +55,7 @@ test("meetings_tell_of_who_bounced_off_within_a_step_and_of_sensors", () => {
     const [before] = world.velocityOf(ball).velocity;
     world.step();
     const turned = before > 0 && world.velocityOf(ball).velocity[0] < 0;
-    const met = [...world.meetings(BALL, WALL)];
+    const met = [...world.eventPairs(BALL, WALL)];
     if (!turned) continue;
     assert.deepEqual(met.map(({ a, b }) => [a.body, b.body]), [[ball, wall]]);
     assert.equal(world.events().begin.length, 0);
@@ -65,7 +65,7 @@ test("meetings_tell_of_who_bounced_off_within_a_step_and_of_sensors", () => {
   world.setTransform(ball, [0, 0]);
   for (let i = 0; i < 10; i++) {
     world.step();
-    for (const { a, b } of world.meetings(BALL, GOAL)) {
+    for (const { a, b } of world.eventPairs(BALL, GOAL)) {
       assert.deepEqual([a.body, b.body, b.sensor], [ball, goal, true]);
       told.goal++;
     }
@@ -80,7 +80,7 @@ test("meetings_with_who_was_destroyed_are_none", () => {
     world.createCircle(disc(world, GOAL, 0, 1), { radius: 0.5, category: BALL, offset: [0, y] });
   world.step();
   let count = 0;
-  for (const { b } of world.meetings(BALL, WALL)) {
+  for (const { b } of world.eventPairs(BALL, WALL)) {
     world.destroy(b.body);
     count++;
   }
@@ -88,7 +88,7 @@ test("meetings_with_who_was_destroyed_are_none", () => {
   assert.equal(world.isValid(wall), false);
   assert.deepEqual(meet(world, BALL, WALL), []);
   for (const [a, b] of [[-1.5, 1], [1, NaN], [2 ** 32, 1], [1, undefined]])
-    assert.throws(() => world.meetings(a, b), { code: "invalid" });
+    assert.throws(() => world.eventPairs(a, b), { code: "invalid" });
   assert.deepEqual(meet(world, -1, 1 << 31), []);
 });
 

@@ -31,10 +31,10 @@ function createPeer(options = {}) {
   const shape = { kind: "circle", radius: 0.4 };
   const hero = new Mover(world, { shape, position: [-8, 1], pushForce: 10 });
   const step = (inputs, state) => {
-    inputs.forEach((held, player) => world.applyForce(bodies[player], [15 * held, 0]));
+    inputs.forEach((held, player) => world.applyCenterForce(bodies[player], [15 * held, 0]));
     world.step();
     hero.move([3 * inputs[0], -3], 1 / 60);
-    state.met += [...world.meetings(2, 4)].length;
+    state.met += [...world.eventPairs(2, 4)].length;
   };
   const rollback = new Rollback(world, {
     idle: [IDLE, IDLE],

@@ -60,7 +60,7 @@ test("four_tyres_hold_a_car_that_slides_and_spins_and_never_shake_it", () => {
       world.applyTyre(car, { at, grip: 40 });
     world.step();
     const { velocity, angularVelocity } = world.velocityOf(car);
-    const energy = 8 * Math.hypot(...velocity) ** 2 + world.bodyState(car).inertia * angularVelocity ** 2;
+    const energy = 8 * Math.hypot(...velocity) ** 2 + world.bodyStateOf(car).inertia * angularVelocity ** 2;
     assert.ok(energy <= last + 1e-6, `${energy} after ${last}`);
     last = energy;
   }
@@ -119,11 +119,11 @@ test("grip_brings_a_point_to_a_speed_along_an_axis_as_far_as_it_can", () => {
   world.step();
   const { velocity } = world.velocityOf(car);
   assert.ok(Math.abs(velocity[0] - 3) < 1e-4 && Math.abs(velocity[1]) < 1e-4, `${velocity}`);
-  world.applyGrip(car, [0, 0], [1, 0], -5, 60 * world.bodyState(car).mass);
+  world.applyGrip(car, [0, 0], [1, 0], -5, 60 * world.bodyStateOf(car).mass);
   world.step();
   assert.ok(Math.abs(world.velocityOf(car).velocity[0] - 2) < 1e-4);
   assert.throws(() => world.applyGrip(car, [0, 0], [0, 0], 0, 1), { code: "invalid" });
-  assert.throws(() => world.applyGrip(car, [0, 0], [1, 0], 0, -1), /most must be from 0 to 1e30: -1/);
+  assert.throws(() => world.applyGrip(car, [0, 0], [1, 0], 0, -1), /maxForce must be from 0 to 1e30: -1/);
   world.close();
 });
 

@@ -59,7 +59,7 @@ function makeWorld() {
 
 test("methods_of_one_kind_are_found", () => {
   assert.ok(METHODS.length > 60, `${METHODS}`);
-  for (const name of ["setVelocity", "setFriction", "setDrive", "overlapsOf", "groundAt", "createTerrain"])
+  for (const name of ["setVelocity", "setFriction", "setDrive", "sensorOverlapsOf", "groundAt", "createTerrain"])
     assert.ok(METHODS.some(([one]) => one === name), name);
 });
 

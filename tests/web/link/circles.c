@@ -16,7 +16,7 @@
 #endif
 
 static thud_world *open_world(void) {
-    thud_world_def def = thud_world_def_of(&QUALITY);
+    thud_world_def def = thud_default_world_def_of(&QUALITY);
     thud_world *world = NULL;
     thud_world_create(&def, &world);
     return world;
@@ -37,7 +37,7 @@ static double height_after(thud_world *world, thud_body_id body, int steps) {
         thud_world_step(world);
     }
     thud_body_state state;
-    thud_body_get(world, body, &state);
+    thud_body_get_state(world, body, &state);
     thud_world_destroy(world);
     return state.position.y;
 }
@@ -47,8 +47,8 @@ static double height_after(thud_world *world, thud_body_id body, int steps) {
 EXPORT("circle_height") double circle_height(int steps) {
     thud_world *world = open_world();
     thud_shape_def shape = thud_default_shape_def();
-    thud_body_id ground = add_body(world, THUD_STATIC, -100);
-    thud_body_id ball = add_body(world, THUD_DYNAMIC, 3);
+    thud_body_id ground = add_body(world, THUD_BODY_STATIC, -100);
+    thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 3);
     thud_shape_create_circle(world, ground, &shape, (thud_vec2){0, 0}, 100, NULL);
     thud_shape_create_circle(world, ball, &shape, (thud_vec2){0, 0}, 0.5f, NULL);
     return height_after(world, ball, steps);

@@ -24,7 +24,10 @@ function makeGame() {
   return { world, balls, begins: 0, hits: 0, before: 0, after: 0, inSteps: 0 };
 }
 
-const pull = ({ world, balls }) => world.applyForce(balls[0], [1.3, 0.2], 0.1);
+const pull = ({ world, balls }) => {
+  world.applyCenterForce(balls[0], [1.3, 0.2]);
+  world.applyTorque(balls[0], 0.1);
+};
 
 function before(game) {
   game.before++;

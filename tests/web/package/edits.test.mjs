@@ -36,7 +36,7 @@ test("filter_that_meets_nothing_lets_the_box_fall_and_what_is_not_named_stays", 
   steps(world, 30);
   near(world.positionOf(box)[1], 0.5, 0.01);
   world.setFilter(shape, { mask: 0, group: 0 });
-  const { category, mask, group } = world.shapeState(shape);
+  const { category, mask, group } = world.shapeStateOf(shape);
   assert.deepEqual([category, mask, group], [4, 0, 0]);
   world.step();
   assert.equal(world.events().end.length, 1);
@@ -56,22 +56,22 @@ test("materials_are_as_they_were_set", () => {
   world.setSurfaceSpeed(ground, 2);
   steps(world, 120);
   near(world.velocityOf(box).velocity[0], 2, 0.02);
-  const { friction, restitution } = world.shapeState(shape);
+  const { friction, restitution } = world.shapeStateOf(shape);
   assert.deepEqual([friction, restitution], [1, 0.25]);
 });
 
 test("density_and_sizes_weigh_the_body_anew", () => {
   const { world, box, shape } = boxOnFloor();
   world.setDensity(shape, 3);
-  near(world.bodyState(box).mass, 6);
+  near(world.bodyStateOf(box).mass, 6);
   world.setHalfExtents(shape, 0.5, 0.5);
-  near(world.bodyState(box).mass, 3);
+  near(world.bodyStateOf(box).mass, 3);
   const ball = world.createBody({ kind: "dynamic", position: [5, 5] });
   const disc = world.createCircle(ball, { radius: 1 });
   const { shapes } = world.revision;
   world.setRadius(disc, 2);
   assert.ok(world.revision.shapes > shapes);
-  near(world.bodyState(ball).mass, 4 * Math.PI, 1e-4);
+  near(world.bodyStateOf(ball).mass, 4 * Math.PI, 1e-4);
   assert.throws(() => world.setRadius(shape, 1), { code: "invalid" });
 });
 
@@ -103,9 +103,9 @@ test("locked_axes_stay_where_they_are_and_follow_setTransform", () => {
 
 test("events_of_a_shape_are_told_as_its_options_and_setEvents_say", () => {
   const { world, box, shape } = boxOnFloor();
-  assert.equal(world.shapeState(shape).events, true);
+  assert.equal(world.shapeStateOf(shape).events, true);
   world.setEvents(shape, false);
-  assert.equal(world.shapeState(shape).events, false);
+  assert.equal(world.shapeStateOf(shape).events, false);
   world.setTransform(box, [0, 5]);
   world.step();
   assert.equal(world.events().end.length, 1); // its begin event was reported
@@ -113,7 +113,7 @@ test("events_of_a_shape_are_told_as_its_options_and_setEvents_say", () => {
     radius: 0.5,
     events: false,
   });
-  assert.equal(world.shapeState(quiet).events, false);
+  assert.equal(world.shapeStateOf(quiet).events, false);
   for (let i = 0; i < 90; i++) {
     world.step();
     const { begin, hit } = world.events();
@@ -127,7 +127,7 @@ test("sensor_that_a_shape_becomes_stops_nothing", () => {
   world.setSensor(shape, true);
   steps(world, 60);
   assert.ok(world.positionOf(box)[1] < -2);
-  assert.equal(world.shapeState(shape).sensor, true);
+  assert.equal(world.shapeStateOf(shape).sensor, true);
 });
 
 test("body_of_another_kind_does_what_that_kind_does", () => {
@@ -162,7 +162,7 @@ test("settings_of_a_body_hold", () => {
   near(world.positionOf(box)[1], 10, 1e-4);
   world.setMaySleep(box, false);
   steps(world, 120);
-  assert.equal(world.bodyState(box).awake, true);
+  assert.equal(world.bodyStateOf(box).awake, true);
   world.setDetection(box, "swept");
   world.setDetection(box, null);
   assert.throws(() => world.setDetection(box, "sometimes"), { code: "invalid" });
@@ -172,11 +172,11 @@ test("mass_that_is_given_holds_until_it_is_taken_back", () => {
   const { world, box, shape } = boxOnFloor();
   world.setMass(box, { mass: 10, inertia: 4, center: [0, -0.25] });
   world.setDensity(shape, 100);
-  const { mass, inertia, center } = world.bodyState(box);
+  const { mass, inertia, center } = world.bodyStateOf(box);
   near([mass, inertia], [10, 4]);
   near(center, [0, world.positionOf(box)[1] - 0.25]);
   world.setMass(box, null);
-  near(world.bodyState(box).mass, 200, 1e-3);
+  near(world.bodyStateOf(box).mass, 200, 1e-3);
   assert.throws(() => world.setMass(box, { mass: 0, inertia: 1 }), { code: "invalid" });
   assert.throws(() => world.setMass(box, { mas: 1 }), /no option is called "mas"/);
 });
@@ -184,13 +184,13 @@ test("mass_that_is_given_holds_until_it_is_taken_back", () => {
 test("pushes_move_and_turn_as_formulas_say", () => {
   const { world, box } = boxOnFloor({ gravity: [0, 0] });
   world.setTransform(box, [100, 10]);
-  const { mass, inertia } = world.bodyState(box);
+  const { mass, inertia } = world.bodyStateOf(box);
   world.applyCenterImpulse(box, [2, 4]);
   near(world.velocityOf(box).velocity, [2 / mass, 4 / mass]);
   world.applyAngularImpulse(box, 0.5);
   near(world.velocityOf(box).angularVelocity, 0.5 / inertia);
   world.setVelocity(box, [0, 0], 0);
-  world.applyForceAt(box, [0, 60], [101, 10]);
+  world.applyForce(box, [0, 60], [101, 10]);
   world.step();
   near(world.velocityOf(box).velocity, [0, 1 / mass], 1e-4);
   near(world.velocityOf(box).angularVelocity, 1 / inertia, 1e-3);
@@ -229,7 +229,7 @@ test("user_data_of_bodies_and_shapes_and_the_body_of_a_shape_are_told", () => {
   world.setUserData(box, 42);
   assert.equal(world.userDataOf(shape), 2 ** 53 - 1);
   assert.equal(world.userDataOf(box), 42);
-  assert.equal(world.shapeState(shape).userData, 2 ** 53 - 1);
+  assert.equal(world.shapeStateOf(shape).userData, 2 ** 53 - 1);
   assert.deepEqual(world.bodyOf(shape), box);
   assert.throws(() => world.setUserData(shape, -1), /userData/);
   world.destroy(shape);
@@ -239,17 +239,17 @@ test("user_data_of_bodies_and_shapes_and_the_body_of_a_shape_are_told", () => {
 test("settings_tell_by_what_the_next_step_is_made_and_can_be_set_again", () => {
   const quality = { base: "high", substeps: 6, detection: "bisect", islands: false };
   const world = engine.createWorld({ gravity: [1, 2], timeStep: 0.01, quality });
-  const now = world.settings();
+  const now = world.stepSettings();
   assert.deepEqual(now.gravity, [1, 2]);
   assert.equal(now.timeStep, 0.01);
   assert.equal(now.sleeping, true);
   const { base, substeps, detection, islands } = now.quality;
   assert.deepEqual({ base, substeps, detection, islands }, quality);
   const other = engine.createWorld();
-  assert.equal(other.settings().quality.base, "default");
-  assert.equal(other.settings().quality.islands, true);
+  assert.equal(other.stepSettings().quality.base, "default");
+  assert.equal(other.stepSettings().quality.islands, true);
   other.setQuality(now.quality);
-  assert.deepEqual(other.settings().quality, now.quality);
+  assert.deepEqual(other.stepSettings().quality, now.quality);
 });
 
 test("version_is_the_package_s", () => {
@@ -267,9 +267,9 @@ test("changes_are_part_of_a_snapshot", () => {
   steps(world, 30);
   const hash = world.hash();
   world.restore(before);
-  near(world.bodyState(box).mass, 2);
+  near(world.bodyStateOf(box).mass, 2);
   world.restore(changed);
-  near(world.bodyState(box).mass, 5);
+  near(world.bodyStateOf(box).mass, 5);
   steps(world, 30);
   assert.equal(world.hash(), hash);
 });

@@ -32,22 +32,22 @@ for (const ratio of [0.5, -2])
     const { world, wheels, gear } = train(t, ratio);
     world.setVelocity(wheels[0], [0, 0], 20);
     for (let i = 0; i < 300; i++) world.step();
-    const [first, second] = wheels.map((wheel) => world.bodyState(wheel));
+    const [first, second] = wheels.map((wheel) => world.bodyStateOf(wheel));
     const shared = (20 * first.inertia) / (first.inertia + second.inertia / ratio ** 2);
     near(first.angularVelocity, shared, 0.01 * shared);
     near(second.angularVelocity, -shared / ratio, (0.01 * shared) / Math.abs(ratio));
-    near(world.jointState(gear).angleGap, 0, 2e-3);
+    near(world.jointStateOf(gear).angleGap, 0, 2e-3);
   });
 
 test("gear_is_read_as_it_was_made_and_drawn_at_its_joints", (t) => {
   const { world, wheels, axles, gear } = train(t, 0.5);
-  const options = world.jointOptions(gear);
+  const options = world.jointOptionsOf(gear);
   const [jointA, jointB] = axles;
   const { kind, ratio, userData, collideConnected } = options;
   assert.deepEqual([kind, ratio, userData, collideConnected], ["gear", 0.5, 3, true]);
   assert.deepEqual([options.jointA, options.jointB], [jointA, jointB]);
   assert.ok(!("bodyA" in options || "frameA" in options || "length" in options));
-  const { bodyA, bodyB } = world.jointState(gear);
+  const { bodyA, bodyB } = world.jointStateOf(gear);
   assert.deepEqual([bodyA, bodyB], wheels);
   const { rows } = world.jointTable();
   const { placeA, placeB, length } = thud.JOINT_ROW;

@@ -39,7 +39,7 @@ test("every_kind_is_read_as_it_was_made_and_makes_another_like_it", (t) => {
   for (const [kind, own] of Object.entries(ALL)) {
     const placed = kind === "filter" ? {} : frames;
     const joint = world.createJoint({ kind, bodyA, bodyB, ...own, ...more, ...placed });
-    const read = world.jointOptions(joint);
+    const read = world.jointOptionsOf(joint);
     const { frameA, ...rest } = read;
     if (frameA) {
       near(frameA.angle, 0.5, 1e-8);
@@ -51,8 +51,8 @@ test("every_kind_is_read_as_it_was_made_and_makes_another_like_it", (t) => {
       if (typeof value === "number") assert.equal(rest[name], value);
       else assert.deepEqual({ ...rest[name], ...value }, rest[name], `${kind}: ${name}`);
     const other = world.createJoint(read);
-    assert.deepEqual(world.jointOptions(other), read);
-    const { userData, enabled } = world.jointState(other);
+    assert.deepEqual(world.jointOptionsOf(other), read);
+    const { userData, enabled } = world.jointStateOf(other);
     assert.deepEqual([userData, enabled], [77, false]);
   }
   assert.equal(world.joints().length, 14);
@@ -69,7 +69,7 @@ test("what_is_not_named_stays_as_it_was", (t) => {
   world.setJointBreaking(joint, { breakTorque: 7 });
   world.setJointFrame(joint, "b", { angle: 0.25 });
   world.setJointUserData(joint, 5);
-  const read = world.jointOptions(joint);
+  const read = world.jointOptionsOf(joint);
   const wanted = { ...turn, target: 0.5, lower: -1 };
   assert.deepEqual({ ...read.turn, ...wanted }, read.turn);
   assert.deepEqual([read.breakForce, read.breakTorque, read.onlyReports], [9, 7, false]);
@@ -77,9 +77,9 @@ test("what_is_not_named_stays_as_it_was", (t) => {
   near(read.frameB.angle, 0.25, 1e-8);
   assert.equal(read.userData, 5);
   world.setDrive(joint, "turn", { lower: -Infinity, upper: Infinity });
-  assert.ok(!("lower" in world.jointOptions(joint).turn));
+  assert.ok(!("lower" in world.jointOptionsOf(joint).turn));
   world.setDrive(joint, "turn", { lower: 0.5 });
-  const { lower, upper } = world.jointOptions(joint).turn;
+  const { lower, upper } = world.jointOptionsOf(joint).turn;
   assert.equal(lower, 0.5);
   near(upper, Math.PI, 1e-5);
 });
@@ -91,17 +91,17 @@ test("joint_that_is_switched_off_lets_go_and_holds_again", (t) => {
   run(30);
   world.setJointEnabled(joint, false);
   run(12);
-  near(world.bodyState(bodyB).velocity[1], -G * 12 * DT, 0.02);
+  near(world.bodyStateOf(bodyB).velocity[1], -G * 12 * DT, 0.02);
   world.setJointEnabled(joint, true);
   run(120);
-  near(world.bodyState(bodyB).position[1], 4, 0.02);
+  near(world.bodyStateOf(bodyB).position[1], 4, 0.02);
 });
 
 test("overload_breaks_a_joint_or_is_only_told", (t) => {
   const { world, hook, ball, run } = yard(t);
   const bodyA = hook([0, 5]);
   const [bodyB, light, held] = [ball([0, 4], 0.5), ball([2, 4], 0.1), ball([4, 4], 0.5)];
-  const heavy = world.bodyState(bodyB).mass * G;
+  const heavy = world.bodyStateOf(bodyB).mass * G;
   const rod = (x) => ({ kind: "distance", bodyA, from: [x, 5], to: [x, 4], breakForce: 0.5 * heavy });
   const breaks = world.createJoint({ ...rod(0), bodyB, userData: 12 });
   const holds = world.createJoint({ ...rod(2), bodyB: light });
@@ -118,7 +118,7 @@ test("overload_breaks_a_joint_or_is_only_told", (t) => {
   assert.deepEqual([breaks, holds, reports].map((joint) => world.isValid(joint)), [false, true, true]);
   run(60);
   assert.deepEqual(world.jointEvents().map(({ joint }) => joint), [reports]);
-  assert.ok(world.bodyState(bodyB).position[1] < 0);
+  assert.ok(world.bodyStateOf(bodyB).position[1] < 0);
 });
 
 test("handles_are_stale_once_a_joint_or_its_body_is_destroyed", (t) => {
@@ -132,8 +132,8 @@ test("handles_are_stale_once_a_joint_or_its_body_is_destroyed", (t) => {
   assert.deepEqual([world.isValid(first), world.isValid(second)], [false, true]);
   const calls = [
     () => world.destroy(first),
-    () => world.jointState(first),
-    () => world.jointOptions(first),
+    () => world.jointStateOf(first),
+    () => world.jointOptionsOf(first),
     () => world.setDrive(first, "turn", {}),
     () => world.setJointLength(first, 1),
     () => world.setJointFrame(first, "a", {}),
@@ -157,7 +157,7 @@ test("step_tells_how_far_joints_are_open", (t) => {
   const { world, hook, ball, run } = yard(t);
   const [bodyA, bodyB] = [hook([0, 5]), ball([0, 4], 0.5)];
   run(1);
-  const { jointGapMax, jointGapMean, jointAngleMax } = world.error();
+  const { jointGapMax, jointGapMean, jointAngleMax } = world.stepError();
   assert.deepEqual([jointGapMax, jointGapMean, jointAngleMax], [0, 0, 0]);
   // The two welds contradict each other, so both stay half open.
   const joints = [-0.5, 0.5].map((angle) => {
@@ -165,8 +165,8 @@ test("step_tells_how_far_joints_are_open", (t) => {
     return world.createJoint({ kind: "weld", bodyA, bodyB, frameA });
   });
   run(60);
-  const error = world.error();
-  const states = joints.map((joint) => world.jointState(joint));
+  const error = world.stepError();
+  const states = joints.map((joint) => world.jointStateOf(joint));
   const [first, second] = states.map(({ gap }) => gap);
   assert.ok(error.jointGapMax > 0.5 && error.jointAngleMax > 0.25);
   near(error.jointGapMax, Math.max(first, second), 1e-9);
@@ -193,10 +193,10 @@ test("table_has_a_row_for_every_joint_as_its_bodies_are_drawn", (t) => {
     const start = row * at0.length + at0[name];
     return length === 1 ? rows[start] : [...rows.subarray(start, start + length)];
   };
-  const state = world.jointState(slider);
-  const { position, angle, center } = world.bodyState(bodyB);
+  const state = world.jointStateOf(slider);
+  const { position, angle, center } = world.bodyStateOf(bodyB);
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
-  const { frameB } = world.jointOptions(slider);
+  const { frameB } = world.jointOptionsOf(slider);
   const [x, y] = frameB.position;
   const close = (list, wanted) => list.forEach((value, i) => near(value, wanted[i], 2e-6));
   assert.deepEqual(["kind", "slotA", "slotB", "enabled", "awake"].map((name) => read(name)), [
@@ -238,10 +238,10 @@ test("spring_of_a_distance_rests_at_its_length_unless_it_has_a_target", (t) => {
   const joint = world.createJoint({ kind: "distance", bodyA, bodyB, length: 2, along });
   const rest = () => {
     for (let i = 0; i < 120; i++) world.step();
-    return world.jointState(joint).value.along;
+    return world.jointStateOf(joint).value.along;
   };
   near(rest(), 2, 1e-3);
-  assert.equal(world.jointOptions(joint).along.target, undefined);
+  assert.equal(world.jointOptionsOf(joint).along.target, undefined);
   world.setDrive(joint, "along", { damping: 2 });
   world.setJointLength(joint, 1.5);
   near(rest(), 1.5, 1e-3);
@@ -266,7 +266,7 @@ test("limit_spring_and_motor_are_told_apart", (t) => {
   const axis = [0, 1];
   const joint = world.createJoint({ kind: "slider", bodyA, bodyB, at: [0, 5], axis, along });
   for (let i = 0; i < 60; i++) world.step();
-  const { drive, force } = world.jointState(joint);
+  const { drive, force } = world.jointStateOf(joint);
   const { limit, spring, motor } = drive.along;
   const mass = Math.PI * 0.1 ** 2;
   near(spring, mass * (4 * Math.PI) ** 2 * 0.02, 3e-3);

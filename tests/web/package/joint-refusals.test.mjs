@@ -87,7 +87,7 @@ for (const [act, message] of REFUSED)
 test("limits_that_are_infinite_are_none_and_one_alone_is_open_on_the_other_side", () => {
   const read = (drive) => {
     const joint = world.createJoint({ kind: "slider", ...pair, at: [0, 0], along: drive });
-    const { lower, upper } = world.jointOptions(joint).along;
+    const { lower, upper } = world.jointOptionsOf(joint).along;
     world.destroy(joint);
     return [lower, upper];
   };

@@ -39,7 +39,7 @@ function walk(world, steps) {
   return Array.from({ length: steps }, () => {
     world.step();
     const live = world.joints();
-    return [world.hash(), world.jointEvents(), live, live.map((joint) => world.jointState(joint))];
+    return [world.hash(), world.jointEvents(), live, live.map((joint) => world.jointStateOf(joint))];
   });
 }
 
@@ -47,7 +47,7 @@ for (const quality of ["default", "exact"])
   test(`linkage_restored_at_${quality}_goes_the_same_way_in_its_world_and_in_a_new_one`, () => {
     const { world } = linkage({ quality });
     for (let i = 0; i < 10; i++) world.step();
-    const options = world.joints().map((joint) => world.jointOptions(joint));
+    const options = world.joints().map((joint) => world.jointOptionsOf(joint));
     const snapshot = world.snapshot();
     const first = walk(world, 90);
     const fresh = engine.createWorld({ quality });
@@ -55,7 +55,7 @@ for (const quality of ["default", "exact"])
     fresh.useJoints();
     for (const one of [world, fresh]) {
       one.restore(snapshot);
-      assert.deepEqual(one.joints().map((joint) => one.jointOptions(joint)), options);
+      assert.deepEqual(one.joints().map((joint) => one.jointOptionsOf(joint)), options);
       assert.deepEqual(walk(one, 90), first);
     }
     assert.ok(first.some(([, events]) => events.length > 0), "something breaks");

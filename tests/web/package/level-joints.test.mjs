@@ -62,7 +62,7 @@ for (const kind of ["hinge", "slider", "weld", "wheel", "target", "filter"])
     assert.deepEqual([a, b, options.kind], [0, 1, kind]);
     const world = buildLevel(engine, read);
     const [made] = world.joints();
-    const state = world.jointState(made);
+    const state = world.jointStateOf(made);
     assert.equal(state.kind, kind);
     assert.ok(kind === "filter" || state.gap < 1e-6);
     world.close();
@@ -116,11 +116,11 @@ for (const [what, object, expected] of [
 
 test("wheel_of_the_playgrounds_car_turns_and_carries_it_over_both_bridges", async () => {
   const world = buildLevel(engine, await readLevel("playground", readLevelFile("playground.tmj")));
-  const wheels = world.joints().filter((id) => world.jointState(id).kind === "wheel");
+  const wheels = world.joints().filter((id) => world.jointStateOf(id).kind === "wheel");
   assert.equal(wheels.length, 2);
-  const { bodyA: car } = world.jointState(wheels[0]);
-  const start = world.bodyState(car).position[0];
+  const { bodyA: car } = world.jointStateOf(wheels[0]);
+  const start = world.bodyStateOf(car).position[0];
   for (let i = 0; i < 720; i++) world.step();
-  assert.ok(start < 25 && world.bodyState(car).position[0] > 52);
+  assert.ok(start < 25 && world.bodyStateOf(car).position[0] > 52);
   world.close();
 });

@@ -34,14 +34,14 @@ test("lists_have_what_lives_in_the_order_of_slots", () => {
 
 test("slots_name_their_body_and_shape", () => {
   const { world, bodies } = balls(3);
-  assert.deepEqual(world.bodyAtSlot(bodies[1].index), bodies[1]);
+  assert.deepEqual(world.bodyAt(bodies[1].index), bodies[1]);
   const [shape] = world.shapesOf(bodies[1]);
-  assert.deepEqual(world.shapeAtSlot(shape.index), shape);
+  assert.deepEqual(world.shapeAt(shape.index), shape);
   world.destroy(bodies[1]);
-  assert.equal(world.bodyAtSlot(bodies[1].index), null);
-  assert.equal(world.shapeAtSlot(shape.index), null);
+  assert.equal(world.bodyAt(bodies[1].index), null);
+  assert.equal(world.shapeAt(shape.index), null);
   for (const slot of [-1, 4, 0.5 + 1e9, NaN])
-    assert.throws(() => world.bodyAtSlot(slot), { code: "invalid" });
+    assert.throws(() => world.bodyAt(slot), { code: "invalid" });
 });
 
 test("moved_bodies_are_those_that_are_elsewhere", () => {
@@ -82,12 +82,12 @@ test("sensor_tells_what_it_overlaps_now", () => {
   const sensor = world.createAabb(floor, options);
   world.step();
   const inside = [bodies[0], bodies[1]].flatMap((body) => world.shapesOf(body));
-  assert.deepEqual(world.overlapsOf(sensor), inside);
+  assert.deepEqual(world.sensorOverlapsOf(sensor), inside);
   world.setTransform(bodies[0], [50, 0.5]);
   world.step();
   world.step();
-  assert.deepEqual(world.overlapsOf(sensor), inside.slice(1));
-  assert.throws(() => world.overlapsOf(ground), { code: "invalid" });
+  assert.deepEqual(world.sensorOverlapsOf(sensor), inside.slice(1));
+  assert.throws(() => world.sensorOverlapsOf(ground), { code: "invalid" });
 });
 
 test("pair_of_an_event_has_bodies_and_both_user_data", () => {
@@ -125,7 +125,7 @@ test("views_of_events_and_contacts_have_what_the_copies_have", () => {
     assert.deepEqual([...row.subarray(HIT_ROW.point, HIT_ROW.speed + 1)], [...point, ...normal, speed]);
   }
   const [contact] = world.contactsOf(bodies[1]);
-  const view = world.contactView(bodies[1]);
+  const view = world.contactViewOf(bodies[1]);
   assert.equal(view.length, CONTACT_ROW.length);
   assert.deepEqual([...view.subarray(CONTACT_ROW.normal, CONTACT_ROW.normal + 2)], contact.normal);
   assert.equal(view[CONTACT_ROW.pointCount], contact.points.length);

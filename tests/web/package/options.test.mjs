@@ -40,7 +40,7 @@ const REFUSED = [
   ["Mover, shape", () => mover({ shape: { kind: "aabb", ...box, angle: 1 } }), "angle", "kind"],
   ["Mover, filter", () => mover({ filter: { categories: 1 } }), "categories", "category"],
   ["move", () => walker.move([1, 0], 1 / 60, { drops: true }), "drops", "drop"],
-  ["debugDraw", () => world.debugDraw({ ...bounds, colors: true }), "colors", "colours"],
+  ["draw", () => world.draw({ ...bounds, colors: true }), "colors", "colours"],
   ["sum", () => thud.minkowskiSum(engine, circle, { ...circle, x: 1 }, [0, 0]), "x", "kind"],
   ["readLevel", () => readLevel("ball", ballLevel(), { skips: true }), "skips", "skip"],
   [
@@ -96,19 +96,19 @@ test("shape_is_read_by_the_names_that_it_was_made_with", () => {
     obb: (options) => world.createObb(body, options),
   };
   for (const [kind, options] of Object.entries(made)) {
-    const { body: _, ...state } = world.shapeState(create[kind](options));
+    const { body: _, ...state } = world.shapeStateOf(create[kind](options));
     // The angle is stored as a cosine and a sine.
     if (kind === "obb") assert.ok(Math.abs(state.angle - options.angle) < 1e-8);
     assert.deepEqual(state, { kind, ...options, ...(kind === "obb" && { angle: state.angle }) });
-    const { body: __, ...again } = world.shapeState(create[kind](state));
+    const { body: __, ...again } = world.shapeStateOf(create[kind](state));
     if (kind === "obb") assert.ok(Math.abs(again.angle - state.angle) < 1e-8);
     const same = kind === "obb" ? { ...state, angle: again.angle } : state;
     assert.deepEqual(again, same, "a shape is made of another's state");
   }
   const line = world.createTerrain(ground, { kind: "flat", slope: 0.5 }, material);
-  const { body: of, ...state } = world.shapeState(line);
+  const { body: of, ...state } = world.shapeStateOf(line);
   assert.deepEqual([of, state], [ground, { kind: "terrain", ...material }]);
-  assert.deepEqual(world.terrain(line), { kind: "flat", slope: 0.5 });
+  assert.deepEqual(world.terrainOf(line), { kind: "flat", slope: 0.5 });
 });
 
 test("shape_made_of_a_state_of_another_kind_is_refused", () => {
@@ -122,7 +122,7 @@ test("options_of_an_object_with_inherited_ones_are_read", () => {
     }
   }
   const shape = world.createCircle(ground, new Ball());
-  assert.equal(world.shapeState(shape).radius, 0.5);
+  assert.equal(world.shapeStateOf(shape).radius, 0.5);
 });
 
 test("body_is_made_with_its_shapes_or_not_at_all", () => {
@@ -135,7 +135,7 @@ test("body_is_made_with_its_shapes_or_not_at_all", () => {
       { kind: "aabb", halfWidth: 1, halfHeight: 1, offset: [3, 0] },
     ],
   });
-  const shapes = world.shapesOf(body).map((shape) => world.shapeState(shape));
+  const shapes = world.shapesOf(body).map((shape) => world.shapeStateOf(shape));
   assert.deepEqual(shapes.map(({ kind }) => kind).sort(), ["aabb", "circle", "obb"]);
   assert.equal(shapes.find(({ kind }) => kind === "circle").density, 2);
   const before = [world.bodies(), world.shapes()];

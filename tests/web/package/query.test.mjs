@@ -220,9 +220,9 @@ test("mover_passes_the_body_that_it_ignores", () => {
 test("one_shape_is_asked_whatever_its_filter", () => {
   const { world, bodies, shapes } = row(2, { mask: 0, category: 0 });
   const [, second] = shapes;
-  const hit = world.castRayAt(second, [-5, 0], [20, 0]);
+  const hit = world.shapeCastRay(second, [-5, 0], [20, 0]);
   assert.deepEqual([hit.shape, hit.point, hit.normal[0]], [second, [3, 0], -1]);
-  assert.equal(world.castRayAt(second, [-5, 3], [20, 0]), null);
+  assert.equal(world.shapeCastRay(second, [-5, 3], [20, 0]), null);
   assert.equal(world.containsPoint(second, [4.5, 0.5]), true);
   assert.equal(world.containsPoint(second, [0, 0]), false);
   const { point, distance } = world.closestPointOf(second, [8, 0]);
@@ -230,7 +230,7 @@ test("one_shape_is_asked_whatever_its_filter", () => {
   assert.deepEqual(world.boundsOf(second), { lower: [3, -1], upper: [5, 1] });
   world.destroy(bodies[1]);
   for (const ask of [
-    () => world.castRayAt(second, [-5, 0], [20, 0]),
+    () => world.shapeCastRay(second, [-5, 0], [20, 0]),
     () => world.containsPoint(second, [0, 0]),
     () => world.closestPointOf(second, [0, 0]),
     () => world.boundsOf(second),

@@ -53,14 +53,14 @@ test("dig_and_raise_change_ground_and_wake_what_rests_there", () => {
   const far = world.createBody({ kind: "dynamic", position: [108, 50.5] });
   for (const body of [ball, far]) world.createObb(body, { halfWidth: 0.5, halfHeight: 0.5 });
   for (let i = 0; i < 120; i++) world.step();
-  assert.equal(world.bodyState(ball).awake, false);
+  assert.equal(world.bodyStateOf(ball).awake, false);
   world.dig(shape, [100, 50], 2);
   near(world.groundAt(shape, 100).height, 48, 1e-6);
   world.step();
-  assert.equal(world.bodyState(ball).awake, true);
-  assert.equal(world.bodyState(far).awake, false);
+  assert.equal(world.bodyStateOf(ball).awake, true);
+  assert.equal(world.bodyStateOf(far).awake, false);
   for (let i = 0; i < 200; i++) world.step();
-  assert.ok(world.bodyState(ball).position[1] < 49);
+  assert.ok(world.bodyStateOf(ball).position[1] < 49);
   world.raise(shape, 94, 2, 1);
   near(world.groundAt(shape, 94).height, 51);
   near(world.groundAt(shape, 92).height, 50);
@@ -71,14 +71,14 @@ test("replace_range_puts_other_points_between_two_places", () => {
   const { world, shape } = valley();
   world.replaceRange(shape, -5, 5, [[-2, 3], [0, 2], [1, 3]]);
   world.replaceRange(shape, 9, 11, []);
-  assert.deepEqual(world.terrain(shape).points, [[-10, 4], [-2, 3], [0, 2], [1, 3]]);
+  assert.deepEqual(world.terrainOf(shape).points, [[-10, 4], [-2, 3], [0, 2], [1, 3]]);
   world.close();
 });
 
 test("edits_with_bad_input_throw_and_leave_the_ground", () => {
   const { world, shape } = valley();
   const flat = world.createTerrain(world.createBody(), { kind: "flat" });
-  const before = world.terrain(shape);
+  const before = world.terrainOf(shape);
   throwsCode("invalid", () => world.dig(shape, [0, NaN], 1));
   throwsCode("invalid", () => world.dig(shape, [100, 50], 0));
   throwsCode("invalid", () => world.dig(flat, [100, 50], 1));
@@ -87,6 +87,6 @@ test("edits_with_bad_input_throw_and_leave_the_ground", () => {
   throwsCode("invalid", () => world.replaceRange(shape, -20, 20, [[1, 1]]));
   throwsCode("invalid", () => world.replaceRange(shape, 0, 5, [[2, 1], [1, 1]]));
   throwsCode("stale", () => world.dig({ ...shape, generation: shape.generation + 1 }, [0, 0], 1));
-  assert.deepEqual(world.terrain(shape), before);
+  assert.deepEqual(world.terrainOf(shape), before);
   world.close();
 });

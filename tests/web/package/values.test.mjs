@@ -63,7 +63,7 @@ const REFUSED = [
   [() => engine.createWorld({ sleeping: "false" }), `createWorld: sleeping must be true or false: "false"${TEXT}`],
   [() => engine.createWorld({ gravity: [0, -10, 0] }), "createWorld: gravity must be two numbers: [0, -10, 0]"],
   [() => world.setTransform(body, [0, 5, 1]), "position must be two numbers: [0, 5, 1]"],
-  [() => world.applyForceAt(body, [0, 1], [0, 0, 0]), "point must be two numbers: [0, 0, 0]"],
+  [() => world.applyForce(body, [0, 1], [0, 0, 0]), "point must be two numbers: [0, 0, 0]"],
   [() => world.castRay([0, 0, 0], [1, 0]), "origin must be two numbers: [0, 0, 0]"],
   [() => world.setTransform(body, [0, 5], "1"), 'setTransform: angle must be from -1e6 to 1e6: "1"'],
   [() => world.setVelocity(body, ["1", 0]), 'setVelocity: velocity must be two finite numbers: ["1", 0]'],
@@ -113,9 +113,9 @@ test("bits_that_javascript_makes_are_taken_both_signed_and_unsigned", () => {
   const made = world.createBody();
   for (const bits of [0, 1, 0xffffffff, ~4, 1 << 31, 0x80000000]) {
     const one = world.createCircle(made, { radius: 1, category: bits, mask: bits });
-    assert.equal(world.shapeState(one).category, bits >>> 0);
+    assert.equal(world.shapeStateOf(one).category, bits >>> 0);
     world.setFilter(one, { mask: ~bits });
-    assert.equal(world.shapeState(one).mask, ~bits >>> 0);
+    assert.equal(world.shapeStateOf(one).mask, ~bits >>> 0);
   }
   world.destroy(made);
 });

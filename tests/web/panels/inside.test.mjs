@@ -115,7 +115,7 @@ test("body_under_the_mouse_has_the_package_s_numbers", async () => {
   const ball = Array.from({ length: count }, (_, i) => i).find((i) => rows[10 * i + 2] === 2);
   const slot = handles[4 * ball + 2] - 1;
   const id = { kind: "body", index: slot, generation: handles[4 * ball + 3] };
-  const state = world.bodyState(id);
+  const state = world.bodyStateOf(id);
   const [contact] = world.contactsOf(id);
 
   const facts = await listed(page, "#body-state");

@@ -29,7 +29,7 @@ function yard(options = {}) {
 test("one_way_planks_are_jumped_through_in_every_detection", () => {
   for (const detection of ["overlap", "bisect", "swept", "continuous"]) {
     const { world, player } = yard({ detection });
-    world.setRule(PLANK, PLAYER, { meeting: "oneWay" });
+    world.setRule(PLANK, PLAYER, { kind: "oneWay" });
     steps(world, 5);
     world.setVelocity(player.body, [0, 9]);
     steps(world, 150);
@@ -41,38 +41,38 @@ test("one_way_planks_are_jumped_through_in_every_detection", () => {
 test("rules_are_read_back_taken_away_and_refused_by_name", () => {
   const { world, player } = yard();
   assert.equal(world.rule(GROUND, PLAYER), null);
-  world.setRule(GROUND, PLAYER, { friction: 0, surfaceSpeed: 2, mostImpulse: 3 });
+  world.setRule(GROUND, PLAYER, { friction: 0, surfaceSpeed: 2, eventImpulse: 3 });
   const rule = world.rule(PLAYER, GROUND);
   assert.deepEqual(
-    [rule.meeting, rule.friction, rule.restitution, rule.surfaceSpeed, rule.mostImpulse],
+    [rule.kind, rule.friction, rule.restitution, rule.surfaceSpeed, rule.eventImpulse],
     ["collide", 0, undefined, 2, 3],
   );
   assert.ok(rule.reversed);
-  world.setRule(GROUND, PLAYER, { meeting: "ignore" });
+  world.setRule(GROUND, PLAYER, { kind: "ignore" });
   steps(world, 60);
   assert.ok(world.positionOf(player.body)[1] < -1);
   world.setRule(PLAYER, GROUND, null);
   assert.equal(world.rule(GROUND, PLAYER), null);
   assert.throws(() => world.setRule(0, PLAYER, {}), { code: "invalid" });
-  assert.throws(() => world.setRule(1, 1, { meeting: "oneWay" }), { code: "invalid" });
+  assert.throws(() => world.setRule(1, 1, { kind: "oneWay" }), { code: "invalid" });
   assert.throws(() => world.setRule(1, 2, { friction: -1 }), { code: "invalid" });
-  assert.throws(() => world.setRule(1, 2, { meeting: "none" }), /collide, ignore, oneWay/);
+  assert.throws(() => world.setRule(1, 2, { kind: "none" }), /collide, ignore, oneWay/);
   assert.throws(() => world.setRule(1, 2, { bounce: 1 }), /no option is called "bounce"/);
   world.close();
 });
 
 test("impulses_above_a_rules_are_told_as_copies_and_as_a_view", () => {
   const { world, ground, player } = yard();
-  world.setRule(PLAYER, GROUND, { mostImpulse: 2 });
+  world.setRule(PLAYER, GROUND, { eventImpulse: 2 });
   steps(world, 30);
-  assert.deepEqual(world.impulses(), []);
-  assert.equal(world.impulseView().length, 0);
+  assert.deepEqual(world.impulseEvents(), []);
+  assert.equal(world.impulseEventView().length, 0);
   world.setVelocity(player.body, [0, -8]);
   world.step();
-  const [event] = world.impulses(), view = world.impulseView();
+  const [event] = world.impulseEvents(), view = world.impulseEventView();
   assert.deepEqual([event.a, event.b], [ground.shape, player.shape]);
   assert.ok(event.impulse > 0.64 * 8 && event.impulse < 0.64 * 9);
-  assert.equal(view.length, world.impulses().length * IMPULSE_ROW.length);
+  assert.equal(view.length, world.impulseEvents().length * IMPULSE_ROW.length);
   assert.equal(view[IMPULSE_ROW.impulse], event.impulse);
   assert.equal(view[IMPULSE_ROW.shapeB], player.shape.index + 1);
   world.close();

@@ -21,14 +21,14 @@ function yard(options = {}) {
 }
 
 function setRules(world) {
-  world.setRule(PLANK, PLAYER, { meeting: "oneWay" });
-  world.setRule(CRATE, PLANK, { meeting: "ignore" });
-  world.setRule(GROUND, PLAYER | CRATE, { surfaceSpeed: 2, mostImpulse: 1 });
+  world.setRule(PLANK, PLAYER, { kind: "oneWay" });
+  world.setRule(CRATE, PLANK, { kind: "ignore" });
+  world.setRule(GROUND, PLAYER | CRATE, { surfaceSpeed: 2, eventImpulse: 1 });
 }
 
 function changeRules(world) {
   world.setRule(PLANK, PLAYER, null);
-  world.setRule(CRATE | PLAYER, CRATE | PLAYER, { meeting: "ignore" });
+  world.setRule(CRATE | PLAYER, CRATE | PLAYER, { kind: "ignore" });
   world.setRule(GROUND, CRATE, { friction: 0 });
 }
 
@@ -41,7 +41,7 @@ function rulesOf(world) {
 function walk(world, steps) {
   return Array.from({ length: steps }, () => {
     world.step();
-    return [world.hash(), world.impulses()];
+    return [world.hash(), world.impulseEvents()];
   });
 }
 

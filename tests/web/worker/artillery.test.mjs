@@ -101,7 +101,7 @@ test("shell_leaves_a_crater_where_it_hit", async () => {
   game.scene.state.tanks[0].angle = 75;
   const { world } = game;
   const shape = groundOf(world);
-  const { x0, spacing, heights } = world.terrain(shape);
+  const { x0, spacing, heights } = world.terrainOf(shape);
   const [x, y] = fly(game).at(-1);
   const vertex = Math.round((x - x0) / spacing);
   // The shell may have hit a crate, one metre above the ground.
@@ -138,7 +138,7 @@ test("hard_landing_of_a_tank_hurts_it_and_a_soft_one_does_not", async () => {
     const { world, scene } = game;
     const [x, y] = tankPlace(game, 0);
     const [shape] = world.overlap({ kind: "circle", center: [x, y], radius: 0.1 });
-    world.setTransform(world.shapeState(shape).body, [x, y + height]);
+    world.setTransform(world.shapeStateOf(shape).body, [x, y + height]);
     game.run(150);
     assert.equal(scene.state.tanks[0].health < 100, hurts);
     world.close();
@@ -231,7 +231,7 @@ test("restart_after_the_end_brings_ground_tanks_and_health_back", async () => {
   const { scene, world } = game;
   game.run(2);
   const start = [0, 1].map((i) => tankPlace(game, i));
-  const ground = world.terrain(groundOf(world));
+  const ground = world.terrainOf(groundOf(world));
   game.run(120);
   game.press("right");
   for (let i = 0; i < 8 && scene.state.phase !== "over"; i++) {
@@ -242,11 +242,11 @@ test("restart_after_the_end_brings_ground_tanks_and_health_back", async () => {
   }
   assert.equal(scene.state.phase, "over");
   assert.match(scene.state.message, /^Right wins/);
-  assert.notDeepEqual(world.terrain(groundOf(world)), ground);
+  assert.notDeepEqual(world.terrainOf(groundOf(world)), ground);
   game.press("restart");
   assert.equal(scene.state.phase, "choose");
   assert.deepEqual(scene.state.tanks.map(({ health }) => health), [100, 100]);
-  assert.deepEqual(world.terrain(groundOf(world)), ground);
+  assert.deepEqual(world.terrainOf(groundOf(world)), ground);
   start.forEach(([x, y], i) => {
     const [newX, newY] = tankPlace(game, i);
     assert.ok(Math.hypot(newX - x, newY - y) < 0.001, `tank ${i} is at ${newX}, ${newY}`);
@@ -295,7 +295,7 @@ test("another_seed_plays_on_another_stretch", async () => {
   const grounds = new Set();
   for (const seed of [0, 1, 2, 3]) {
     const { world } = await open({ seed });
-    grounds.add(world.terrain(groundOf(world)).heights.join());
+    grounds.add(world.terrainOf(groundOf(world)).heights.join());
     world.close();
   }
   assert.equal(grounds.size, 4);

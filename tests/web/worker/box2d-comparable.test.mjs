@@ -15,7 +15,7 @@ import {
 } from "../support/box2d.mjs";
 import { demoWasm, thud } from "../support/package.mjs";
 
-const { Box2DWorld, knownOf, missesOf, Ruler, setUp, watchWorlds } = rivalry;
+const { Box2DWorld, recordOf, missesOf, Ruler, setUp, watchWorlds } = rivalry;
 const watched = await thud.load(demoWasm);
 watchWorlds(watched);
 
@@ -27,7 +27,7 @@ function beside(options, build, use) {
   });
 }
 
-const bothAt = (world, rival, body) => [world.bodyState(body).position[1], heightOf(rival, body)];
+const bothAt = (world, rival, body) => [world.bodyStateOf(body).position[1], heightOf(rival, body)];
 
 test("whatever_a_world_can_do_is_followed_or_harmless_or_told", () => {
   const world = watched.createWorld();
@@ -99,9 +99,9 @@ test("restitution_friction_and_belts_that_are_changed_while_both_run_act_in_both
     world.setFriction(ground, 0.6);
     world.setSurfaceSpeed(ground, 2);
     step(world, rival, 110);
-    const [thuds, rivals] = [world, rival].map((hands) => hands.bodyState(ball));
+    const [thuds, rivals] = [world, rival].map((hands) => hands.bodyStateOf(ball));
     assert.ok(thuds.position[1] > 1.5 && rivals.position[1] > 1.5, "both bounce");
-    for (const hands of [world, rival]) near(hands.bodyState(box).velocity[0], 2, 0.05);
+    for (const hands of [world, rival]) near(hands.bodyStateOf(box).velocity[0], 2, 0.05);
   });
 });
 
@@ -114,7 +114,7 @@ test("damping_turning_and_weight_that_are_changed_while_both_run_act_in_both", (
     world.setMass(heavy, { mass: 50, inertia: 9, center: [0.1, 0] });
     world.applyImpulse(heavy, [50, 0], [10.1, 0]);
     step(world, rival, 60);
-    const both = (body) => [world, rival].map((hands) => hands.bodyState(body));
+    const both = (body) => [world, rival].map((hands) => hands.bodyStateOf(body));
     for (const { velocity, angularVelocity } of both(damped)) {
       near(velocity[0], 4 * Math.exp(-2), 0.05);
       near(angularVelocity, 4 * Math.exp(-3), 0.05);
@@ -138,7 +138,7 @@ test("body_weighs_in_the_rival_what_it_was_set_to_before", () => {
     return boat;
   };
   withRival({}, build, (world, rival, boat) => {
-    const { mass, inertia, center } = rival.bodyState(boat);
+    const { mass, inertia, center } = rival.bodyStateOf(boat);
     near(mass, 90, 1e-3);
     near(inertia, 40, 1e-3);
     near(center[1], -0.4, 1e-6);
@@ -152,8 +152,8 @@ test("locks_that_come_and_go_while_both_run_hold_in_both", () => {
     world.setVelocity(ball, [1, 0]);
     step(world, rival, 60);
     for (const hands of [world, rival]) {
-      near(hands.bodyState(ball).position[1], 0, 0.02);
-      near(hands.bodyState(ball).position[0], 1, 0.02);
+      near(hands.bodyStateOf(ball).position[1], 0, 0.02);
+      near(hands.bodyStateOf(ball).position[0], 1, 0.02);
     }
     world.setLocks(ball, {});
     step(world, rival, 30);
@@ -166,10 +166,10 @@ test("what_a_scene_tries_and_takes_back_is_not_done_to_the_rival", () => {
   beside({ gravity: [0, 0] }, (world) => addBall(world, [0, 0]), (world, rival, ball) => {
     world.whatIf(() => {
       world.setVelocity(ball, [9, 0]);
-      world.setRule(1, 1, { meeting: "ignore" });
+      world.setRule(1, 1, { kind: "ignore" });
       world.step();
     });
-    assert.deepEqual(rival.bodyState(ball).velocity, [0, 0]);
+    assert.deepEqual(rival.bodyStateOf(ball).velocity, [0, 0]);
     assert.deepEqual(rival.misses, []);
   });
 });
@@ -202,8 +202,8 @@ function buildPair(world) {
 }
 
 for (const [name, allow] of [
-  ["rule", (world) => world.setRule(2, 4, { meeting: "ignore" })],
-  ["one_way_rule", (world) => world.setRule(2, 4, { meeting: "oneWay" })],
+  ["rule", (world) => world.setRule(2, 4, { kind: "ignore" })],
+  ["one_way_rule", (world) => world.setRule(2, 4, { kind: "oneWay" })],
   ["filter", (world, pair) => world.setPairFilter((a, b) => !has(world, [a, b], pair.ball))],
   ["listener", (world) => world.setListeners({ prologue: vetoAll })],
 ])
@@ -241,7 +241,7 @@ function vetoAll(rows, count) {
 test("overlap_counts_again_what_is_not_let_through_any_more", () => {
   const build = (world) => {
     const pair = buildPair(world);
-    world.setRule(2, 4, { meeting: "ignore" });
+    world.setRule(2, 4, { kind: "ignore" });
     return pair;
   };
   beside({ gravity: [0, 0] }, build, (world) => {
@@ -278,7 +278,7 @@ test("scenes_that_box2d_does_not_get_wholly_say_so_and_the_others_are_comparable
   const found = {};
   for (const { name } of SCENES) {
     const session = await openSession(watched, name, {}, setUp);
-    const known = knownOf(session.world);
+    const known = recordOf(session.world);
     const rival = new Box2DWorld(box2d, session.world, known);
     known.forwardTo(rival);
     for (let i = 0; i < 5; i++) {

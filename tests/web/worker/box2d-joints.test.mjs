@@ -47,7 +47,7 @@ for (const [name, [at, options, rest]] of Object.entries(HUNG))
     };
     withRival({ sleeping: false }, build, (world, rival, body) => {
       step(world, rival, 120);
-      const [ours, theirs] = [world, rival].map((hands) => hands.bodyState(body).position);
+      const [ours, theirs] = [world, rival].map((hands) => hands.bodyStateOf(body).position);
       if (rest)
         for (const place of [ours, theirs])
           near(Math.hypot(place[0] - rest[0], place[1] - rest[1]), 0, 0.03, `${name} ${place}`);
@@ -79,7 +79,7 @@ test("wheel_that_drives_a_car_drives_it_as_far_in_both_in_any_unit", () => {
     const options = { gravity: [0, -10 * unit], lengthScale: unit, sleeping: false };
     withRival(options, build, (world, rival, car) => {
       step(world, rival, 120);
-      const [ours, theirs] = [world, rival].map((hands) => hands.bodyState(car).position[0] / unit);
+      const [ours, theirs] = [world, rival].map((hands) => hands.bodyStateOf(car).position[0] / unit);
       assert.ok(ours > 2, `unit ${unit}: ${ours}`);
       near(ours, theirs, 0.05 * ours, `unit ${unit}`);
     });
@@ -98,7 +98,7 @@ test("joints_set_filtered_and_destroyed_are_so_in_box2d", () => {
   };
   withRival({ sleeping: false }, build, (world, rival, { body, joint }, known) => {
     known.forwardTo(rival);
-    const places = () => [world, rival].map((hands) => hands.bodyState(body).position);
+    const places = () => [world, rival].map((hands) => hands.bodyStateOf(body).position);
     step(world, rival, 30);
     for (const [x, y] of places()) near(Math.hypot(x, y - 6), 0, 1e-3, "braked");
     world.setDrive(joint, "along", { motorSpeed: 2 });
@@ -127,8 +127,8 @@ test("joint_breaks_in_each_engine_by_what_it_bears_there", () => {
   withRival({}, build, (world, rival, [weak, strong]) => {
     step(world, rival, 60);
     for (const hands of [world, rival]) {
-      assert.ok(hands.bodyState(weak).position[1] < 2);
-      near(hands.bodyState(strong).position[1], 5, 0.01);
+      assert.ok(hands.bodyStateOf(weak).position[1] < 2);
+      near(hands.bodyStateOf(strong).position[1], 5, 0.01);
     }
   });
 });
@@ -144,7 +144,7 @@ test("joint_that_broke_in_box2d_alone_stays_broken_as_bodies_come", () => {
     rival.sync();
     assert.equal(rival.jointGaps().length, 2, "a gap for each engine");
     // Box2D's ball alone is pulled by more than the joint bears.
-    rival.applyForce(ball, [0, -100]);
+    rival.applyCenterForce(ball, [0, -100]);
     step(world, rival, 2);
     assert.deepEqual(rival.jointGaps(), []);
     addBall(world, [9, 9]);
@@ -185,6 +185,6 @@ test("joint_gaps_of_both_are_those_that_thud_tells", () => {
     near(ours[0], 0.25, 1e-6);
     near(theirs[0], 0.25, 1e-6);
     const [joint] = world.joints();
-    near(world.jointState(joint).gap, ours[0], 1e-6);
+    near(world.jointStateOf(joint).gap, ours[0], 1e-6);
   });
 });

@@ -26,7 +26,7 @@ test("ball_on_flat_ground_rests_as_high_as_in_thud", () => {
   const build = (world) => (addGround(world), addBall(world, [3, 2]));
   withRival({}, build, (world, rival, ball) => {
     step(world, rival, 180);
-    near(heightOf(rival, ball), world.bodyState(ball).position[1], 0.01);
+    near(heightOf(rival, ball), world.bodyStateOf(ball).position[1], 0.01);
     near(heightOf(rival, ball), 0.5, 0.01);
     near(rival.poses()[4 * ball.index], 3, 1e-3);
   });
@@ -48,7 +48,7 @@ test("balls_dropped_on_both_kinds_of_line_stay_in_their_hollow", () => {
         assert.ok(x > -7 && x < 8, `${terrain.kind}: x ${x}`);
         assert.ok(y > 0.49 && y < 2, `${terrain.kind}: y ${y}`);
       }
-      near(heightOf(rival, balls[1]), world.bodyState(balls[1]).position[1], 0.01);
+      near(heightOf(rival, balls[1]), world.bodyStateOf(balls[1]).position[1], 0.01);
     });
   }
 });
@@ -66,7 +66,7 @@ test("pyramid_of_boxes_stands", () => {
     step(world, rival, 120);
     const poses = rival.poses();
     for (const { index } of boxes) {
-      const start = world.bodyState(boxes[index - 1]).position;
+      const start = world.bodyStateOf(boxes[index - 1]).position;
       near(poses[4 * index], start[0], 0.02);
       near(poses[4 * index + 1], start[1], 0.05);
       near(poses[4 * index + 2], 1, 1e-4);
@@ -89,7 +89,7 @@ test("masses_and_inertia_equal_those_of_thud_in_any_unit", () => {
     };
     withRival({ lengthScale }, build, (world, rival, bodies) => {
       for (const body of bodies) {
-        const [own, other] = [world.bodyState(body), rival.bodyState(body)];
+        const [own, other] = [world.bodyStateOf(body), rival.bodyStateOf(body)];
         near(other.mass, own.mass, 1e-4 * own.mass, "mass");
         near(other.inertia, own.inertia, 1e-4 * own.inertia, "inertia");
         for (const k of [0, 1]) near(other.center[k], own.center[k], 1e-4, "centre");
@@ -106,7 +106,7 @@ test("free_fall_in_pixels_follows_the_parabola", () => {
     near(rival.poses()[4 * ball.index], 164, 0.1);
     // Semi-implicit Euler with 4 substeps is h g t / 2 below the parabola.
     near(heightOf(rival, ball), 1000 - 160 - 320 / 240 / 2, 0.1);
-    near(rival.bodyState(ball).velocity[1], -320, 0.1);
+    near(rival.bodyStateOf(ball).velocity[1], -320, 0.1);
     near(rival.poses(0)[4 * ball.index], 164 - 64 / 60, 0.1);
     near(rival.poses(1, 150, 800)[4 * ball.index], 14, 0.1);
   });
@@ -117,8 +117,8 @@ test("body_is_as_fast_as_thud_lets_it_be", () => {
   for (const [maximumSpeed, distance] of [[undefined, 1000], [500, 500]])
     withRival({ gravity: [0, 0], maximumSpeed }, build, (world, rival, ball) => {
       step(world, rival, 60);
-      near(rival.bodyState(ball).position[0], distance, 0.1);
-      near(world.bodyState(ball).position[0], distance, 0.1);
+      near(rival.bodyStateOf(ball).position[0], distance, 0.1);
+      near(world.bodyStateOf(ball).position[0], distance, 0.1);
     });
 });
 
@@ -132,14 +132,14 @@ test("aabb_and_body_of_fixed_rotation_do_not_turn", () => {
   };
   withRival({ gravity: [0, 0] }, build, (world, rival, bodies) => {
     for (const body of bodies) {
-      const { center, inertia } = rival.bodyState(body);
+      const { center, inertia } = rival.bodyStateOf(body);
       assert.equal(inertia, 0);
       rival.applyImpulse(body, [0, 9], [center[0] + 1, center[1]]);
     }
     step(world, rival, 30);
     for (const body of bodies) {
-      near(rival.bodyState(body).angle, 0, 1e-6);
-      assert.ok(rival.bodyState(body).position[1] > 1);
+      near(rival.bodyStateOf(body).angle, 0, 1e-6);
+      assert.ok(rival.bodyStateOf(body).position[1] > 1);
     }
   });
 });
@@ -202,8 +202,8 @@ test("belt_carries_a_box_to_the_side_to_which_it_does_in_thud", () => {
     withRival({}, build, (world, rival, boxes) => {
       step(world, rival, 120);
       for (const box of boxes) {
-        near(world.bodyState(box).velocity[0], surfaceSpeed, 0.05, "thud");
-        near(rival.bodyState(box).velocity[0], surfaceSpeed, 0.05, "Box2D");
+        near(world.bodyStateOf(box).velocity[0], surfaceSpeed, 0.05, "thud");
+        near(rival.bodyStateOf(box).velocity[0], surfaceSpeed, 0.05, "Box2D");
       }
     });
   }
@@ -244,7 +244,7 @@ test("filters_groups_and_sensors_let_pass_what_thud_lets_pass", () => {
   withRival({}, build, (world, rival, balls) => {
     step(world, rival, 120);
     for (const ball of balls)
-      near(heightOf(rival, ball), world.bodyState(ball).position[1], 0.3, `ball ${ball.index}`);
+      near(heightOf(rival, ball), world.bodyStateOf(ball).position[1], 0.3, `ball ${ball.index}`);
   });
 });
 
@@ -261,12 +261,12 @@ test("damping_and_gravity_scale_slow_and_lift_as_in_thud", () => {
   withRival({}, build, (world, rival, bodies) => {
     step(world, rival, 60);
     for (const body of bodies) {
-      const [own, other] = [world.bodyState(body), rival.bodyState(body)];
+      const [own, other] = [world.bodyStateOf(body), rival.bodyStateOf(body)];
       near(other.velocity[0], own.velocity[0], 0.02);
       near(other.velocity[1], own.velocity[1], 0.1);
       near(other.angularVelocity, own.angularVelocity, 0.05);
     }
-    assert.ok(rival.bodyState(bodies[0]).velocity[0] < 2);
+    assert.ok(rival.bodyStateOf(bodies[0]).velocity[0] < 2);
   });
 });
 
@@ -279,7 +279,7 @@ test("fast_body_stops_at_a_thin_moving_wall_if_thud_sweeps_that_body", () => {
     };
     withRival({ gravity: [0, 0] }, build, (world, rival, [wall, ball]) => {
       step(world, rival, 10);
-      const [from, to] = [wall, ball].map((body) => rival.bodyState(body).position[0]);
+      const [from, to] = [wall, ball].map((body) => rival.bodyStateOf(body).position[0]);
       assert.equal(to < from, detection === "swept", `${detection}: ${to} ${from}`);
     });
   }
@@ -296,7 +296,7 @@ test("sleeping_pile_stays_put_and_holds_when_it_is_woken", () => {
   withRival({}, build, (world, rival, boxes) => {
     step(world, rival, 2);
     for (const box of boxes) assert.equal(rival.energy()[0], 0);
-    rival.applyImpulse(boxes[2], [0.1, 0], rival.bodyState(boxes[2]).center);
+    rival.applyImpulse(boxes[2], [0.1, 0], rival.bodyStateOf(boxes[2]).center);
     step(world, rival, 60);
     boxes.forEach((box, i) => near(heightOf(rival, box), i + 0.5, 0.03));
   });
@@ -339,7 +339,7 @@ function dropAt(x) {
     step(world, rival, 60);
     world.applyImpulse(box, [0.3, 0], [x + 0.25, 0.6]);
     step(world, rival, 10);
-    const { position, center, velocity } = rival.bodyState(box);
+    const { position, center, velocity } = rival.bodyStateOf(box);
     lain = {
       place: [...position, ...center].map((value, i) => (i % 2 === 0 ? value - x : value)),
       velocity,

@@ -24,7 +24,7 @@ function moving({ world }) {
   }
   return [...bodies.values()]
     .sort((a, b) => a.index - b.index)
-    .map((body) => world.bodyState(body))
+    .map((body) => world.bodyStateOf(body))
     .filter(({ kind }) => kind === "dynamic");
 }
 

@@ -22,7 +22,7 @@ function hold(scene, input, steps, from = 0) {
 function moving(world) {
   return world
     .bodies()
-    .map((body) => world.bodyState(body))
+    .map((body) => world.bodyStateOf(body))
     .filter(({ kind }) => kind === "dynamic");
 }
 

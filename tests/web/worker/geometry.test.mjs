@@ -14,13 +14,13 @@ const near = (actual, expected, tolerance = 1e-12) =>
   assert.ok(Math.abs(actual - expected) <= tolerance, `${actual}, not ${expected}`);
 
 test("closest_points_of_circles_lie_on_their_surfaces", () => {
-  const apart = geometry.closestPoints(engine, circle(0, 0), circle(3, 4, 2));
+  const apart = geometry.closest(engine, circle(0, 0), circle(3, 4, 2));
   assert.equal(apart.overlaps, false);
   near(apart.distance, 2);
   near(apart.normal[0], 0.6);
   near(apart.pointA[1], 0.8);
   near(apart.pointB[0], 3 - 2 * 0.6);
-  const deep = geometry.closestPoints(engine, box(0, 0), box(1.5, 0));
+  const deep = geometry.closest(engine, box(0, 0), box(1.5, 0));
   assert.equal(deep.overlaps, true);
   near(deep.distance, -0.5);
 });
@@ -30,15 +30,15 @@ test("impact_is_where_the_way_enters_the_sum_and_where_halving_finds_it", () => 
   const b = { kind: "aabb", center: [5, 1], halfWidth: 0.5, halfHeight: 1 };
   const moving = [a, { way: [1, 0] }, b, { way: [-3, 0] }];
   const impact = geometry.timeOfImpact(engine, ...moving);
-  near(geometry.castInSum(engine, ...moving).fraction, impact, 1e-12);
-  const { time, sure } = geometry.timeOfCollision(engine, ...moving, 2 ** -20);
+  near(geometry.minkowskiCast(engine, ...moving).fraction, impact, 1e-12);
+  const { time, bisectable } = geometry.timeOfCollision(engine, ...moving, 2 ** -20);
   assert.ok(time <= impact && impact - time <= 2 ** -20, `${time} before ${impact}`);
-  assert.equal(sure, false, "it moves by more than it is thick");
+  assert.equal(bisectable, false, "it moves by more than it is thick");
   const away = [a, { way: [-0.1, 0] }, b, { way: [0.1, 0] }];
   assert.equal(geometry.timeOfImpact(engine, ...away), null);
-  assert.equal(geometry.castInSum(engine, ...away), null);
+  assert.equal(geometry.minkowskiCast(engine, ...away), null);
   const parted = geometry.timeOfCollision(engine, ...away, 2 ** -20);
-  assert.deepEqual(parted, { time: null, sure: true });
+  assert.deepEqual(parted, { time: null, bisectable: true });
 });
 
 test("turning_bar_meets_what_it_would_pass_unturned", () => {
@@ -52,25 +52,25 @@ test("turning_bar_meets_what_it_would_pass_unturned", () => {
 
 test("circles_pass_each_other_at_the_least_distance", () => {
   const passing = [circle(0, 0), { way: [4, 0] }, circle(2, 3), STILL];
-  assert.deepEqual(geometry.circlesApproach(engine, ...passing), {
-    ...{ time: null, least: 3, leastTime: 0.5 },
+  assert.deepEqual(geometry.approach(engine, ...passing), {
+    ...{ time: null, minDistance: 3, minDistanceTime: 0.5 },
   });
-  assert.throws(() => geometry.circlesApproach(engine, box(0, 0), STILL, circle(1, 1), STILL), {
+  assert.throws(() => geometry.approach(engine, box(0, 0), STILL, circle(1, 1), STILL), {
     code: "invalid",
   });
 });
 
 test("volumes_hold_their_shape_and_overlap_by_their_own_form", () => {
   const turned = box(5, 0, Math.PI / 4);
-  near(geometry.volumeAround(engine, "circle", turned).radius, Math.SQRT2, 1e-9);
-  near(geometry.volumeAround(engine, "aabb", turned).halfWidth, Math.SQRT2, 1e-9);
-  const own = geometry.volumeAround(engine, "obb", turned);
+  near(geometry.volumeAroundShape(engine, "circle", turned).radius, Math.SQRT2, 1e-9);
+  near(geometry.volumeAroundShape(engine, "aabb", turned).halfWidth, Math.SQRT2, 1e-9);
+  const own = geometry.volumeAroundShape(engine, "obb", turned);
   near(own.halfWidth, 1, 1e-9);
   near(Math.abs(Math.sin(2 * own.angle)), 1, 1e-9);
   const other = circle(3.8, -1.2, 0.5);
-  const bounds = (kind) => [turned, other].map((one) => geometry.volumeAround(engine, kind, one));
+  const bounds = (kind) => [turned, other].map((one) => geometry.volumeAroundShape(engine, kind, one));
   assert.equal(geometry.volumesOverlap(engine, ...bounds("aabb")), true);
-  assert.equal(geometry.closestPoints(engine, turned, other).overlaps, false);
+  assert.equal(geometry.closest(engine, turned, other).overlaps, false);
   const often = (exact) => geometry.overlapOften(engine, ...bounds("aabb"), exact, 7);
   assert.deepEqual([often(false), often(true)], [7, 7]);
   assert.equal(geometry.overlapOften(engine, turned, other, true, 7), 0);
@@ -80,16 +80,16 @@ test("geometry_refuses_what_is_no_shape", () => {
   const bad = [circle(0, 0, 0), circle(NaN, 0), { ...box(0, 0), angle: Infinity }];
   for (const one of bad) {
     const calls = [
-      () => geometry.closestPoints(engine, one, box(0, 0)),
+      () => geometry.closest(engine, one, box(0, 0)),
       () => geometry.timeOfImpact(engine, one, STILL, box(0, 0), STILL),
       () => geometry.timeOfCollision(engine, one, STILL, box(0, 0), STILL, 0.1),
-      () => geometry.castInSum(engine, one, STILL, box(0, 0), STILL),
-      () => geometry.volumeAround(engine, "obb", one),
+      () => geometry.minkowskiCast(engine, one, STILL, box(0, 0), STILL),
+      () => geometry.volumeAroundShape(engine, "obb", one),
       () => geometry.overlapOften(engine, one, box(0, 0), true, 1),
     ];
     for (const call of calls) assert.throws(call, { code: "invalid" });
   }
-  assert.throws(() => geometry.volumeAround(engine, "ball", box(0, 0)), { code: "invalid" });
+  assert.throws(() => geometry.volumeAroundShape(engine, "ball", box(0, 0)), { code: "invalid" });
   assert.throws(() => geometry.volumesOverlap(engine, circle(Infinity, 0), box(0, 0)), {
     code: "invalid",
   });

@@ -48,11 +48,11 @@ function run(session, steps) {
 test("sleeping_body_is_woken_and_follows", () =>
   withSession(ballOnGround, (session, ball) => {
     run(session, 240);
-    assert.equal(session.world.bodyState(ball).awake, false);
+    assert.equal(session.world.bodyStateOf(ball).awake, false);
     grab(session, ball, [0, 0.5]);
     session.do({ kind: "drag", x: 2, y: 4 });
     run(session, 60);
-    const [x, y] = session.world.bodyState(ball).position;
+    const [x, y] = session.world.bodyStateOf(ball).position;
     near(x, 2, 0.02);
     near(y, 4 - 10 / (10 * Math.PI) ** 2, 0.02);
   }));
@@ -64,7 +64,7 @@ test("body_far_from_the_pointer_comes_straight", () =>
       grab(session, ball, [0, 0.5]);
       session.do({ kind: "drag", x: 8, y: 2.5 });
       run(session, 12);
-      const [x, y] = session.world.bodyState(ball).position;
+      const [x, y] = session.world.bodyStateOf(ball).position;
       assert.ok(x > 1 && x < 7, `${x}`);
       near((y - 0.5) / x, 0.25, 0.02);
     },
@@ -82,11 +82,11 @@ test("light_body_does_not_drag_a_heavy_one_along_that_it_is_tied_to", () =>
     },
     (session, { light, heavy }) => {
       run(session, 30);
-      const [start] = session.world.bodyState(heavy).position;
+      const [start] = session.world.bodyStateOf(heavy).position;
       grab(session, light, [0, 0.5]);
       session.do({ kind: "drag", x: 8, y: 0.5 });
       run(session, 120);
-      near(session.world.bodyState(heavy).position[0], start, 0.01);
+      near(session.world.bodyStateOf(heavy).position[0], start, 0.01);
     },
   ));
 

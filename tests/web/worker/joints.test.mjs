@@ -40,8 +40,8 @@ function busy({ createWorld }) {
 /** The hash and all readable values of the joints at the present step. */
 function told({ world, hash }) {
   const joints = world.joints();
-  const states = joints.map((joint) => [world.jointState(joint), world.jointOptions(joint)]);
-  return [hash, joints, states, world.jointEvents(), world.error()];
+  const states = joints.map((joint) => [world.jointStateOf(joint), world.jointOptionsOf(joint)]);
+  return [hash, joints, states, world.jointEvents(), world.stepError()];
 }
 
 test("every_step_of_a_past_with_joints_comes_out_as_it_was", async () => {
@@ -101,7 +101,7 @@ test("body_is_inspected_with_its_joints", async () => {
   const { joints } = inspect(world, step, 1);
   const [hinge, weld] = world.joints();
   const tie = (joint, other) => {
-    const { kind, gap, angleGap, force, torque } = world.jointState(joint);
+    const { kind, gap, angleGap, force, torque } = world.jointStateOf(joint);
     const bears = { force: Math.hypot(...force), torque: Math.abs(torque) };
     return { kind, other, enabled: true, gap, angleGap, ...bears };
   };

@@ -32,7 +32,7 @@ function laboratoryWith(secondsOf) {
       step: () => steps++,
       setSleeping() {},
       stats: () => ({ bodies: size, stepSeconds: secondsOf(steps, size, number) }),
-      error: () => ({ penetrationMax: 0 }),
+      stepError: () => ({ penetrationMax: 0 }),
       poses: () => new Float32Array(0),
       shapeTable: () => ({ count: 0, rows: new Float32Array(0), handles: new Uint32Array(0) }),
     };

@@ -102,7 +102,7 @@ test("bounds_go_around_every_shape_that_has_some", () => {
     lower: [0, 1].map((k) => Math.min(...corners.map((corner) => corner[k]))),
     upper: [0, 1].map((k) => Math.max(...corners.map((corner) => corner[k]))),
   }));
-  const moving = world.bodies().filter((body) => world.bodyState(body).kind === "dynamic");
+  const moving = world.bodies().filter((body) => world.bodyStateOf(body).kind === "dynamic");
   assert.equal(moving.length, 21);
   for (const body of moving) {
     const { lower, upper } = world.boundsOf(world.shapesOf(body)[0]);
@@ -119,7 +119,7 @@ test("pairs_join_the_middles_of_shapes_whose_bounds_overlap", () => {
   const { world } = session;
   const lines = drawnBy("pairs");
   assert.equal(lines.length, world.stats().pairs);
-  const middles = world.bodies().map((body) => world.bodyState(body).position);
+  const middles = world.bodies().map((body) => world.bodyStateOf(body).position);
   for (const line of lines)
     assert.ok(
       line.some(([x, y]) => middles.some((one) => Math.hypot(one[0] - x, one[1] - y) < 0.01)),
@@ -137,7 +137,7 @@ test("cells_lie_under_every_body", () => {
       return Math.min(...places) - 0.02 <= at && at <= Math.max(...places) + 0.02;
     });
   for (const body of world.bodies()) {
-    const { kind, position } = world.bodyState(body);
+    const { kind, position } = world.bodyStateOf(body);
     if (kind !== "dynamic") continue;
     assert.ok(cells.some((corners) => within(position, corners)), `body ${body.index} is in none`);
   }
@@ -146,7 +146,7 @@ test("cells_lie_under_every_body", () => {
 test("islands_fill_the_bodies_that_are_in_one", () => {
   const { world } = session;
   const filled = drawnBy("islands");
-  const bodies = world.bodies().map((body) => world.bodyState(body));
+  const bodies = world.bodies().map((body) => world.bodyStateOf(body));
   const positions = bodies.filter(({ kind }) => kind === "dynamic").map(({ position }) => position);
   assert.deepEqual(rounded(filled.map(middle)), rounded(positions));
 });

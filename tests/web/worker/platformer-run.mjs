@@ -173,7 +173,7 @@ export function look(scene, lifts = liftsOf(scene)) {
     vy: velocity[1],
     standing: ground !== null,
     phase: scene.state.phase,
-    lifts: lifts.map(({ body }) => scene.world.bodyState(body)),
+    lifts: lifts.map(({ body }) => scene.world.bodyStateOf(body)),
   };
 }
 

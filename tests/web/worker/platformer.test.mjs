@@ -209,9 +209,9 @@ test("grass_lies_on_what_stands_still_and_under_nothing_that_does", async () => 
   const solid = (x, y) =>
     scene.world
       .overlap({ kind: "circle", center: [x, y], radius: 0.01 })
-      .map((shape) => scene.world.shapeState(shape))
+      .map((shape) => scene.world.shapeStateOf(shape))
       .some(({ body, category }) =>
-        category !== PLANK && scene.world.bodyState(body).kind === "static");
+        category !== PLANK && scene.world.bodyStateOf(body).kind === "static");
   const grass = scene.paint().marks.filter(({ kind, ink, points }) =>
     kind === "line" && ink === "good" && points.length === 2 && points[0][1] === points[1][1]);
   assert.ok(grass.length > 20, `${grass.length} lines`);

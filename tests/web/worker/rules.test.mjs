@@ -24,7 +24,7 @@ test("crate_that_a_visitor_drops_is_held_by_the_plank_below_and_rides_to_the_rig
   const { world } = session;
   session.do({ kind: "spawn", shape: "box", x: -2, y: 7.5, size: 0.4 });
   for (let i = 0; i < 150; i++) session.makeStep();
-  const { position } = world.bodyState(world.bodies().at(-1));
+  const { position } = world.bodyStateOf(world.bodies().at(-1));
   assert.ok(Math.abs(position[1] - 6.15) < 0.05, `${position}`);
   assert.ok(position[0] > 0, `${position}`);
   session.close();
@@ -51,7 +51,7 @@ test("rules_are_told_beside_box2d_which_has_none", () => {
   const build = (world) => world.createBody({ kind: "dynamic", position: [0, 0] });
   withRival({}, build, (world, rival) => {
     assert.deepEqual(rival.misses, []);
-    world.setRule(2, 4, { meeting: "oneWay" });
+    world.setRule(2, 4, { kind: "oneWay" });
     assert.deepEqual(rival.misses, ["rules between kinds"]);
   });
 });
@@ -59,14 +59,14 @@ test("rules_are_told_beside_box2d_which_has_none", () => {
 test("what_a_visitor_sets_of_two_kinds_holds_in_place_of_the_timetable", async () => {
   const session = await openSession(engine, "meetings", { size: 16 });
   const { world } = session;
-  const meeting = (a, b) => world.rule(2 << a, 2 << b)?.meeting ?? "collide";
+  const kindOf = (a, b) => world.rule(2 << a, 2 << b)?.kind ?? "collide";
   for (let i = 0; i < 10; i++) session.makeStep();
-  assert.deepEqual([meeting(0, 1), meeting(2, 3), meeting(1, 1)], ["ignore", "oneWay", "collide"]);
+  assert.deepEqual([kindOf(0, 1), kindOf(2, 3), kindOf(1, 1)], ["ignore", "oneWay", "collide"]);
   session.do({ kind: "set", name: "meetings", value: "1000010000100001" });
   for (let i = 0; i < 100; i++) session.makeStep();
-  assert.deepEqual([meeting(0, 1), meeting(2, 3), meeting(1, 1)], ["collide", "collide", "ignore"]);
+  assert.deepEqual([kindOf(0, 1), kindOf(2, 3), kindOf(1, 1)], ["collide", "collide", "ignore"]);
   assert.ok(session.seek(5));
   session.makeStep();
-  assert.deepEqual([meeting(0, 1), meeting(2, 3), meeting(1, 1)], ["ignore", "oneWay", "collide"]);
+  assert.deepEqual([kindOf(0, 1), kindOf(2, 3), kindOf(1, 1)], ["ignore", "oneWay", "collide"]);
   session.close();
 });

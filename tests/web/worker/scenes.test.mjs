@@ -189,7 +189,7 @@ function positions(world) {
 function lastBody(world) {
   const { count, handles } = world.shapeTable();
   const [index1, generation] = handles.slice(4 * count - 2);
-  return world.bodyState({ kind: "body", index: index1 - 1, generation });
+  return world.bodyStateOf({ kind: "body", index: index1 - 1, generation });
 }
 
 test("bullet_beyond_its_walls_is_counted", async () => {
@@ -199,7 +199,7 @@ test("bullet_beyond_its_walls_is_counted", async () => {
   assert.equal(out(), "0 of 15");
   const { x, y } = scene.paint().marks.find(({ kind }) => kind === "circle");
   const [shape] = scene.world.overlap({ kind: "circle", center: [x, y], radius: 0.01 });
-  scene.world.setTransform(scene.world.shapeState(shape).body, [x, y + 50]);
+  scene.world.setTransform(scene.world.shapeStateOf(shape).body, [x, y + 50]);
   assert.equal(out(), "1 of 15");
   scene.world.close();
 });

@@ -42,7 +42,7 @@ test("ground_has_the_friction_that_is_written_below_it", async () => {
   assert.deepEqual(new Set(signs.map(({ name }) => name)), new Set(TEXTURE.map(({ name }) => name)));
   for (const { x, y, name, friction } of signs) {
     const ground = scene.world.castRayAll([x, y + 3], [0, -6]).at(-1); // below any walker
-    assert.equal(scene.world.shapeState(ground.shape).friction, Math.fround(friction), name);
+    assert.equal(scene.world.shapeStateOf(ground.shape).friction, Math.fround(friction), name);
   }
   scene.world.close();
 });

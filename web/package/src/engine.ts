@@ -1,17 +1,21 @@
 /**
- * One instance of a wasm module built from web/wasm: its memory, its exports, and how results of
- * calls become exceptions. All other files of the package call the module through it.
+ * Compiles and starts a wasm module built from web/wasm, and wraps its instance: its memory, its
+ * exports, and how results of calls become exceptions. All other files of the package call the
+ * module through it. An "address" is a position in wasm memory here, in bytes.
  */
 import { messageOf, RESULT_CODES, ThudError } from "./error.js";
-import { Rest, type RestSource } from "./rest.js";
+import { RestFile, type RestSource } from "./rest.js";
 import { CallbackTable } from "./rules/callbacks.js";
 import type { WorldOptions } from "./types.js";
 import { World } from "./world.js";
 
-/** A compiled module, its bytes, a response of fetch, or an address; in Node.js also a path. */
+/** A compiled module, its bytes, a response of fetch, or a URL; in Node.js also a path. */
 export type WasmSource = WebAssembly.Module | BufferSource | Response | URL | string;
 
 type Export = (...args: number[]) => number;
+
+/** Numbers in `Engine.slots`: those of union api_slots in web/wasm/slots.h. */
+const SLOT_COUNT = 64;
 
 /** Made by `load`. Makes worlds, which share its memory. */
 export class Engine {
@@ -29,13 +33,16 @@ export class Engine {
   readonly #memory: WebAssembly.Memory;
   readonly #slotsAddress: number;
   readonly #messageAddress: number;
-  readonly #rest: Rest | null;
+  /** thud-rest.wasm, where the engine is in two files (rest.ts); null where it is in one. */
+  readonly #restFile: RestFile | null;
 
   /**
-   * Instantiates a compiled module. `source`: where the second file is, of an engine in two files.
-   * Rejects with a ThudError "load" for a module that is not thud's.
+   * Instantiates a compiled module: all of the engine, or thud-first.wasm, whose second file
+   * thud-rest.wasm is then found by `rest`. Rejects with a ThudError "load", or with the browser's
+   * LinkError, for a module that is not thud's.
    */
-  static async instantiate(module: WebAssembly.Module, source?: RestSource): Promise<Engine> {
+  static async instantiate(module: WebAssembly.Module, rest?: RestSource): Promise<Engine> {
+    // The module's imports are made before the engine, and reach it through this object.
     const engine: { current?: Engine } = {};
     const callbacks = new CallbackTable();
     const env = {
@@ -43,18 +50,19 @@ export class Engine {
       emscripten_notify_memory_growth: () => engine.current?.memoryGrew(),
       thud_clock: () => performance.now() / 1000,
     };
-    const rest = source === undefined ? null : new Rest(source);
+    const restFile = rest === undefined ? null : new RestFile(rest);
     const imports: WebAssembly.Imports = { env };
-    if (rest) imports.placeholder = rest.placeholders;
+    // binaryen's wasm-split, which makes the two files, gives the module of these imports its name.
+    if (restFile) imports.placeholder = restFile.placeholders;
     const instance = await WebAssembly.instantiate(module, imports);
-    rest?.attach(instance);
-    engine.current = new Engine(instance, rest, callbacks);
+    restFile?.attach(instance);
+    engine.current = new Engine(instance, restFile, callbacks);
     return engine.current;
   }
 
   private constructor(
     instance: WebAssembly.Instance,
-    rest: Rest | null,
+    restFile: RestFile | null,
     readonly callbacks: CallbackTable,
   ) {
     const { memory, _initialize } = instance.exports as {
@@ -63,7 +71,7 @@ export class Engine {
     };
     if (!memory || !_initialize || !instance.exports.api_slots_address)
       throw new ThudError("load", "this is not a wasm module of thud");
-    this.#rest = rest;
+    this.#restFile = restFile;
     _initialize();
     this.exports = instance.exports as unknown as Record<string, Export>;
     this.#memory = memory;
@@ -71,15 +79,17 @@ export class Engine {
     this.#messageAddress = this.exports.api_last_message();
     this.slots = new Float64Array(0);
     this.memoryGrew();
+    // api_world_stats returns the number of stages, and needs a world. That one fits into the memory
+    // that the module starts with, so that `slots` stays valid.
     const probe = this.createWorld();
-    const stages = this.exports.api_world_stats(probe.address);
+    const stageCount = this.exports.api_world_stats(probe.address);
     probe.close();
-    this.stageNames = Array.from({ length: stages }, (_, stage) =>
+    this.stageNames = Array.from({ length: stageCount }, (_, stage) =>
       this.text(this.exports.api_stage_name(stage)),
     );
   }
 
-  /** The version of the wasm module, such as "0.1.0"; it may differ from that of the package. */
+  /** The version of the wasm module, such as "0.2.0"; it may differ from that of the package. */
   get version(): string {
     const number = this.exports.api_version();
     return [number / 1e6, (number / 1e3) % 1e3, number % 1e3].map(Math.floor).join(".");
@@ -94,11 +104,13 @@ export class Engine {
   }
 
   /**
-   * Loads the second file of an engine in two files; resolves at once where the engine is one file.
+   * Loads thud-rest.wasm, the second file of an engine in two files, which has all functions that a
+   * first scene does not need; resolves at once where the engine is in one file. Without this call,
+   * the first call of one of those functions loads the file, and blocks until it has arrived.
    * Rejects with a ThudError "load" where the file cannot be loaded; call it again to retry.
    */
   async complete(): Promise<void> {
-    await this.#rest?.load();
+    await this.#restFile?.load();
   }
 
   /**
@@ -147,27 +159,28 @@ export class Engine {
   }
 
   private memoryGrew(): void {
-    this.slots = new Float64Array(this.#memory.buffer, this.#slotsAddress, 64);
+    this.slots = new Float64Array(this.#memory.buffer, this.#slotsAddress, SLOT_COUNT);
   }
 }
 
 /**
- * The address of thud.wasm beside this file. Bundlers recognise `new URL("…", import.meta.url)`:
- * they copy the file and put in its new address. Throws a ThudError "load" in a classic script,
- * which does not know its own address.
+ * The URL of thud.wasm beside this file. Bundlers recognise `new URL("…", import.meta.url)`: they
+ * copy the file and put in its new URL. Throws a ThudError "load" where a bundler has made a
+ * classic script of this file: import.meta.url is undefined there.
  */
-export function besideModule(): URL {
+export function defaultWasmUrl(): URL {
   try {
     return new URL("./thud.wasm", import.meta.url);
   } catch (cause) {
     const why = "a script does not know where it lies";
-    throw new ThudError("load", `${why}: give load the address of thud.wasm, or its bytes`, { cause });
+    throw new ThudError("load", `${why}: give load the URL of thud.wasm, or its bytes`, { cause });
   }
 }
 
 /**
- * Compiles and starts a module from any source but an address: first.ts fetches addresses, node.ts
- * reads files. Rejects with a ThudError "load".
+ * Compiles and starts a module. Its source is no URL: `load` of first.ts fetches URLs, `load` of
+ * node.ts reads files. `rest`: thud-rest.wasm, where `source` is thud-first.wasm. Rejects with a
+ * ThudError "load".
  */
 export async function instantiate(
   source: Exclude<WasmSource, URL | string>,
@@ -175,28 +188,32 @@ export async function instantiate(
 ): Promise<Engine> {
   if (typeof WebAssembly !== "object")
     throw new ThudError("load", "WebAssembly is missing or switched off here");
-  let module: WebAssembly.Module;
   try {
+    let module: WebAssembly.Module;
     if (source instanceof WebAssembly.Module) module = source;
     else if (typeof Response === "function" && source instanceof Response)
       module = await compileResponse(source);
     else module = await WebAssembly.compile(source as BufferSource);
+    return await Engine.instantiate(module, rest);
   } catch (cause) {
     if (cause instanceof ThudError) throw cause;
     const why = messageOf(cause);
-    throw new ThudError("load", `the wasm module cannot be compiled: ${why}`, { cause });
+    throw new ThudError("load", `the wasm module cannot be compiled or linked: ${why}`, { cause });
   }
-  return Engine.instantiate(module, rest);
 }
 
-/** Compiles a response of fetch. Rejects with a ThudError "load" for an error status or a page. */
+/**
+ * Compiles a response of fetch. Rejects with a ThudError "load" for an error status or an HTML
+ * page, which some hosts send for a file that is missing.
+ */
 async function compileResponse(response: Response): Promise<WebAssembly.Module> {
   if (!response.ok)
     throw new ThudError("load", `${response.url}: ${response.status} ${response.statusText}`);
   const type = response.headers.get("content-type") ?? "";
   if (type.startsWith("text/html"))
     throw new ThudError("load", `${response.url || "the source"} is a page (text/html), no wasm module`);
-  // compileStreaming refuses any other content type, and simple hosts send another one.
-  if (type.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
+  // compileStreaming refuses all other content types, also this one with parameters. Simple hosts
+  // send another one.
+  if (type === "application/wasm") return WebAssembly.compileStreaming(response);
   return WebAssembly.compile(await response.arrayBuffer());
 }

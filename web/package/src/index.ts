@@ -6,7 +6,7 @@
  *     const world = thud.createWorld();
  */
 import { explainErrors } from "./checks/explain.js";
-import { besideModule, type Engine, type WasmSource } from "./engine.js";
+import { defaultWasmUrl, type Engine, type WasmSource } from "./engine.js";
 import { load as loadFirst } from "./first.js";
 import type { RestSource } from "./rest.js";
 
@@ -32,7 +32,7 @@ export { World } from "./world.js";
  * rest, and call `complete` after the first frame is drawn. Rejects with a ThudError "load".
  */
 export async function load(
-  source: WasmSource = besideModule(),
+  source: WasmSource = defaultWasmUrl(),
   rest?: RestSource,
 ): Promise<Engine> {
   explainErrors();

@@ -29,7 +29,7 @@ import {
   Report,
   Values,
 } from "./level/values.js";
-import { checkNames } from "./checks/names.js";
+import { checkOptions } from "./checks/names.js";
 import type { BodyId, BodyOptions, JointId, ShapeOptions, Vec2, WorldOptions } from "./types.js";
 import type { World } from "./world.js";
 
@@ -170,7 +170,7 @@ export async function readLevel(
   content: FileContent,
   options: ReadOptions = {},
 ): Promise<Level> {
-  checkNames("readLevel", options, ["skip", "open"]);
+  checkOptions("readLevel", options, ["skip", "open"]);
   let report = new Report();
   let read: Reader | null = null;
   try {

@@ -155,7 +155,7 @@ export class Mover {
       throw explained(new ThudError("invalid", "walk: speed or jump"), "walk", walk);
     if (ux === 0 && uy === 0)
       throw new ThudError("invalid", "walk: a mover whose up is [0, 0] has no ground; move it");
-    const { gravity, timeStep } = this.#world.settings();
+    const { gravity, timeStep } = this.#world.stepSettings();
     const stands = this.state().ground !== null;
     const pull = this.#gravityScale * (gravity[0] * ux + gravity[1] * uy) * timeStep;
     const rise = !stands ? this.#rise + pull : jump > 0 ? this.#rise + jump : 0;

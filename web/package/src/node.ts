@@ -1,7 +1,7 @@
 /** "thud" in Node.js: the same exports, with a `load` that also reads files. */
 import { readFile } from "node:fs/promises";
 import { explainErrors } from "./checks/explain.js";
-import { besideModule, type Engine, instantiate, type WasmSource } from "./engine.js";
+import { defaultWasmUrl, type Engine, instantiate, type WasmSource } from "./engine.js";
 import { messageOf, ThudError } from "./error.js";
 import { load as loadFromWeb } from "./index.js";
 import type { RestSource } from "./rest.js";
@@ -13,7 +13,7 @@ export * from "./index.js";
  * URL, too. Rejects with a ThudError "load".
  */
 export async function load(
-  source: WasmSource = besideModule(),
+  source: WasmSource = defaultWasmUrl(),
   rest?: RestSource,
 ): Promise<Engine> {
   const isFile = source instanceof URL ? source.protocol === "file:" : isPath(source);

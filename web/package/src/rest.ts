@@ -9,11 +9,11 @@
  */
 import { ThudError } from "./error.js";
 
-/** The address of the second file, or its bytes. */
+/** The URL of thud-rest.wasm, or its bytes. */
 export type RestSource = URL | string | BufferSource;
 
-/** The second file of one engine. */
-export class Rest {
+/** thud-rest.wasm, the second file of one engine. */
+export class RestFile {
   readonly #source: RestSource;
   #first: WebAssembly.Instance | null = null;
   #loading: Promise<void> | null = null;

@@ -294,7 +294,7 @@ export interface ShapeOptions {
 
 /** The options of a circle. Sizes are 10⁻⁴ to 16384 length scales, of static bodies up to 32000. */
 export interface CircleOptions extends ShapeOptions {
-  /** The kind, as `shapeState` returns it; may be left out. */
+  /** The kind, as `shapeStateOf` returns it; may be left out. */
   kind?: "circle";
   /**
    * The radius, a length.
@@ -310,7 +310,7 @@ export interface CircleOptions extends ShapeOptions {
 
 /** The options of an AABB. Sizes are 10⁻⁴ to 16384 length scales, of static bodies up to 32000. */
 export interface BoxOptions extends ShapeOptions {
-  /** The kind, as `shapeState` returns it; may be left out. */
+  /** The kind, as `shapeStateOf` returns it; may be left out. */
   kind?: "aabb";
   /**
    * Half the width: the length from the centre to the right side.
@@ -331,7 +331,7 @@ export interface BoxOptions extends ShapeOptions {
 
 /** The options of an OBB. */
 export interface ObbOptions extends Omit<BoxOptions, "kind"> {
-  /** The kind, as `shapeState` returns it; may be left out. */
+  /** The kind, as `shapeStateOf` returns it; may be left out. */
   kind?: "obb";
   /** Its angle in the body's frame: radians, up to 10⁶ either way. Default 0. */
   angle?: number;
@@ -379,7 +379,7 @@ export interface Foot {
   normal: Vec2;
 }
 
-/** All values of a body, as `World.bodyState` returns them. */
+/** All values of a body, as `World.bodyStateOf` returns them. */
 export interface BodyState {
   kind: BodyKind;
   /** The place of its origin in the world. */
@@ -407,7 +407,7 @@ export interface BodyState {
 
 /**
  * The options of a shape as they are now, and its body. Without `body` they are options from which
- * another such shape can be made. `World.terrain` has the line of a terrain.
+ * another such shape can be made. `World.terrainOf` has the line of a terrain.
  */
 export type ShapeState = { body: BodyId } & (
   | Required<CircleOptions>

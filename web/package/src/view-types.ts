@@ -26,16 +26,16 @@ export interface Pair {
 }
 
 /** One of two shapes that met. */
-export interface MeetingSide extends PairSide {
+export interface EventPairSide extends PairSide {
   shape: ShapeId;
   /** All category bits of the shape. */
   category: number;
 }
 
-/** Two shapes that met: `a` of the first category of `World.meetings`, `b` of the second. */
-export interface Meeting {
-  a: MeetingSide;
-  b: MeetingSide;
+/** Two shapes that met: `a` of the first category of `World.eventPairs`, `b` of the second. */
+export interface EventPair {
+  a: EventPairSide;
+  b: EventPairSide;
 }
 
 /** A collision faster than WorldOptions.hitSpeed. */
@@ -111,7 +111,7 @@ export const HIT_ROW = {
 } as const;
 
 /**
- * The index of each number in a row of `World.contactView`; a row has `length` numbers. `points`
+ * The index of each number in a row of `World.contactViewOf`; a row has `length` numbers. `points`
  * are two points of `pointLength` numbers each: place, separation, impulse along the normal.
  */
 export const CONTACT_ROW = {
@@ -175,11 +175,14 @@ export interface Stats {
   softIslands: number;
   /** Collisions that "bisect" and "swept" resolved within the last step. */
   impacts: number;
-  /**
-   * Pairs of moving shapes in the last step: those that were tested (`looked`), and those of them
-   * whose swept circles met, whose swept boxes met, and whose time of collision was computed.
-   */
-  motionPairs: Readonly<{ looked: number; circlesMet: number; boxesMet: number; exact: number }>;
+  /** Pairs of moving shapes that were tested in the last step. */
+  motionPairs: number;
+  /** Those of them whose swept circles met. */
+  motionCircles: number;
+  /** Those of them whose swept boxes met. */
+  motionBoxes: number;
+  /** Those of them whose time of collision was computed. */
+  motionExact: number;
   /** Seconds of each stage by its name (`Engine.stageNames`); 0 unless the world is timed. */
   stageSeconds: Readonly<Record<string, number>>;
   /** Bodies that detection stopped before the end of the step, for instance in dense collisions. */
@@ -253,7 +256,7 @@ export interface ShapeTable {
   readonly handles: Uint32Array;
 }
 
-/** What `World.debugDraw` draws. Each flag is false by default. */
+/** What `World.draw` draws. Each flag is false by default. */
 export interface DrawOptions {
   shapes?: boolean;
   /** The fat bounds of shapes. */
@@ -346,7 +349,7 @@ export const DRAW_STYLES = [
   "joint force",
 ] as const;
 
-/** The drawing as views into wasm memory, valid until the next call of `debugDraw`. */
+/** The drawing as views into wasm memory, valid until the next call of `draw`. */
 export interface DrawLists {
   /** Nine numbers a shape: centre, half extents, cosine, sine, 1 if a circle, style, island. */
   readonly shapes: Float32Array;

@@ -175,8 +175,8 @@ export class WorldBase {
    * once a frame. `alpha`, in [0, 1), is the time left over as a fraction of a step, for `poses`.
    * The motion does not depend on the frame rate.
    *
-   * Afterwards `events`, `meetings`, `impulses` and `jointEvents` are those of all its steps, none
-   * where it ran none. Forces that were applied since the last call act over all of the elapsed
+   * Afterwards `events`, `eventPairs`, `impulseEvents` and `jointEvents` are those of all its
+   * steps, none where it ran none. Forces that were applied since the last call act over all of the elapsed
    * time; forces for a single step are applied in `calls.before`. In `calls.before` and
    * `calls.after` the world may be changed, but not stepped, restored or closed; an exception of
    * them is thrown after the steps.

@@ -6,9 +6,9 @@
  * Every setter throws a ThudError "invalid" for a value out of range or of the wrong type, "stale"
  * for a handle of a destroyed object, and "locked" inside a callback; then nothing has changed.
  */
-import { checkNames } from "./checks/names.js";
+import { checkOptions } from "./checks/names.js";
 import { Kind, kindOf } from "./plain/handles.js";
-import { flagOf, indexOf, numbersOf, userData, xOf } from "./numbers.js";
+import { flagOf, indexOf, numbersOf, userDataOf, xOf } from "./numbers.js";
 import {
   BODY_KINDS,
   type BodyRef,
@@ -39,7 +39,7 @@ export class WorldEdits extends WorldJoints {
    */
   setFilter(shape: ShapeRef, filter: Filter): void {
     const [category, mask, group] = numbersOf("setFilter", filter, FILTER);
-    this.on(Kind.shape, "api_shape_get", shape);
+    this.on(Kind.shape, "api_shape_state", shape);
     const s = this.engine.slots;
     this.on(
       Kind.shape,
@@ -139,7 +139,7 @@ export class WorldEdits extends WorldJoints {
    * @throws {ThudError} "invalid", "stale".
    */
   setUserData(id: BodyRef | ShapeRef, data: number, kind?: "body" | "shape"): void {
-    const number = userData(data) ?? 0;
+    const number = userDataOf(data) ?? 0;
     if (kindOf(id, kind) === Kind.shape) this.on(Kind.shape, "api_shape_set_user_data", id, number);
     else this.on(Kind.body, "api_body_set_user_data", id, number);
   }
@@ -234,7 +234,7 @@ export class WorldEdits extends WorldJoints {
       this.on(Kind.body, "api_body_weigh", body);
       return;
     }
-    checkNames("setMass", mass, MASS);
+    checkOptions("setMass", mass, MASS);
     const { center = [0, 0] } = mass;
     this.on(Kind.body, "api_body_set_mass", body, mass.mass, mass.inertia, xOf(center, "center"), center?.[1]);
   }

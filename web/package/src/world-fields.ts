@@ -11,7 +11,7 @@ import {
   TYRE_OPTIONS,
   WATER_OPTIONS,
 } from "./generated/slots.js";
-import { checkNames } from "./checks/names.js";
+import { checkOptions } from "./checks/names.js";
 import { explained } from "./checks/hook.js";
 import { fill, filterNumbers, numbersOf, writeOptions, xOf } from "./numbers.js";
 import { Kind } from "./plain/handles.js";
@@ -51,7 +51,7 @@ export class WorldFields extends WorldForces {
    * @example world.applyWind(flag, [8, 0], { drag: 1.2 })
    */
   applyWind(body: BodyRef, velocity: Vec2, wind: Wind = {}): void {
-    checkNames("applyWind", wind, WIND);
+    checkOptions("applyWind", wind, WIND);
     const { density = 1, drag = 1, lift = 1 } = wind;
     this.on(Kind.body, "api_body_apply_wind", body, xOf(velocity, "velocity"), velocity?.[1], density, drag, lift);
   }
@@ -81,18 +81,18 @@ export class WorldFields extends WorldForces {
    * @throws {ThudError} "invalid", "stale"; "locked" inside a callback; "memory".
    */
   applyRollingResistance(body: BodyRef, coefficient: number): void {
-    this.on(Kind.body, "api_body_apply_rolling", body, coefficient);
+    this.on(Kind.body, "api_body_apply_rolling_resistance", body, coefficient);
   }
 
   /**
    * Drives a point of a dynamic body to a speed (length/s) along an axis, through the next step, by
-   * a force of at most `most` (mass times length/s², 0 to 10³⁰). Point and axis are in the body's
+   * a force of at most `maxForce` (mass times length/s², 0 to 10³⁰). Point and axis are in the body's
    * frame; the axis has any length but 0. At speed 0 the force brakes, at another speed it drives.
    * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
    */
-  applyGrip(body: BodyRef, point: Vec2, axis: Vec2, speed: number, most: number): void {
+  applyGrip(body: BodyRef, point: Vec2, axis: Vec2, speed: number, maxForce: number): void {
     const [x, y, alongX, alongY] = [xOf(point, "point"), point?.[1], xOf(axis, "axis"), axis?.[1]];
-    this.on(Kind.body, "api_body_apply_grip", body, x, y, alongX, alongY, speed, most);
+    this.on(Kind.body, "api_body_apply_grip", body, x, y, alongX, alongY, speed, maxForce);
   }
 
   /**

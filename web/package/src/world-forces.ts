@@ -27,10 +27,10 @@ export class WorldForces extends WorldEdits {
    * next step, or through the time of the next `advance`. Its torque is computed from the present
    * pose.
    * @throws {ThudError} "invalid", also for a body that is not dynamic; "stale".
-   * @example world.applyForceAt(rocket, [0, 20], nozzle)
+   * @example world.applyForce(rocket, [0, 20], nozzle)
    */
-  applyForceAt(body: BodyRef, force: Vec2, point: Vec2): void {
-    this.on(Kind.body, "api_body_apply_force_at", body, xOf(force, "force"), force?.[1], xOf(point, "point"), point?.[1]);
+  applyForce(body: BodyRef, force: Vec2, point: Vec2): void {
+    this.on(Kind.body, "api_body_apply_force", body, xOf(force, "force"), force?.[1], xOf(point, "point"), point?.[1]);
   }
 
   /**
@@ -137,11 +137,12 @@ export class WorldForces extends WorldEdits {
   }
 
   /**
-   * Writes pose and velocity of a body to a list: x, y, angle; velocity x, y, angular velocity.
+   * Pose and velocity of a body, written to a list, which is returned: x, y, angle; velocity x, y,
+   * angular velocity.
    * @throws {ThudError} "stale".
-   * @example world.readMotion(ball, numbers)
+   * @example world.motionOf(ball, numbers)
    */
-  readMotion(body: BodyRef, into: Into): void {
+  motionOf(body: BodyRef, into: Into): Into {
     this.positionOf(body, into);
     this.on(Kind.body, "api_body_rotation", body);
     const s = this.engine.slots;
@@ -150,6 +151,7 @@ export class WorldForces extends WorldEdits {
     into[3] = s[MotionAt.velocity];
     into[4] = s[MotionAt.velocity + 1];
     into[5] = s[MotionAt.angularVelocity];
+    return into;
   }
 
   /**
@@ -172,7 +174,7 @@ export class WorldForces extends WorldEdits {
   }
 
   /** The settings of the next step. */
-  settings(): StepSettings {
+  stepSettings(): StepSettings {
     this.onWorld("api_world_step_settings");
     const s = this.engine.slots;
     const quality = s.subarray(StepSettingsAt.quality);

@@ -38,7 +38,7 @@ import {
   jointAt,
   numbersOf,
   rowsOf,
-  userData,
+  userDataOf,
   vecAt,
   view,
 } from "./numbers.js";
@@ -74,10 +74,10 @@ export class WorldJoints extends WorldViews {
   /**
    * The state of a joint after the last step: its values, gaps and forces.
    * @throws {ThudError} "stale".
-   * @example world.jointState(joint).force
+   * @example world.jointStateOf(joint).force
    */
-  jointState(joint: JointRef): JointState {
-    this.on(Kind.joint, "api_joint_get", joint);
+  jointStateOf(joint: JointRef): JointState {
+    this.on(Kind.joint, "api_joint_state", joint);
     const s = this.engine.slots;
     const [along, across, turn] = s.subarray(JointStateAt.value);
     const driveAt = (i: number): DriveForces => {
@@ -104,7 +104,7 @@ export class WorldJoints extends WorldViews {
    * joint can be made.
    * @throws {ThudError} "stale".
    */
-  jointOptions(joint: JointRef): AnyJointOptions {
+  jointOptionsOf(joint: JointRef): AnyJointOptions {
     this.on(Kind.joint, "api_joint_options", joint);
     return readJoint(this.engine.slots);
   }
@@ -180,7 +180,7 @@ export class WorldJoints extends WorldViews {
    * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
    */
   setJointUserData(joint: JointRef, data: number): void {
-    this.on(Kind.joint, "api_joint_set_user_data", joint, userData(data) ?? 0);
+    this.on(Kind.joint, "api_joint_set_user_data", joint, userDataOf(data) ?? 0);
   }
 
   /** All joints of the world, in a deterministic order. */

@@ -10,7 +10,7 @@ import { bodyAt, rowsOf, shapeAt } from "./numbers.js";
 import { index1Of, Kind } from "./plain/handles.js";
 import { WorldRules } from "./rules/world-rules.js";
 import type { BodyId, ShapeId, ShapeRef } from "./types.js";
-import type { ContactEvent, Events, Meeting, Pair, PairSide } from "./view-types.js";
+import type { ContactEvent, EventPair, Events, Pair, PairSide } from "./view-types.js";
 
 /** The layer of World with lists. */
 export class WorldLists extends WorldRules {
@@ -63,7 +63,7 @@ export class WorldLists extends WorldRules {
    * The body of a slot, whose pose is at `4 * slot` in `poses()`; null for an empty slot.
    * @throws {ThudError} "invalid" for a slot that was never used.
    */
-  bodyAtSlot(slot: number): BodyId | null {
+  bodyAt(slot: number): BodyId | null {
     this.onWorld("api_world_body_at", slot);
     const s = this.engine.slots;
     return s[HandleAt.index1] === 0 ? null : bodyAt(s, HandleAt.index1);
@@ -73,7 +73,7 @@ export class WorldLists extends WorldRules {
    * The shape of a slot, which is the `index` of its handle; null for an empty slot.
    * @throws {ThudError} "invalid" for a slot that was never used.
    */
-  shapeAtSlot(slot: number): ShapeId | null {
+  shapeAt(slot: number): ShapeId | null {
     this.onWorld("api_world_shape_at", slot);
     const s = this.engine.slots;
     return s[HandleAt.index1] === 0 ? null : shapeAt(s, HandleAt.index1);
@@ -82,10 +82,10 @@ export class WorldLists extends WorldRules {
   /**
    * The shapes that a sensor overlaps, as the last step found them.
    * @throws {ThudError} "stale"; "invalid" for a shape that is no sensor.
-   * @example if (world.overlapsOf(goal).length > 0) score()
+   * @example if (world.sensorOverlapsOf(goal).length > 0) score()
    */
-  overlapsOf(sensor: ShapeRef): ShapeId[] {
-    this.on(Kind.shape, "api_sensor_overlaps", sensor);
+  sensorOverlapsOf(sensor: ShapeRef): ShapeId[] {
+    this.on(Kind.shape, "api_shape_sensor_overlaps", sensor);
     return this.shapeIds();
   }
 
@@ -97,7 +97,7 @@ export class WorldLists extends WorldRules {
   pairOf({ a, b }: Pick<ContactEvent, "a" | "b">): Pair {
     const { exports, slots: s } = this.engine;
     const [index1A, index1B] = [index1Of(a, Kind.shape), index1Of(b, Kind.shape)];
-    const call = exports.api_pair_get;
+    const call = exports.api_world_pair;
     this.engine.check(call(this.address, index1A, a.generation, index1B, b.generation));
     return { a: readSide(s, PairAt.a), b: readSide(s, PairAt.b) };
   }
@@ -109,17 +109,17 @@ export class WorldLists extends WorldRules {
    * hits in one step and touches in the next is listed after both. Pairs with a shape that was
    * destroyed since are left out, also where the loop over the result destroyed it.
    * @throws {ThudError} "invalid" for a category that is no whole number of 32 bits.
-   * @example for (const { b: brick } of world.meetings(BALL, BRICK)) world.destroy(brick.body)
+   * @example for (const { b: brick } of world.eventPairs(BALL, BRICK)) world.destroy(brick.body)
    */
-  meetings(categoryA: number, categoryB: number): Generator<Meeting> {
+  eventPairs(categoryA: number, categoryB: number): Generator<EventPair> {
     for (const category of [categoryA, categoryB])
       if (category >>> 0 !== category && (category | 0) !== category)
-        throw new ThudError("invalid", "meetings: a category is bits, 0 to 0xffffffff");
-    return this.#meetingsOf(this.events(), categoryA, categoryB);
+        throw new ThudError("invalid", "eventPairs: a category is bits, 0 to 0xffffffff");
+    return this.#pairsOf(this.events(), categoryA, categoryB);
   }
 
-  /** The meetings of `events`: begin, hit and sensorBegin events, each pair of shapes once. */
-  *#meetingsOf(events: Events, kindA: number, kindB: number): Generator<Meeting> {
+  /** The pairs of begin, hit and sensorBegin events, each pair of shapes once. */
+  *#pairsOf(events: Events, kindA: number, kindB: number): Generator<EventPair> {
     const told = new Set<string>();
     for (const pair of [...events.begin, ...events.hit, ...events.sensorBegin]) {
       const { a, b } = this.pairOf(pair);
@@ -136,7 +136,7 @@ export class WorldLists extends WorldRules {
 
   /** The category bits of a shape. */
   #categoryOf(shape: ShapeId): number {
-    this.on(Kind.shape, "api_shape_get", shape);
+    this.on(Kind.shape, "api_shape_state", shape);
     return this.engine.slots[ShapeStateAt.category];
   }
 

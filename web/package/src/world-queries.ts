@@ -12,7 +12,7 @@ import {
   NumberAt,
   RayHitAt,
 } from "./generated/slots.js";
-import { checkNames } from "./checks/names.js";
+import { checkOptions } from "./checks/names.js";
 import {
   fill,
   filterNumbers,
@@ -58,12 +58,13 @@ export class WorldQueries extends WorldBase {
 
   /**
    * As `castRay`, but writes the hit to a list: the number of the shape, x and y of the point and
-   * of the normal, the fraction. Returns false, with the list unchanged, where there is no hit.
+   * of the normal, the fraction. Returns false, with the list unchanged, where there is no hit. A
+   * filter of null finds everything but sensors.
    * @throws {ThudError} "invalid"; "memory".
-   * @example if (world.castRayInto(eye, way, hit)) look(hit[0])
+   * @example if (world.castRayInto(eye, way, null, hit)) look(hit[0])
    */
-  castRayInto(origin: Vec2, translation: Vec2, into: Into, filter?: QueryFilter): boolean {
-    const { exports } = filter === undefined ? this.#askedAll() : this.#asked(filter);
+  castRayInto(origin: Vec2, translation: Vec2, filter: QueryFilter | null, into: Into): boolean {
+    const { exports } = filter === null ? this.#askedAll() : this.#asked(filter);
     const result = exports.api_cast_ray(
       this.address,
       xOf(origin, "origin"),
@@ -184,7 +185,7 @@ export class WorldQueries extends WorldBase {
     const { exports } = this.#asked(filter);
     if (query.kind === "bounds") {
       const { lower, upper } = query;
-      checkNames("bounds", query, ["kind", "lower", "upper"]);
+      checkOptions("bounds", query, ["kind", "lower", "upper"]);
       const [left, bottom, right, top] = [xOf(lower, "lower"), lower?.[1], xOf(upper, "upper"), upper?.[1]];
       const result = exports.api_overlap_aabb(this.address, left, bottom, right, top);
       if (result !== 0) this.refuse(result, "overlap", query);
@@ -230,9 +231,9 @@ export class WorldQueries extends WorldBase {
    * it.
    * @throws {ThudError} "invalid", "stale".
    */
-  castRayAt(shape: ShapeRef, origin: Vec2, translation: Vec2): RayHit | null {
+  shapeCastRay(shape: ShapeRef, origin: Vec2, translation: Vec2): RayHit | null {
     const [x, y, dx, dy] = [xOf(origin, "origin"), origin?.[1], xOf(translation, "translation"), translation?.[1]];
-    this.on(Kind.shape, "api_shape_meets_ray", shape, x, y, dx, dy);
+    this.on(Kind.shape, "api_shape_cast_ray", shape, x, y, dx, dy);
     return readFirst(this.engine.slots);
   }
 

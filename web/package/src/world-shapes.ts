@@ -3,7 +3,7 @@
  * terrain change the line at once; the next step wakes the bodies that touch a changed part.
  * thud.h and thud_terrain.h describe them in full.
  */
-import { checkNames } from "./checks/names.js";
+import { checkOptions } from "./checks/names.js";
 import { explained, shown } from "./checks/hook.js";
 import { ThudError } from "./error.js";
 import {
@@ -116,7 +116,7 @@ export class WorldShapes extends WorldLists {
     options: ShapeOptions & { kind?: "terrain" } = {},
   ): ShapeId {
     const kind = indexOf(TERRAIN_KINDS, terrain.kind, "createTerrain: kind");
-    checkNames("createTerrain", terrain, TERRAINS[terrain.kind]);
+    checkOptions("createTerrain", terrain, TERRAINS[terrain.kind]);
     const create = (points: number, count: number, slope: number, x0: number, spacing: number) => {
       const { exports, slots } = this.engine;
       exports.api_shape_defaults();
@@ -153,8 +153,8 @@ export class WorldShapes extends WorldLists {
    * The options of a shape as they are now, and its body.
    * @throws {ThudError} "stale".
    */
-  shapeState(shape: ShapeRef): ShapeState {
-    this.on(Kind.shape, "api_shape_get", shape);
+  shapeStateOf(shape: ShapeRef): ShapeState {
+    this.on(Kind.shape, "api_shape_state", shape);
     const s = this.engine.slots;
     const kind = SHAPE_KINDS[s[ShapeStateAt.kind]];
     const material = {
@@ -182,7 +182,7 @@ export class WorldShapes extends WorldLists {
    * A copy of the line of a terrain as it is now.
    * @throws {ThudError} "stale"; "invalid" for another kind of shape.
    */
-  terrain(shape: ShapeRef): Terrain {
+  terrainOf(shape: ShapeRef): Terrain {
     this.on(Kind.shape, "api_shape_terrain", shape);
     const { buffer, slots: s } = this.engine;
     const kind = TERRAIN_KINDS[s[TerrainAt.kind]];

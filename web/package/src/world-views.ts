@@ -1,6 +1,6 @@
 /**
  * The layer of World that reads all of a world: poses, events, statistics, errors, tables for
- * drawing. The arrays that `poses`, `eventViews`, `contactView`, `shapeTable` and `debugDraw`
+ * drawing. The arrays that `poses`, `eventViews`, `contactViewOf`, `shapeTable` and `draw`
  * return are views into wasm memory: nothing is copied, and they are valid until the next call of
  * the engine.
  */
@@ -146,7 +146,7 @@ export class WorldViews extends WorldQueries {
    * next call of the engine. The pairs that began to touch last come first.
    * @throws {ThudError} "stale"; "locked" inside a callback; "memory".
    */
-  contactView(body: BodyRef): Float64Array {
+  contactViewOf(body: BodyRef): Float64Array {
     this.on(Kind.body, "api_body_contacts", body);
     const { buffer, slots } = this.engine;
     this.#contacts = again(this.#contacts, buffer, slots, ListAt.address, ContactRowAt.length);
@@ -188,12 +188,10 @@ export class WorldViews extends WorldQueries {
       directBodies: s[StatsAt.directBodies],
       softIslands: s[StatsAt.softIslands],
       impacts: s[StatsAt.impacts],
-      motionPairs: {
-        looked: s[StatsAt.motionPairs],
-        circlesMet: s[StatsAt.motionCircles],
-        boxesMet: s[StatsAt.motionBoxes],
-        exact: s[StatsAt.motionExact],
-      },
+      motionPairs: s[StatsAt.motionPairs],
+      motionCircles: s[StatsAt.motionCircles],
+      motionBoxes: s[StatsAt.motionBoxes],
+      motionExact: s[StatsAt.motionExact],
       stageSeconds: Object.fromEntries(
         engine.stageNames.map((name, i) => [name, s[StatsAt.stageSeconds + i]]),
       ),
@@ -217,8 +215,8 @@ export class WorldViews extends WorldQueries {
    * The errors of the last step. They are collected while it is solved: the call costs at most a
    * pass over joints and contacts.
    */
-  error(): StepError {
-    this.engine.exports.api_world_error(this.address);
+  stepError(): StepError {
+    this.engine.exports.api_world_step_error(this.address);
     const s = this.engine.slots;
     return {
       penetrationMax: s[StepErrorAt.penetrationMax],
@@ -288,9 +286,9 @@ export class WorldViews extends WorldQueries {
    * and points.
    * @throws {ThudError} "invalid"; "memory".
    */
-  debugDraw(options: DrawOptions): DrawLists {
+  draw(options: DrawOptions): DrawLists {
     const { engine } = this;
-    const numbers = numbersOf("debugDraw", options, DRAWN, ["origin", "lower", "upper"]);
+    const numbers = numbersOf("draw", options, DRAWN, ["origin", "lower", "upper"]);
     const flags = numbers.reduce((sum: number, on, i) => sum + (on ? 1 << i : 0), 0);
     const [x, y] = options.origin ?? [0, 0];
     engine.check(

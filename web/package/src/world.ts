@@ -155,10 +155,10 @@ export class World extends WorldShapes {
   /**
    * All values of a body: its pose, velocity, mass and flags.
    * @throws {ThudError} "stale".
-   * @example world.bodyState(ball).position
+   * @example world.bodyStateOf(ball).position
    */
-  bodyState(body: BodyRef): BodyState {
-    this.on(Kind.body, "api_body_get", body);
+  bodyStateOf(body: BodyRef): BodyState {
+    this.on(Kind.body, "api_body_state", body);
     const s = this.engine.slots;
     return {
       kind: BODY_KINDS[s[BodyStateAt.kind]],
@@ -210,15 +210,25 @@ export class World extends WorldShapes {
   }
 
   /**
-   * Applies a force, mass times length/s², at the centre of mass of a dynamic body, and a torque,
-   * mass times length²/s², through the next step, or through the time of the next `advance`. Forces
-   * add up.
+   * Applies a force, mass times length/s², to a dynamic body at its centre of mass, through the
+   * next step, or through the time of the next `advance`. Forces add up.
    * @throws {ThudError} "invalid", also for a body that is not dynamic; "stale"; "memory" inside a
    * callback.
-   * @example world.applyForce(ball, [10, 0])
+   * @example world.applyCenterForce(ball, [10, 0])
    */
-  applyForce(body: BodyRef, force: Vec2, torque = 0): void {
-    this.on(Kind.body, "api_body_apply_force", body, xOf(force, "force"), force?.[1], torque);
+  applyCenterForce(body: BodyRef, force: Vec2): void {
+    this.on(Kind.body, "api_body_apply_center_force", body, xOf(force, "force"), force?.[1]);
+  }
+
+  /**
+   * Applies a torque, mass times length²/s², to a dynamic body, through the next step, or through
+   * the time of the next `advance`. Torques add up.
+   * @throws {ThudError} "invalid", also for a body that is not dynamic; "stale"; "memory" inside a
+   * callback.
+   * @example world.applyTorque(ball, -3)
+   */
+  applyTorque(body: BodyRef, torque: number): void {
+    this.on(Kind.body, "api_body_apply_torque", body, torque);
   }
 
   /**

@@ -154,7 +154,7 @@ export default async function ({ createWorld, readText, random, seed }) {
 
   /** A shell whose velocity is not what gravity and wind alone make of it has met something. */
   function fly(game) {
-    const { position, velocity } = world.bodyState(shell);
+    const { position, velocity } = world.bodyStateOf(shell);
     const [x, y] = position;
     const change = Math.hypot(velocity[0] - game.velocity[0], velocity[1] - game.velocity[1]);
     if (Math.abs(x) > REACH || game.waited > 1200) return land(game, null);
@@ -164,8 +164,8 @@ export default async function ({ createWorld, readText, random, seed }) {
   }
 
   function pushByWind(game) {
-    const { mass, velocity } = world.bodyState(shell);
-    world.applyForce(shell, [mass * game.wind, 0]);
+    const { mass, velocity } = world.bodyStateOf(shell);
+    world.applyCenterForce(shell, [mass * game.wind, 0]);
     game.velocity = [velocity[0] + game.wind * STEP, velocity[1] - GRAVITY * STEP];
   }
 
@@ -189,7 +189,7 @@ export default async function ({ createWorld, readText, random, seed }) {
     if (points <= 0) return;
     const tank = game.tanks[i];
     tank.health = Math.max(0, tank.health - points);
-    const [x, y] = world.bodyState(tanks[i].body).position;
+    const [x, y] = world.bodyStateOf(tanks[i].body).position;
     game.effects.push({ kind: "loss", x, y: y + 3.4, text: `−${points}`, age: 0, life: 80 });
     if (tank.health === 0) game.effects.push({ kind: "ring", x, y, radius: 3, age: 0, life: 45 });
   }
@@ -197,7 +197,7 @@ export default async function ({ createWorld, readText, random, seed }) {
   /** Falls count when they end: by the downward speed that is gone. */
   function feelFall(game, i) {
     const tank = game.tanks[i];
-    const down = -world.bodyState(tanks[i].body).velocity[1];
+    const down = -world.bodyStateOf(tanks[i].body).velocity[1];
     if (down > tank.fall) tank.fall = down;
     else if (down < 0.5 * tank.fall) {
       const points = Math.round((tank.fall - SAFE_FALL) * FALL_HURTS);
@@ -207,7 +207,7 @@ export default async function ({ createWorld, readText, random, seed }) {
   }
 
   function settle(game) {
-    const speeds = tanks.map(({ body }) => Math.hypot(...world.bodyState(body).velocity));
+    const speeds = tanks.map(({ body }) => Math.hypot(...world.bodyStateOf(body).velocity));
     const still = game.waited > 60 && Math.max(...speeds) < 0.2;
     if (!still && game.waited < LONGEST_SETTLING) return;
     if (isDecided(game)) finish(game);

@@ -98,13 +98,13 @@ export default function ({ createWorld }) {
     const vehicle = vehicles[game.level];
     if (game.broken > 0) game.sinceBroken++;
     for (const beam of feel(world, game.bridge)) {
-      const [x, y] = world.bodyState(beam.body).position;
+      const [x, y] = world.bodyStateOf(beam.body).position;
       game.effects.push({ x, y, age: 0, life: 30 });
       game.broken++;
       const at = game.bridge.beams.indexOf(beam);
       if (game.sinceBroken < AT_ONCE) game.first.push(game.plan.beams[at]);
     }
-    const { position, velocity } = world.bodyState(vehicle.chassis);
+    const { position, velocity } = world.bodyStateOf(vehicle.chassis);
     const past = position[0] - level.x - level.width;
     if (past > STOPS_AFTER) drive(world, vehicle, false);
     if (game.phase === "drive") {

@@ -45,7 +45,7 @@ export default function ({ createWorld, grid, size }) {
 
   const paint = () => {
     const seen = bullets.map(({ bullet, room, name }) => {
-      const [x, y] = world.bodyState(bullet).position;
+      const [x, y] = world.bodyStateOf(bullet).position;
       return { x, y, room, name };
     });
     const isOut = ({ x, y, room }) => Math.abs(x) > halfWidth || Math.abs(y - room) > halfHeight;

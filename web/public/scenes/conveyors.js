@@ -44,7 +44,7 @@ export default function ({ createWorld, random, grid, seed, size }) {
     spawn: [-6, 13],
     update({ step }) {
       for (const parcel of parcels) {
-        if (!world.isValid(parcel) || world.bodyState(parcel).position[1] > -8) continue;
+        if (!world.isValid(parcel) || world.bodyStateOf(parcel).position[1] > -8) continue;
         // Somewhere above the first belt, and each time elsewhere.
         world.setTransform(parcel, [-9 + ((parcel.index + step) % 12) * 0.5, 14]);
         world.setVelocity(parcel, [0, 0]);

@@ -68,12 +68,12 @@ export default function ({ createWorld, grid, size }) {
 
   /** Of what is below the hook the nearest body, by a rope to its middle. */
   function takeHold() {
-    const [x, y] = world.bodyState(hook.body).position;
+    const [x, y] = world.bodyStateOf(hook.body).position;
     const found = world
       .overlap({ kind: "circle", center: [x, y - REACH], radius: REACH })
-      .map((shape) => world.shapeState(shape).body)
+      .map((shape) => world.shapeStateOf(shape).body)
       .filter(({ index }) => index !== hook.body.index)
-      .map((body) => ({ body, state: world.bodyState(body) }))
+      .map((body) => ({ body, state: world.bodyStateOf(body) }))
       .filter(({ state }) => state.kind === "dynamic")
       .map(({ body, state: { position } }) => ({
         body,

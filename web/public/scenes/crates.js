@@ -36,7 +36,7 @@ export default function ({ createWorld, grid, size }) {
     const body = loose(first + APART * EVERY * i + 0.3, LOWEST + HIGHER * (i % 6));
     world.createCircle(body, { radius: RADIUS, density: 8, friction });
   }
-  world.setRule(CRATE, ANY | CRATE | PIECE, { mostImpulse: MOST });
+  world.setRule(CRATE, ANY | CRATE | PIECE, { eventImpulse: MOST });
 
   const scene = {
     world,
@@ -44,9 +44,9 @@ export default function ({ createWorld, grid, size }) {
     spawn: [0, 10],
     state: { broken: 0 },
     stepped() {
-      for (const { a, b } of world.impulses())
+      for (const { a, b } of world.impulseEvents())
         for (const shape of [a, b])
-          if (world.isValid(shape) && world.shapeState(shape).category === CRATE) {
+          if (world.isValid(shape) && world.shapeStateOf(shape).category === CRATE) {
             breakUp(world, shape);
             scene.state.broken++;
           }
@@ -57,8 +57,8 @@ export default function ({ createWorld, grid, size }) {
 }
 
 function breakUp(world, shape) {
-  const { body, halfWidth, halfHeight, density, friction } = world.shapeState(shape);
-  const { angle, angularVelocity } = world.bodyState(body);
+  const { body, halfWidth, halfHeight, density, friction } = world.shapeStateOf(shape);
+  const { angle, angularVelocity } = world.bodyStateOf(body);
   for (const [right, up] of [[-0.5, -0.5], [0.5, -0.5], [-0.5, 0.5], [0.5, 0.5]]) {
     const position = world.worldPoint(body, [right * halfWidth, up * halfHeight]);
     const velocity = world.velocityAt(body, position);

@@ -62,8 +62,8 @@ function apart(here, twin, far) {
   let most = 0;
   here.bodies.forEach((body, i) => {
     if (!here.world.isValid(body)) return;
-    const [x, y] = here.world.bodyState(body).position;
-    const [twinX, twinY] = twin.world.bodyState(twin.bodies[i]).position;
+    const [x, y] = here.world.bodyStateOf(body).position;
+    const [twinX, twinY] = twin.world.bodyStateOf(twin.bodies[i]).position;
     most = Math.max(most, Math.abs(x - far - twinX), Math.abs(y - twinY));
   });
   return most;

@@ -11,7 +11,7 @@ export const size = { means: "bodies", usual: 100, least: 4, most: 2000 };
 const [HALF, APART, TURN] = [0.3, 0.7, 0.4363323129985824]; // 25 degrees a second
 const NAMES = ["Orange", "Blue", "Green", "Gold"];
 const INKS = ["player", "rival", "good", "gold"];
-const MEETINGS = ["collide", "ignore", "oneWay"];
+const RULES = ["collide", "ignore", "oneWay"];
 
 // From which step on, of which two kinds, and what they are then to each other.
 const TIMETABLE = [
@@ -78,9 +78,9 @@ export default function ({ createWorld, grid, size }) {
   function heed(table) {
     for (let a = 0; a < NAMES.length; a++)
       for (let b = a; b < NAMES.length; b++) {
-        const meeting = MEETINGS[table[placeOf(a, b)]];
-        if ((world.rule(kind(a), kind(b))?.meeting ?? "collide") !== meeting)
-          world.setRule(kind(a), kind(b), { meeting });
+        const rule = RULES[table[placeOf(a, b)]];
+        if ((world.rule(kind(a), kind(b))?.kind ?? "collide") !== rule)
+          world.setRule(kind(a), kind(b), { kind: rule });
       }
   }
 
@@ -95,8 +95,8 @@ export default function ({ createWorld, grid, size }) {
 
 function tableAt(step) {
   const digits = Array(NAMES.length * NAMES.length).fill(0);
-  for (const [from, a, b, meeting] of TIMETABLE)
-    if (from <= step) digits[placeOf(a, b)] = digits[placeOf(b, a)] = MEETINGS.indexOf(meeting);
+  for (const [from, a, b, rule] of TIMETABLE)
+    if (from <= step) digits[placeOf(a, b)] = digits[placeOf(b, a)] = RULES.indexOf(rule);
   return digits.join("");
 }
 

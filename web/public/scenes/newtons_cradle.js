@@ -58,7 +58,7 @@ function energyOf(world, balls) {
   let [motion, height] = [0, 0];
   for (const { body, low } of balls) {
     if (!world.isValid(body)) continue;
-    const { mass, inertia, position, velocity, angularVelocity } = world.bodyState(body);
+    const { mass, inertia, position, velocity, angularVelocity } = world.bodyStateOf(body);
     const [x, y] = velocity;
     motion += 0.5 * (mass * (x * x + y * y) + inertia * angularVelocity * angularVelocity);
     height += mass * GRAVITY * (position[1] - low);

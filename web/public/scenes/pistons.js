@@ -43,7 +43,7 @@ export default function ({ createWorld, random, grid, seed, size }) {
         if (!world.isValid(piston)) return;
         // So fast that it is where the wave will be after this step.
         const target = wave(i, step + 1) - HALF_HEIGHT;
-        const rise = target - world.bodyState(piston).position[1];
+        const rise = target - world.bodyStateOf(piston).position[1];
         world.setVelocity(piston, [0, rise * 60]);
       });
     },

@@ -40,9 +40,9 @@ export default function ({ createWorld, grid, size }) {
     else parts.box(at, HALF, HALF, { friction, category: CRATE }, thrown);
   }
 
-  world.setRule(PLANK, ANY | BALL, { meeting: "oneWay", surfaceSpeed: 2 });
-  world.setRule(PLANK, CRATE, { meeting: "oneWay", surfaceSpeed: -2 });
-  world.setRule(BALL | CRATE, BALL | CRATE, { meeting: "ignore" });
+  world.setRule(PLANK, ANY | BALL, { kind: "oneWay", surfaceSpeed: 2 });
+  world.setRule(PLANK, CRATE, { kind: "oneWay", surfaceSpeed: -2 });
+  world.setRule(BALL | CRATE, BALL | CRATE, { kind: "ignore" });
   world.setRule(ICE, LOOSE, { friction: 0 });
   world.setRule(TRAMPOLINE, LOOSE, { restitution: 1.25 });
   return {

@@ -110,7 +110,7 @@ export default async function (setting) {
     const halfHeight = figure.halfHeight - MARGIN;
     return world
       .overlap({ kind: "aabb", center, halfWidth, halfHeight }, { sensors: true })
-      .map((shape) => things.get(world.bodyState(world.shapeState(shape).body).userData))
+      .map((shape) => things.get(world.bodyStateOf(world.shapeStateOf(shape).body).userData))
       .filter((thing) => thing !== undefined);
   }
 

@@ -31,11 +31,11 @@ export default function ({ createWorld, random, seed, size }) {
     update({ held }) {
       const along = (held.right ? PUSH : 0) - (held.left ? PUSH : 0);
       const up = held.up ? 2 * PUSH : 0;
-      if (along || up) world.applyForce(ball, [along, up]);
+      if (along || up) world.applyCenterForce(ball, [along, up]);
     },
 
     paint() {
-      const [x, y] = world.bodyState(ball).position;
+      const [x, y] = world.bodyStateOf(ball).position;
       return {
         marks: [{ kind: "circle", x, y, radius: 0.75, ink: "player" }],
         message: "Knock the boxes off the table.",

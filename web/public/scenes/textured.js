@@ -40,7 +40,7 @@ export default function ({ createWorld, grid, random, size }) {
 
   const view = { x: 0, y: 2, height: 9, width: 11 * size };
   const walked = () => {
-    const ways = walkers.map(({ body, x }) => world.bodyState(body).position[0] - x);
+    const ways = walkers.map(({ body, x }) => world.bodyStateOf(body).position[0] - x);
     return ways.reduce((sum, way) => sum + way, 0) / size;
   };
   const scene = {

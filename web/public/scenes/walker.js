@@ -50,7 +50,7 @@ export default function ({ createWorld, grid, size }) {
     frames.push(addWalker(world, parts, i, 12 * (i - 0.5 * (size - 1))));
   const view = { x: 3, y: 4, height: 9 + 6.5 * size, width: 14 * size };
   const walked = () => {
-    const ways = frames.map(({ body, x }) => world.bodyState(body).position[0] - x);
+    const ways = frames.map(({ body, x }) => world.bodyStateOf(body).position[0] - x);
     return ways.reduce((sum, way) => sum + way, 0) / size;
   };
   return {

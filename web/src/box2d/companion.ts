@@ -44,25 +44,25 @@ interface Pair {
 export class Box2DCompanion implements Companion {
   #pair: Pair | null = null;
 
-  /** Loads Box2D. Throws if that fails, or if the world is not watched. */
+  /** Loads Box2D. Throws if that fails, or if nothing was recorded of the world. */
   static async load(
     session: Session,
-    known: Watched | undefined,
+    record: Watched | undefined,
     request: Box2DRequest,
   ): Promise<Box2DCompanion> {
-    if (!known) throw new Error("The world was made before Box2D could watch it.");
-    return new Box2DCompanion(await loadBox2D(), session, known, request);
+    if (!record) throw new Error("The world was made before Box2D could watch it.");
+    return new Box2DCompanion(await loadBox2D(), session, record, request);
   }
 
   private constructor(
     private readonly box2d: Box2D,
     private readonly session: Session,
-    private readonly known: Watched,
+    private readonly record: Watched,
     private request: Box2DRequest,
   ) {}
 
-  /** Changes the number of substeps. */
-  choose(request: Box2DRequest): void {
+  /** Takes the number of substeps from the request. */
+  applyRequest(request: Box2DRequest): void {
     this.request = request;
     if (this.#pair) this.#pair.box2dWorld.substeps = request.substeps;
   }
@@ -70,7 +70,7 @@ export class Box2DCompanion implements Companion {
   end(): void {
     const pair = this.#pair;
     this.#pair = null;
-    this.known.forwardTo(null);
+    this.record.forwardTo(null);
     pair?.ruler.close();
     pair?.box2dWorld.close();
   }
@@ -78,26 +78,26 @@ export class Box2DCompanion implements Companion {
   begin(): void {
     if (this.#pair) return;
     this.#guard(() => {
-      const { session, known } = this;
+      const { session, record } = this;
       const { world, lengthScale } = session;
       const box2dWorld = new Box2DWorld(this.box2d, world, {
-        ...known,
+        ...record,
         substeps: this.request.substeps,
         contactHertz: CONTACT_HERTZ,
       });
       this.#pair = {
         box2dWorld,
-        ruler: new Ruler(world, lengthScale, known),
+        ruler: new Ruler(world, lengthScale, record),
         origin: middleOf(world),
         since: session.step,
         nextComparison: session.step,
       };
-      known.forwardTo(box2dWorld);
+      record.forwardTo(box2dWorld);
     });
   }
 
   apart(act: () => void): void {
-    this.known.apart(act);
+    this.record.apart(act);
   }
 
   explode(blast: Blast): void {
@@ -168,7 +168,7 @@ export class Box2DCompanion implements Companion {
       // freed. The module is dropped, and its memory with it.
       if (error instanceof WebAssembly.RuntimeError) {
         forgetBox2D();
-        this.known.forwardTo(null);
+        this.record.forwardTo(null);
         this.#pair?.ruler.close();
         this.#pair = null;
       } else this.end();

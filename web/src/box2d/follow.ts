@@ -22,16 +22,14 @@ const TO_BODY: { [Name in Method]?: (box2d: Box2DWorld, body: BodyId, ...args: n
   applyImpulse: (box2d, body, impulse: Vec2, point: Vec2) =>
     box2d.applyImpulse(body, impulse, point),
   applyCenterImpulse: (box2d, body, impulse: Vec2) =>
-    box2d.applyImpulse(body, impulse, box2d.bodyState(body).center),
+    box2d.applyImpulse(body, impulse, box2d.bodyStateOf(body).center),
   applyAngularImpulse(box2d, body, impulse: number) {
-    const { velocity, angularVelocity, inertia } = box2d.bodyState(body);
+    const { velocity, angularVelocity, inertia } = box2d.bodyStateOf(body);
     if (inertia > 0) box2d.setVelocity(body, velocity, angularVelocity + impulse / inertia);
   },
-  applyForce: (box2d, body, force: Vec2, torque?: number) => box2d.applyForce(body, force, torque),
-  applyForceAt(box2d, body, [x, y]: Vec2, point: Vec2) {
-    const { center } = box2d.bodyState(body);
-    box2d.applyForce(body, [x, y], (point[0] - center[0]) * y - (point[1] - center[1]) * x);
-  },
+  applyForce: (box2d, body, force: Vec2, point: Vec2) => box2d.applyForce(body, force, point),
+  applyCenterForce: (box2d, body, force: Vec2) => box2d.applyCenterForce(body, force),
+  applyTorque: (box2d, body, torque: number) => box2d.applyTorque(body, torque),
   setAwake: (box2d, body, awake: boolean) => box2d.setAwake(body, awake),
   setKind: change,
   setDamping: change,
@@ -44,7 +42,7 @@ const TO_BODY: { [Name in Method]?: (box2d: Box2DWorld, body: BodyId, ...args: n
 };
 
 /** Those of TO_BODY whose effect the state of the thud body does not tell. */
-const FORCES = new Set<Method>(["applyForce", "applyForceAt"]);
+const FORCES = new Set<Method>(["applyForce", "applyCenterForce", "applyTorque"]);
 
 /** Gives Box2D's body the properties that the thud body has now. */
 function change(box2d: Box2DWorld, body: BodyId): void {
@@ -116,28 +114,28 @@ const HARMLESS = new Set<Method>([
   "useRules",
   "useJoints",
   "stats",
-  "error",
+  "stepError",
   "measure",
-  "settings",
+  "stepSettings",
   "bisectionLimit",
   "events",
   "eventViews",
-  "impulses",
-  "impulseView",
+  "impulseEvents",
+  "impulseEventView",
   "jointEvents",
-  "contactView",
+  "contactViewOf",
   "contactsOf",
-  "meetings",
+  "eventPairs",
   "pairOf",
-  "overlapsOf",
+  "sensorOverlapsOf",
   "poses",
   "shapeTable",
   "shapeTableAwake",
   "jointTable",
-  "debugDraw",
+  "draw",
   "isValid",
-  "bodyState",
-  "shapeState",
+  "bodyStateOf",
+  "shapeStateOf",
   "shapesOf",
   "bodyOf",
   "locksOf",
@@ -145,7 +143,7 @@ const HARMLESS = new Set<Method>([
   "positionOf",
   "rotationOf",
   "velocityOf",
-  "readMotion",
+  "motionOf",
   "userDataOf",
   "velocityAt",
   "worldPoint",
@@ -156,13 +154,13 @@ const HARMLESS = new Set<Method>([
   "awakeBodies",
   "movedBodies",
   "shapes",
-  "bodyAtSlot",
-  "shapeAtSlot",
+  "bodyAt",
+  "shapeAt",
   "joints",
   "jointsOf",
-  "jointState",
-  "jointOptions",
-  "terrain",
+  "jointStateOf",
+  "jointOptionsOf",
+  "terrainOf",
   "groundAt",
   "placeFoot",
   "castRay",
@@ -170,7 +168,7 @@ const HARMLESS = new Set<Method>([
   "castRayAll",
   "castRayEach",
   "castRays",
-  "castRayAt",
+  "shapeCastRay",
   "castShape",
   "castShapeAll",
   "castShapeEach",

@@ -112,7 +112,7 @@ export class Joints {
   /** Creates, changes or removes Box2D's joint, so that it has the options of the thud joint. */
   #follow(name: string, joint: JointId): void {
     const { source } = this;
-    const options = source.isValid(joint) ? source.jointOptions(joint) : null;
+    const options = source.isValid(joint) ? source.jointOptionsOf(joint) : null;
     if (!options) this.#broken.delete(name);
     if (!options?.enabled || this.#broken.has(name)) return this.#remove(name);
     if (options.kind === "gear") return void this.#lacks.set(name, ["gears"]);

@@ -116,7 +116,7 @@ export class Mirror {
   }
 
   #addBody(member: Member): void {
-    const state = this.#world.bodyState(member.id);
+    const state = this.#world.bodyStateOf(member.id);
     this.#twin.addBody(member.id, state);
     for (const shape of member.shapes.values()) this.#addShape(member.id, shape);
     this.#twin.finishBody(member.id, state);
@@ -144,8 +144,8 @@ export class Mirror {
   }
 
   #addShape(body: BodyId, id: ShapeId): void {
-    const state = this.#world.shapeState(id);
-    const terrain = state.kind === "terrain" ? this.#world.terrain(id) : null;
+    const state = this.#world.shapeStateOf(id);
+    const terrain = state.kind === "terrain" ? this.#world.terrainOf(id) : null;
     if (terrain) this.#grounds.set(id.index, { body, id, terrain });
     this.#twin.addShape(body, id, state, terrain);
   }
@@ -153,11 +153,11 @@ export class Mirror {
   /** Makes a terrain anew if its vertices changed. */
   #followGround(ground: Ground): void {
     const { body, id } = ground;
-    const terrain = this.#world.terrain(id);
+    const terrain = this.#world.terrainOf(id);
     if (equalTerrains(terrain, ground.terrain)) return;
     ground.terrain = terrain;
     this.#twin.removeShape(body, id);
-    this.#twin.addShape(body, id, this.#world.shapeState(id), terrain);
+    this.#twin.addShape(body, id, this.#world.shapeStateOf(id), terrain);
   }
 }
 

@@ -20,7 +20,7 @@ import {
   type Terrain,
   type World,
 } from "thud";
-import type { Known } from "../worker/watch";
+import type { WorldRecord } from "../worker/watch";
 import { Mirror, type Twin } from "./mirror";
 
 /**
@@ -72,7 +72,7 @@ export class Ruler implements Twin {
   constructor(
     world: World,
     lengthScale = 1,
-    private readonly known?: Pick<Known, "called">,
+    private readonly known?: Pick<WorldRecord, "called">,
   ) {
     this.#source = world;
     this.#world = world.engine.createWorld({
@@ -103,8 +103,8 @@ export class Ruler implements Twin {
     if (this.known?.called.has("setFilter") === false) return;
     for (const { shapes } of this.#copies.values())
       for (const made of shapes.values()) {
-        const { category, mask, group } = this.#source.shapeState(this.#original(made));
-        const own = this.#world.shapeState(made);
+        const { category, mask, group } = this.#source.shapeStateOf(this.#original(made));
+        const own = this.#world.shapeStateOf(made);
         if (category === own.category && mask === own.mask && group === own.group) continue;
         this.#world.setFilter(made, { category, mask, group });
         this.#originals.get(made.index)!.kind = kindOf(category);
@@ -130,7 +130,7 @@ export class Ruler implements Twin {
     }
     this.#leaveOut();
     this.#world.step();
-    const { penetrationMax, penetrationMean } = this.#world.error();
+    const { penetrationMax, penetrationMean } = this.#world.stepError();
     // A separation is a negative depth; where bodies just touch it may be -0.
     return { worst: Math.max(0, penetrationMax), mean: Math.max(0, penetrationMean) };
   }
@@ -157,11 +157,11 @@ export class Ruler implements Twin {
     this.#oneWay.clear();
     for (const [i, first] of kinds.entries())
       for (const second of kinds.slice(i)) {
-        const meeting = this.#source.rule(first, second)?.meeting;
+        const kind = this.#source.rule(first, second)?.kind;
         const ignored = this.#world.rule(first, second) !== null;
-        if (ignored !== (meeting === "ignore"))
-          this.#world.setRule(first, second, ignored ? null : { meeting: "ignore" });
-        if (meeting === "oneWay") this.#oneWay.add(keyOf(first, second));
+        if (ignored !== (kind === "ignore"))
+          this.#world.setRule(first, second, ignored ? null : { kind: "ignore" });
+        if (kind === "oneWay") this.#oneWay.add(keyOf(first, second));
       }
   }
 
@@ -170,7 +170,7 @@ export class Ruler implements Twin {
     this.#held.clear();
     const { length, pointCount, shapeA, shapeB } = CONTACT_ROW;
     for (const body of this.#source.bodies()) {
-      const rows = this.#source.contactView(body);
+      const rows = this.#source.contactViewOf(body);
       for (let at = 0; at < rows.length; at += length)
         this.#held.set(keyOf(rows[at + shapeA] - 1, rows[at + shapeB] - 1), rows[at + pointCount] > 0);
     }
@@ -226,14 +226,14 @@ export class Ruler implements Twin {
   finishBody(): void {}
 
   changeShape(id: ShapeId): void {
-    const state = this.#source.shapeState(id);
+    const state = this.#source.shapeStateOf(id);
     if (state.kind === "terrain") return;
     this.removeShape(state.body, id);
     this.addShape(state.body, id, state, null);
   }
 
   changeBody(id: BodyId): void {
-    this.#world.setKind(this.#copy(id).id, this.#source.bodyState(id).kind);
+    this.#world.setKind(this.#copy(id).id, this.#source.bodyStateOf(id).kind);
   }
 
   removeShape(body: BodyId, { index }: ShapeId): void {

@@ -24,7 +24,7 @@ import type {
   b2WorldId,
 } from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
 import { type Held, inFrame } from "../worker/hands";
-import type { Follower, Known } from "../worker/watch";
+import type { Follower, WorldRecord } from "../worker/watch";
 import { type Entry, weigh } from "./entry";
 import { follow, missesOf } from "./follow";
 import type { Gap } from "./joint-gap";
@@ -50,7 +50,7 @@ const STRAY = 0.002;
 const ROUNDING = 1e-4;
 
 /** Settings of a copy. What is not given has its default value. */
-export interface Box2DOptions extends Partial<Known> {
+export interface Box2DOptions extends Partial<WorldRecord> {
   /** Substeps per step. Default 4, as Box2D's manual recommends. */
   substeps?: number;
   /**
@@ -127,7 +127,7 @@ export class Box2DWorld implements Follower, Twin {
   }
 
   /** What the ruler may know of the calls. */
-  get #known(): Pick<Known, "called"> | undefined {
+  get #known(): Pick<WorldRecord, "called"> | undefined {
     const { called } = this.#settings;
     return called && { called };
   }
@@ -183,7 +183,7 @@ export class Box2DWorld implements Follower, Twin {
   #balance(entry: Entry): void {
     entry.weight = weigh(this.#common, entry);
     if (entry.kind !== "dynamic") return;
-    const state = this.#source.bodyState(entry.id);
+    const state = this.#source.bodyStateOf(entry.id);
     const { mass, inertia, center } = entry.weight;
     const [x, y] = inFrame(state, state.center);
     const far = Math.hypot(x - center[0], y - center[1]) / this.#common.unit;
@@ -196,7 +196,7 @@ export class Box2DWorld implements Follower, Twin {
   /** Box2D's body; null if the thud body is disabled. Creates a body that has no shapes. */
   #bodyOf(id: BodyId): b2BodyId | null {
     if (!this.isValid(id)) {
-      const state = this.#source.bodyState(id);
+      const state = this.#source.bodyStateOf(id);
       if (!state.enabled) return null;
       this.addBody(id, state);
       this.finishBody(id, state);
@@ -207,7 +207,7 @@ export class Box2DWorld implements Follower, Twin {
 
   /** Gives a kinematic body the pose (see STRAY) and the velocity that it has in thud. */
   #steer({ id }: Entry): void {
-    const { position, angle, velocity, angularVelocity } = this.#source.bodyState(id);
+    const { position, angle, velocity, angularVelocity } = this.#source.bodyStateOf(id);
     const { unit } = this.#common;
     const [x, y, cosine, sine] = this.#places.pose(id.index);
     const strayed =
@@ -311,7 +311,7 @@ export class Box2DWorld implements Follower, Twin {
     return this.#entries.get(body.index)?.id.generation === body.generation;
   }
 
-  bodyState(body: BodyId): Held {
+  bodyStateOf(body: BodyId): Held {
     return this.#held(this.#entry(body));
   }
 
@@ -341,11 +341,22 @@ export class Box2DWorld implements Follower, Twin {
     );
   }
 
-  applyForce(body: BodyId, force: Vec2, torque = 0): void {
-    const { b2Body_ApplyForceToCenter, b2Body_ApplyTorque } = this.#box2d;
+  applyForce(body: BodyId, force: Vec2, point: Vec2): void {
+    const { b2Body_ApplyForce } = this.#box2d;
+    const entry = this.#entry(body);
+    this.#withMetres(force, (f) =>
+      this.#withPlace(point, (at) => b2Body_ApplyForce(entry.body, f, at, true)),
+    );
+  }
+
+  applyCenterForce(body: BodyId, force: Vec2): void {
+    const { b2Body_ApplyForceToCenter } = this.#box2d;
     const entry = this.#entry(body);
     this.#withMetres(force, (f) => b2Body_ApplyForceToCenter(entry.body, f, true));
-    b2Body_ApplyTorque(entry.body, torque / this.#common.unit ** 2, true);
+  }
+
+  applyTorque(body: BodyId, torque: number): void {
+    this.#box2d.b2Body_ApplyTorque(this.#entry(body).body, torque / this.#common.unit ** 2, true);
   }
 
   setAwake(body: BodyId, awake: boolean): void {
@@ -388,7 +399,7 @@ export class Box2DWorld implements Follower, Twin {
   /** Gives Box2D's body the properties that the thud body has now. */
   changeBody(body: BodyId): void {
     const entry = this.#entry(body);
-    const state = this.#source.bodyState(body);
+    const state = this.#source.bodyStateOf(body);
     entry.kind = state.kind;
     entry.turns = turns(state);
     entry.gravityScale = state.gravityScale;
@@ -401,7 +412,7 @@ export class Box2DWorld implements Follower, Twin {
 
   /** Gives Box2D's shape the properties that the thud shape has now. */
   changeShape(shape: ShapeId): void {
-    const state = this.#source.shapeState(shape);
+    const state = this.#source.shapeStateOf(shape);
     const entry = this.#entries.get(state.body.index);
     const made = entry?.made.get(shape.index);
     // A shape that is not copied yet will be made from its state at that time.
@@ -409,7 +420,7 @@ export class Box2DWorld implements Follower, Twin {
     if (state.kind !== "terrain" && "shape" in made && this.#isSensor(made.shape) === state.sensor) {
       setShape(this.#common, made.shape, state);
     } else {
-      const terrain = state.kind === "terrain" ? this.#source.terrain(shape) : null;
+      const terrain = state.kind === "terrain" ? this.#source.terrainOf(shape) : null;
       this.removeShape(state.body, shape);
       this.addShape(state.body, shape, state, terrain);
     }

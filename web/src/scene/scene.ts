@@ -96,7 +96,7 @@ export interface SceneSetting {
   /**
    * Loads the functions for two shapes without a world: closest points, times of impact, Minkowski
    * sums, bounding volumes.
-   * @example const { closestPoints } = await loadGeometry(); closestPoints(thud, a, b)
+   * @example const { closest } = await loadGeometry(); closest(thud, a, b)
    */
   loadGeometry(): Promise<typeof geometry>;
   /**
@@ -127,7 +127,7 @@ export interface Scene {
   /**
    * Called after each step, when the world has the step's events. The same rule applies as to
    * `update`.
-   * @example stepped() { for (const { a } of world.impulses()) … }
+   * @example stepped() { for (const { a } of world.impulseEvents()) … }
    */
   stepped?(): void;
   /**

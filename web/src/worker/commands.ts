@@ -52,7 +52,7 @@ export function spawn(
 export function reachedBy(world: World, { x, y, radius }: Blast): BodyId[] {
   const reached = new Map<number, BodyId>();
   for (const shape of world.overlap({ kind: "circle", center: [x, y], radius })) {
-    const { body } = world.shapeState(shape);
+    const { body } = world.shapeStateOf(shape);
     reached.set(body.index, body);
   }
   return [...reached.values()];
@@ -61,5 +61,5 @@ export function reachedBy(world: World, { x, y, radius }: Blast): BodyId[] {
 /** Digs a crater into every terrain that has vertices. */
 export function dig(world: World, { x, y, radius }: Extract<Command, { kind: "dig" }>): void {
   for (const { shape } of groundLines(world))
-    if (world.terrain(shape).kind !== "flat") world.dig(shape, [x, y], radius);
+    if (world.terrainOf(shape).kind !== "flat") world.dig(shape, [x, y], radius);
 }

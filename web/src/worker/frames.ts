@@ -14,7 +14,7 @@ import { groundLines } from "./lookup";
 import type { Look } from "./protocol";
 import type { Session } from "./session";
 import type * as Sums from "./sums";
-import { knownOf } from "./watch";
+import { recordOf } from "./watch";
 
 /**
  * Steps between two looks at which bodies sleep. Chosen: a tenth of a second at 60 steps a second.
@@ -40,7 +40,7 @@ export async function bringSums(): Promise<void> {
  * paused scene may have only one.
  */
 export async function readyFor({ world, scene }: Session): Promise<void> {
-  if (knownOf(world)?.tied && !jointReader) await bringJoints();
+  if (recordOf(world)?.tied && !jointReader) await bringJoints();
   if (scene.sums) await bringSums();
 }
 
@@ -77,7 +77,7 @@ export class Frames {
       now: world.poses(1, x, y).slice(),
       pull:
         pull && world.isValid(pull.body)
-          ? [inWorld(world.bodyState(pull.body), pull.anchor), pull.target]
+          ? [inWorld(world.bodyStateOf(pull.body), pull.anchor), pull.target]
           : null,
       paint: session.paint,
       stats: this.#stats(),
@@ -98,7 +98,7 @@ export class Frames {
     const on = new Set(look.overlays);
     frame.drawing = draw(world, look, on);
     if (on.has("sums")) frame.sums = this.#sums(look);
-    if (knownOf(world)?.tied) this.#addJoints(frame, standing, on.has("joints"));
+    if (recordOf(world)?.tied) this.#addJoints(frame, standing, on.has("joints"));
     frame.box2d = session.companion?.poses(look.origin);
     frame.box2dTrouble = session.box2dTrouble ?? undefined;
     return frame;
@@ -118,7 +118,7 @@ export class Frames {
    */
   #error(): StepError {
     const { world } = this.session;
-    const error = world.error();
+    const error = world.stepError();
     if (world.stats().awakeBodies < this.#moving)
       error.penetrationMax = world.measure().penetrationMax;
     return error;
@@ -200,7 +200,7 @@ function draw(world: World, look: Look, on: ReadonlySet<OverlayName>): Drawing |
     joints: on.has("joints"),
   };
   if (!Object.values(flags).includes(true)) return undefined;
-  const { shapes, lines, points } = world.debugDraw({
+  const { shapes, lines, points } = world.draw({
     ...flags,
     origin: look.origin,
     lower: look.lower,
@@ -264,7 +264,7 @@ export function readShapes(
 
 function readTerrains(world: World): PlacedTerrain[] {
   return groundLines(world).map(({ body, shape }) => {
-    const [x, y] = world.bodyState(body).position;
-    return { x, y, terrain: world.terrain(shape) };
+    const [x, y] = world.bodyStateOf(body).position;
+    return { x, y, terrain: world.terrainOf(shape) };
   });
 }

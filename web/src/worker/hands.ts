@@ -14,7 +14,7 @@ export type Held = Pick<
 /** What pushes and blasts need of an engine's world; as the methods of World. */
 export interface Hands {
   isValid(body: BodyId): boolean;
-  bodyState(body: BodyId): Held;
+  bodyStateOf(body: BodyId): Held;
   setVelocity(body: BodyId, velocity: Vec2, angularVelocity?: number): void;
   applyImpulse(body: BodyId, impulse: Vec2, point: Vec2): void;
 }
@@ -53,7 +53,7 @@ export interface Push {
  */
 export function push(hands: Hands, { body, anchor, normal, velocity, ...push }: Push): void {
   if (!hands.isValid(body)) return;
-  const state = hands.bodyState(body);
+  const state = hands.bodyStateOf(body);
   const point = inWorld(state, anchor);
   if (Math.hypot(point[0] - push.met[0], point[1] - push.met[1]) > push.reach) return;
   const [nx, ny] = normal;
@@ -80,7 +80,7 @@ export function explode(
 ): void {
   for (const body of bodies) {
     if (!hands.isValid(body)) continue;
-    const state = hands.bodyState(body);
+    const state = hands.bodyStateOf(body);
     const [dx, dy] = [state.center[0] - x, state.center[1] - y];
     const distance = Math.hypot(dx, dy);
     if (state.kind !== "dynamic" || distance >= radius) continue;

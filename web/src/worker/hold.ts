@@ -45,7 +45,7 @@ export function takeHold(
 ): Pull | null {
   const body = bodyInSlot(world, slot);
   if (!body || !canMove(world, body)) return null;
-  const { mass, angle } = world.bodyState(body);
+  const { mass, angle } = world.bodyStateOf(body);
   const start: Vec2 = [x, y];
   const spring = {
     frequency: FREQUENCY,
@@ -81,7 +81,7 @@ export function moveHold(world: World, pull: Pull, [x, y]: Vec2): void {
  * the pointer the joint is not changed, so that the body can fall asleep.
  */
 export function aimHold(world: World, { body, anchor, target, joint }: Pull, lengthScale: number): void {
-  const [x, y] = inWorld(world.bodyState(body), anchor);
+  const [x, y] = inWorld(world.bodyStateOf(body), anchor);
   const [dx, dy] = [target[0] - x, target[1] - y];
   if (Math.hypot(dx, dy) < FAR * lengthScale) return;
   world.setJointFrame(joint, "a", { angle: Math.atan2(dy, dx) });
@@ -104,6 +104,6 @@ export function holds(world: World, { body, joint }: Pull): boolean {
  */
 function canMove(world: World, body: BodyId): boolean {
   if (!world.isValid(body)) return false;
-  const { kind, enabled, quarantined } = world.bodyState(body);
+  const { kind, enabled, quarantined } = world.bodyStateOf(body);
   return kind === "dynamic" && enabled && !quarantined;
 }

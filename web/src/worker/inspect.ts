@@ -50,7 +50,7 @@ export interface Touch {
 
 /** The report of the body in a slot; null if the slot has no body with shapes. */
 export function inspect(world: World, step: number, slot: number): BodyReport | null {
-  const shapes = shapesOf(world, slot).map((shape) => world.shapeState(shape));
+  const shapes = shapesOf(world, slot).map((shape) => world.shapeStateOf(shape));
   if (shapes.length === 0) return null;
   const { body } = shapes[0];
   // A contact without points does not touch at present.
@@ -69,10 +69,10 @@ export function inspect(world: World, step: number, slot: number): BodyReport | 
     };
   });
   const joints = world.jointsOf(body).map((joint): Tie => {
-    const { kind, bodyA, bodyB, enabled, gap, angleGap, force, torque } = world.jointState(joint);
+    const { kind, bodyA, bodyB, enabled, gap, angleGap, force, torque } = world.jointStateOf(joint);
     const other = (bodyA.index === slot ? bodyB : bodyA).index;
     const bears = { force: Math.hypot(...force), torque: Math.abs(torque) };
     return { kind, other, enabled, gap, angleGap, ...bears };
   });
-  return { step, slot, state: world.bodyState(body), shapes, contacts, joints };
+  return { step, slot, state: world.bodyStateOf(body), shapes, contacts, joints };
 }

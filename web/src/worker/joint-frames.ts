@@ -81,7 +81,7 @@ export class JointFrames {
       if (!asks) return false;
       const [index1, generation] = known.subarray(i * HANDLES);
       const joint = { kind: "joint", index: index1 - 1, generation } as const;
-      const options = world.jointOptions(joint);
+      const options = world.jointOptionsOf(joint);
       return options.kind === "distance" && (options.along?.frequency ?? 0) > 0;
     });
   }

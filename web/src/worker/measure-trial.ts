@@ -11,7 +11,7 @@ import { BODY, KINEMATIC, ROW } from "../scene/shape-table";
 import type { Box2DSetting } from "./measure-settings";
 import type { SceneRequest } from "./protocol";
 import type { Session } from "./session";
-import { knownOf, type Watched } from "./watch";
+import { recordOf, type Watched } from "./watch";
 
 /** What measuring gets from the worker. */
 export interface Laboratory {
@@ -45,7 +45,7 @@ export class Trial {
     setting?: Box2DSetting,
   ): Promise<Trial> {
     const session = await open(request);
-    return new Trial(session, box2d, knownOf(session.world), setting);
+    return new Trial(session, box2d, recordOf(session.world), setting);
   }
 
   private constructor(
@@ -128,7 +128,7 @@ export class Trial {
    */
   get ownReport(): number | null {
     const { world, lengthScale } = this.#session;
-    return this.#measuresBox2D ? null : Math.max(0, world.error().penetrationMax) / lengthScale;
+    return this.#measuresBox2D ? null : Math.max(0, world.stepError().penetrationMax) / lengthScale;
   }
 }
 

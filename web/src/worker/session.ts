@@ -135,7 +135,7 @@ export class Session {
     this.samples.push({
       step: this.step,
       milliseconds: 1000 * stepSeconds,
-      penetration: world.error().penetrationMax,
+      penetration: world.stepError().penetrationMax,
       awake: awakeBodies,
       box2d: this.companion?.step(),
     });

@@ -12,7 +12,7 @@ import { readShapes } from "./frames";
 import type { Choices, RunningScene, SceneRequest } from "./protocol";
 import { closeAll, maxErrorOf, Session } from "./session";
 import { SceneError } from "./trouble";
-import { knownOf } from "./watch";
+import { recordOf } from "./watch";
 
 /** The visitor's choices as options of a world. */
 export function optionsOf(choices: Choices): WorldOptions {
@@ -75,7 +75,7 @@ export async function setUp(
   };
   setting.createMover = (world, options) => {
     const mover = createMover(world, options);
-    knownOf(world)?.watchMover(mover, options);
+    recordOf(world)?.watchMover(mover, options);
     movers.push(mover);
     return mover;
   };

@@ -40,7 +40,7 @@ export function sumsOfBody(world: World, slot: number, origin: Vec2): Sum[] {
   for (let i = 0; i < DOUBLINGS; i++, radius *= 2) {
     const sums = world
       .overlap({ kind: "circle", center: first.center, radius })
-      .filter((shape) => world.shapeState(shape).body.index !== slot)
+      .filter((shape) => world.shapeStateOf(shape).body.index !== slot)
       .flatMap((shape) => place(world, shape) ?? [])
       .map((other) => sumOf(world, first, other, origin));
     if (sums.length > 0)
@@ -57,10 +57,10 @@ function distanceOf({ point, edge, overlaps }: Sum): number {
 
 /** Null for terrain, of which the engine has no sum. */
 function place(world: World, id: ShapeId): Placed | null {
-  const shape = world.shapeState(id);
+  const shape = world.shapeStateOf(id);
   if (shape.kind === "terrain") return null;
   const { body, offset } = shape;
-  const { position, angle } = world.bodyState(body);
+  const { position, angle } = world.bodyStateOf(body);
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   const center: Vec2 = [
     position[0] + c * offset[0] - s * offset[1],

@@ -24,8 +24,8 @@ import {
 import { type Hands, inFrame, push, type Push } from "./hands";
 import { SceneError } from "./trouble";
 
-/** What a thud world does not tell of itself. */
-export interface Known {
+/** What is recorded of a world because the engine does not tell it afterwards. */
+export interface WorldRecord {
   /** The options that the world was made with, with later changes. */
   options: WorldOptions;
   /** The options that a body was made with, with later changes of damping, sleep and detection. */
@@ -40,7 +40,7 @@ export interface Follower extends Hands {
   heed(method: string, result: unknown, args: readonly unknown[]): void;
 }
 
-export interface Watched extends Known {
+export interface Watched extends WorldRecord {
   /** Whether createJoint was ever called. */
   readonly tied: boolean;
   /** From now on every call is passed to the follower; null: to none. */
@@ -78,14 +78,14 @@ export function watchWorlds(engine: Engine): void {
 }
 
 /** What was recorded of a world; undefined if it was created before `watchWorlds`. */
-export function knownOf(world: World): Watched | undefined {
+export function recordOf(world: World): Watched | undefined {
   return worlds.get(world);
 }
 
 /** Runs `act` without recording its calls; see `apart`. */
 export function unseen(world: World, act: () => void): void {
-  const known = knownOf(world);
-  if (known) known.apart(act);
+  const record = recordOf(world);
+  if (record) record.apart(act);
   else act();
 }
 
@@ -192,7 +192,7 @@ const WORLD_SETTERS: Readonly<Record<string, keyof WorldOptions>> = {
   setSleeping: "sleeping",
 };
 /**
- * The options that these methods set by their second and third argument. World.bodyState does not
+ * The options that these methods set by their second and third argument. World.bodyStateOf does not
  * tell them.
  */
 const BODY_SETTERS: Readonly<Record<string, [keyof BodyOptions, (keyof BodyOptions)?]>> = {
@@ -219,7 +219,7 @@ function pushesOf(
   const pushes = new Map<number, Push>();
   for (const { body, point, normal } of hits) {
     if (pushes.has(body.index) || !world.isValid(body)) continue;
-    const state = world.bodyState(body);
+    const state = world.bodyStateOf(body);
     const rise = normal[0] * up[0] + normal[1] * up[1];
     if (state.kind !== "dynamic" || rise >= Math.cos(maxSlope)) continue;
     const anchor = inFrame(state, point);

@@ -4,7 +4,7 @@
  */
 import type { Engine } from "thud";
 import { load } from "thud/first";
-import { Companions } from "./companions";
+import { CompanionKeeper } from "./companion-keeper";
 import { bringSums, Frames, readyFor, transferables } from "./frames";
 import { inspect } from "./inspect";
 import { importScene } from "./module";
@@ -17,7 +17,7 @@ import { troubleOf } from "./trouble";
 const PATIENCE = 24;
 
 let engine: Engine;
-let companions: Companions;
+let companionKeeper: CompanionKeeper;
 let base: string;
 let session: Session | null = null;
 let frames: Frames;
@@ -36,7 +36,7 @@ const answers: Answers = {
   async load({ wasm, rest, page }) {
     base = page;
     engine = await load(new URL(wasm, page), rest && new URL(rest, page));
-    companions = new Companions(engine);
+    companionKeeper = new CompanionKeeper(engine);
   },
 
   async complete() {
@@ -57,7 +57,7 @@ const answers: Answers = {
     session?.close();
     session = next;
     frames = new Frames(session);
-    void companions.join(session);
+    void companionKeeper.join(session);
     return describe(session);
   },
 
@@ -72,7 +72,7 @@ const answers: Answers = {
     return frames.make(look);
   },
 
-  box2d: (wanted) => companions.want(wanted, session),
+  box2d: (wanted) => companionKeeper.want(wanted, session),
 
   hash: () => needSession().hash,
 

@@ -22,7 +22,7 @@ import {
 } from "./ranges.js";
 
 const { friction, restitution, surfaceSpeed, density } = MATERIAL;
-/** A torque or an angular impulse, and the components of a force or impulse (THUD_PUSH_MAX). */
+/** A torque or an angular impulse, and the components of a force or impulse (THUD_FORCE_MAX). */
 const PUSH = { least: -1e30, most: 1e30 };
 /** A point in a body's frame, length scales (THUD_SIZE_MAX). */
 const OFFSET = { least: -16384, most: 16384, pair: true, scaled: true };
@@ -54,7 +54,7 @@ export const ARGUMENTS: Readonly<Record<string, readonly [method: string, ranges
   api_shape_replace_range: ["replaceRange", { x0: ANY, x1: ANY }],
   api_ground_at: ["groundAt", { x: COORDINATE }],
   api_place_foot: ["placeFoot", { x: COORDINATE, width: POSITIVE }],
-  api_shape_meets_ray: ["castRayAt", { origin: PLACE, translation: WAY }],
+  api_shape_cast_ray: ["shapeCastRay", { origin: PLACE, translation: WAY }],
   api_shape_contains_point: ["containsPoint", { point: PLACE }],
   api_shape_closest_point: ["closestPointOf", { point: PLACE }],
   api_body_set_transform: ["setTransform", { position: PLACE, angle: ANGLE }],
@@ -64,15 +64,16 @@ export const ARGUMENTS: Readonly<Record<string, readonly [method: string, ranges
   api_body_set_gravity_scale: ["setGravityScale", { scale: ANY }],
   api_body_set_mass: ["setMass", MASS_RANGES],
   api_body_apply_impulse: ["applyImpulse", { impulse: VECTOR, point: PLACE }],
-  api_body_apply_force: ["applyForce", { force: VECTOR, torque: ANY }],
-  api_body_apply_force_at: ["applyForceAt", { force: PUSHES, point: PLACE }],
+  api_body_apply_force: ["applyForce", { force: PUSHES, point: PLACE }],
+  api_body_apply_center_force: ["applyCenterForce", { force: VECTOR }],
+  api_body_apply_torque: ["applyTorque", { torque: ANY }],
   api_body_apply_center_impulse: ["applyCenterImpulse", { impulse: PUSHES }],
   api_body_apply_angular_impulse: ["applyAngularImpulse", { impulse: PUSH }],
   api_body_apply_wind: ["applyWind", { velocity: FLOW, ...WIND_RANGES }],
-  api_body_apply_rolling: ["applyRollingResistance", { coefficient: DRAG }],
+  api_body_apply_rolling_resistance: ["applyRollingResistance", { coefficient: DRAG }],
   api_body_apply_grip: [
     "applyGrip",
-    { point: OFFSET, axis: VECTOR, speed: { ...FLOW, pair: false }, most: { least: 0, most: 1e30 } },
+    { point: OFFSET, axis: VECTOR, speed: { ...FLOW, pair: false }, maxForce: { least: 0, most: 1e30 } },
   ],
   api_body_velocity_at: ["velocityAt", { point: PLACE }],
   api_body_world_point: ["worldPoint", { point: PLACE }],
@@ -80,6 +81,12 @@ export const ARGUMENTS: Readonly<Record<string, readonly [method: string, ranges
   api_body_world_vector: ["worldVector", { vector: VECTOR }],
   api_body_local_vector: ["localVector", { vector: VECTOR }],
   api_joint_set_length: ["setJointLength", { length: LENGTH }],
+};
+
+/** The methods to suggest where the point of a force or an impulse is missing. */
+const WITHOUT_POINT: Readonly<Record<string, string>> = {
+  applyForce: "applyCenterForce or applyTorque",
+  applyImpulse: "applyCenterImpulse or applyAngularImpulse",
 };
 
 /**
@@ -105,5 +112,8 @@ export function blameArguments(
     at += range.pair ? 2 : 1;
   }
   const why = whyNot(given, needed, scale);
-  return why ? new ThudError("invalid", `${method}: ${why}`, { cause: error }) : error;
+  if (why === null) return error;
+  const isPointMissing = why.startsWith("point ") && given.point === undefined;
+  const hint = isPointMissing && method in WITHOUT_POINT ? `; without a point write ${WITHOUT_POINT[method]}` : "";
+  return new ThudError("invalid", `${method}: ${why}${hint}`, { cause: error });
 }

@@ -71,7 +71,7 @@ function checkRanges(what: string, options: object, furthest: number, direction:
     const isOpen = name === "lower" ? value === -Infinity : name === "upper" && value === Infinity;
     if (most === undefined || typeof value !== "number" || isOpen) continue;
     const least = EITHER_WAY.includes(name) ? -most : 0;
-    // Values that jointOptions returned are rounded to single precision.
+    // Values that jointOptionsOf returned are rounded to single precision.
     if (!(value >= least && value <= most * (1 + 1e-6)))
       refuse(what, `${path}${name} must be from ${least} to ${most}: ${value}`);
   }

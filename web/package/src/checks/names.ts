@@ -8,7 +8,12 @@ type Names = readonly string[];
  * Throws "invalid" where `options` is no object, where an option is in neither `names` nor `others`
  * (the message has the nearest name), and where a value is not of its option's type.
  */
-export function checkNames(what: string, options: object, names: Names, others: Names = []): void {
+export function checkOptions(
+  what: string,
+  options: object,
+  names: Names,
+  others: Names = [],
+): void {
   if (typeof options !== "object" || options === null)
     throw new ThudError("invalid", `${what}: options are an object: ${shown(options)}`);
   // Unlike Object.keys this loop allocates nothing.

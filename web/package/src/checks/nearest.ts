@@ -22,6 +22,7 @@ const OTHERS: Readonly<Record<string, readonly string[]>> = {
   bullet: ["detection"],
   ccd: ["detection"],
   type: ["kind"],
+  meeting: ["kind"],
   issensor: ["sensor"],
   trigger: ["sensor"],
   bounce: ["restitution"],

@@ -108,7 +108,7 @@ export const RULE_RANGES: Ranges = {
   friction: MATERIAL.friction,
   restitution: { least: 0, most: 4 },
   surfaceSpeed: MATERIAL.surfaceSpeed,
-  mostImpulse: POSITIVE,
+  eventImpulse: POSITIVE,
 };
 
 /** By the kind of the shape. */

@@ -110,7 +110,7 @@ const OTHERS: readonly (readonly [Type, string])[] = [
   [Type.count, "substeps rays"],
   [Type.bits, "category mask oneWay"],
   [Type.group, "group"],
-  [Type.word, "kind detection broadphase base cover meeting"],
+  [Type.word, "kind detection broadphase base cover"],
   [Type.flag, "sleeping contactEvents timed islands fixedRotation maySleep sensor events sensors drop x y"],
   [Type.flag, "collideConnected onlyReports enabled skip"],
 ];

@@ -3,8 +3,8 @@
  * shapes, Minkowski sums and bounding volumes. Every call throws a ThudError "invalid" for sizes
  * that are not above 0, numbers that are not finite, and coordinates and sizes above 10¹⁵.
  *
- *     import { closestPoints } from "thud/geometry";
- *     const { distance } = closestPoints(thud, { kind: "circle", center: [0, 0], radius: 1 }, other);
+ *     import { closest } from "thud/geometry";
+ *     const { distance } = closest(thud, { kind: "circle", center: [0, 0], radius: 1 }, other);
  */
 export { type MinkowskiSum, minkowskiSum } from "../minkowski.js";
 export * from "./passing.js";

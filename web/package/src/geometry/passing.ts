@@ -22,9 +22,9 @@ export interface ClosestPoints {
 }
 
 /** The closest points of two shapes, and whether they overlap. */
-export function closestPoints(engine: Engine, a: PlacedShape, b: PlacedShape): ClosestPoints {
+export function closest(engine: Engine, a: PlacedShape, b: PlacedShape): ClosestPoints {
   putPair(engine, a, b);
-  checkGeometry("closestPoints", engine.exports.api_shapes_closest());
+  checkGeometry("closest", engine.exports.api_geometry_closest());
   const s = engine.slots;
   return {
     overlaps: s[ClosestFeaturesAt.overlaps] !== 0,
@@ -49,7 +49,7 @@ export function timeOfImpact(
   target = 0,
 ): number | null {
   putPair(engine, a, b, motionA, motionB);
-  checkGeometry("timeOfImpact", engine.exports.api_shapes_time_of_impact(target));
+  checkGeometry("timeOfImpact", engine.exports.api_geometry_time_of_impact(target));
   const s = engine.slots;
   return s[MeetingAt.found] === 0 ? null : s[MeetingAt.time];
 }
@@ -62,7 +62,7 @@ export interface Collision {
    */
   time: number | null;
   /** Whether the motions are so short that the shapes cannot have passed through each other. */
-  sure: boolean;
+  bisectable: boolean;
 }
 
 /**
@@ -79,11 +79,11 @@ export function timeOfCollision(
   tolerance: number,
 ): Collision {
   putPair(engine, a, b, motionA, motionB);
-  checkGeometry("timeOfCollision", engine.exports.api_shapes_time_of_collision(tolerance));
+  checkGeometry("timeOfCollision", engine.exports.api_geometry_time_of_collision(tolerance));
   const s = engine.slots;
   return {
     time: s[MeetingAt.found] === 0 ? null : s[MeetingAt.time],
-    sure: s[MeetingAt.sure] !== 0,
+    bisectable: s[MeetingAt.bisectable] !== 0,
   };
 }
 
@@ -95,13 +95,13 @@ export interface Approach {
    * The smallest distance of the centres over the whole motions, a length, without regard to an
    * impact.
    */
-  least: number;
+  minDistance: number;
   /** The time of the smallest distance, 0 to 1. */
-  leastTime: number;
+  minDistanceTime: number;
 }
 
 /** The impact and the closest approach of two moving circles, in closed form. */
-export function circlesApproach(
+export function approach(
   engine: Engine,
   a: PlacedShape,
   motionA: Motion,
@@ -109,12 +109,12 @@ export function circlesApproach(
   motionB: Motion,
 ): Approach {
   putPair(engine, a, b, motionA, motionB);
-  checkGeometry("circlesApproach", engine.exports.api_circles_approach());
+  checkGeometry("approach", engine.exports.api_geometry_approach());
   const s = engine.slots;
   return {
     time: s[MeetingAt.found] === 0 ? null : s[MeetingAt.time],
-    least: s[MeetingAt.least],
-    leastTime: s[MeetingAt.leastTime],
+    minDistance: s[MeetingAt.minDistance],
+    minDistanceTime: s[MeetingAt.minDistanceTime],
   };
 }
 
@@ -131,7 +131,7 @@ export interface SumCrossing {
  * test of two moving shapes is then that of a segment against one shape. Null where it does not
  * enter the sum.
  */
-export function castInSum(
+export function minkowskiCast(
   engine: Engine,
   a: PlacedShape,
   motionA: Motion,
@@ -139,7 +139,7 @@ export function castInSum(
   motionB: Motion,
 ): SumCrossing | null {
   putPair(engine, a, b, motionA, motionB);
-  checkGeometry("castInSum", engine.exports.api_minkowski_cast());
+  checkGeometry("minkowskiCast", engine.exports.api_minkowski_cast());
   const s = engine.slots;
   if (s[CrossingAt.found] === 0) return null;
   return { fraction: s[CrossingAt.fraction], normal: vecAt(s, CrossingAt.normal) };

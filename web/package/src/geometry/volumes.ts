@@ -8,10 +8,10 @@ import { checkGeometry, type PlacedShape, putPair, putShape } from "./pair.js";
 export type VolumeKind = PlacedShape["kind"];
 
 /** The smallest circle, AABB or OBB that contains a shape. */
-export function volumeAround(engine: Engine, kind: VolumeKind, shape: PlacedShape): PlacedShape {
+export function volumeAroundShape(engine: Engine, kind: VolumeKind, shape: PlacedShape): PlacedShape {
   putShape(engine, shape, GeometryPairAt.a);
   const number = indexOf(SHAPE_KINDS, kind, "volume kind");
-  checkGeometry("volumeAround", engine.exports.api_volume_around_shape(number));
+  checkGeometry("volumeAroundShape", engine.exports.api_volume_around_shape(number));
   const s = engine.slots;
   const center = vecAt(s, VolumeAt.center);
   const [halfWidth, halfHeight] = vecAt(s, VolumeAt.halfExtents);

@@ -10,7 +10,7 @@
  */
 import { ThudError } from "../error.js";
 import type { Mover, MoverState } from "../mover.js";
-import { checkNames } from "../checks/names.js";
+import { checkOptions } from "../checks/names.js";
 import type { World } from "../world.js";
 
 /** The maximum of `depth`, steps (THUD_ROLLBACK_DEPTH_MAX). */
@@ -67,7 +67,7 @@ export class Rollback<Input = number, State = undefined> {
 
   /** @throws {ThudError} "invalid" for an unknown option or a value out of range. */
   constructor(world: World, options: RollbackOptions<Input, State>) {
-    checkNames("rollback", options, ["idle", "step", "state", "movers", "depth"]);
+    checkOptions("rollback", options, ["idle", "step", "state", "movers", "depth"]);
     const { idle, step, state, movers = [], depth = 60 } = options;
     if (!Array.isArray(idle) || idle.length === 0)
       throw new ThudError("invalid", "rollback: idle has an input for each player");

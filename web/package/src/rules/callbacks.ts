@@ -83,7 +83,7 @@ export class CallbackTable {
         this.#call(undefined, () => (after ? calls.after : calls.before)?.());
       },
       // Returns the cast's limit: 0 ends the cast after an exception.
-      thud_met: () => this.#call(0, () => Number(this.#hear!() ?? 1)),
+      thud_cast_hit: () => this.#call(0, () => Number(this.#hear!() ?? 1)),
     };
   }
 

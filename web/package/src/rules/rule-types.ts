@@ -7,8 +7,8 @@ import type { ShapeId, Vec2 } from "../types.js";
  * `oneWay`: they collide on one side of the first kind only, as a platform that is jumped through
  * from below.
  */
-export const MEETINGS = ["collide", "ignore", "oneWay"] as const;
-export type RuleMeeting = (typeof MEETINGS)[number];
+export const RULE_KINDS = ["collide", "ignore", "oneWay"] as const;
+export type RuleKind = (typeof RULE_KINDS)[number];
 
 /**
  * The rule of two kinds of shapes. The kind of a shape is the lowest bit of its `category`. Without
@@ -16,7 +16,7 @@ export type RuleMeeting = (typeof MEETINGS)[number];
  */
 export interface Rule {
   /** How the shapes interact. Default "collide". */
-  meeting?: RuleMeeting;
+  kind?: RuleKind;
   /**
    * Of "oneWay": the side of the first kind's shape on which the second collides with it, as a
    * direction in the frame of the first's body, of any length but 0. A shape that begins to touch
@@ -36,15 +36,15 @@ export interface Rule {
    */
   surfaceSpeed?: number;
   /**
-   * A contact whose normal impulse in a step is larger is reported by `impulses`: mass times
+   * A contact whose normal impulse in a step is larger is reported by `impulseEvents`: mass times
    * length/s, 0 or more. Default: none is.
    */
-  mostImpulse?: number;
+  eventImpulse?: number;
 }
 
 /** A rule of a world. Values that are undefined are those of the two shapes. */
 export interface RuleFound extends Rule {
-  meeting: RuleMeeting;
+  kind: RuleKind;
   solidSide: Vec2;
   /**
    * Whether the rule was set with the second kind first: `solidSide` is then that of the second.
@@ -52,7 +52,7 @@ export interface RuleFound extends Rule {
   reversed: boolean;
 }
 
-/** A contact whose normal impulse was larger than its rule's `mostImpulse`. */
+/** A contact whose normal impulse was larger than its rule's `eventImpulse`. */
 export interface ImpulseEvent {
   a: ShapeId;
   b: ShapeId;
@@ -64,7 +64,7 @@ export interface ImpulseEvent {
   impulse: number;
 }
 
-/** The index of each number in a row of `World.impulseView`; a row has `length` numbers. */
+/** The index of each number in a row of `World.impulseEventView`; a row has `length` numbers. */
 export const IMPULSE_ROW = {
   shapeA: ImpulseEventAt.shapeA,
   shapeB: ImpulseEventAt.shapeB,

@@ -3,15 +3,15 @@
  * pair filter. thud_rules.h and thud_listeners.h describe them in full.
  */
 import { ImpulseEventAt, ListAt, RULE_OPTIONS, RuleFoundAt, RuleOptionsAt } from "../generated/slots.js";
-import { checkNames } from "../checks/names.js";
+import { checkOptions } from "../checks/names.js";
 import { fill, indexOf, numbersOf, rowsOf, shapeAt, vecAt } from "../numbers.js";
 import { WorldFields } from "../world-fields.js";
 import {
   type ImpulseEvent,
   type Listeners,
-  MEETINGS,
   type PairFilter,
   type Rule,
+  RULE_KINDS,
   type RuleFound,
 } from "./rule-types.js";
 
@@ -29,7 +29,7 @@ export class WorldRules extends WorldFields {
    * each), from the next step on. It replaces the rules that these kinds had; null removes them.
    * @throws {ThudError} "invalid" for a value out of range, or a one-way rule of a kind with
    * itself; "memory"; "locked" inside a callback.
-   * @example world.setRule(PLANK, PLAYER, { meeting: "oneWay" })
+   * @example world.setRule(PLANK, PLAYER, { kind: "oneWay" })
    */
   setRule(first: number, second: number, rule: Rule | null): void {
     const { exports, slots, callbacks } = this.engine;
@@ -49,12 +49,12 @@ export class WorldRules extends WorldFields {
     this.engine.check(exports.api_world_rule(this.address, first, second));
     if (!s[RuleFoundAt.isSet]) return null;
     return {
-      meeting: MEETINGS[s[RuleOptionsAt.meeting]],
+      kind: RULE_KINDS[s[RuleOptionsAt.kind]],
       solidSide: vecAt(s, RuleOptionsAt.solidSide),
       friction: given(s[RuleOptionsAt.friction]),
       restitution: given(s[RuleOptionsAt.restitution]),
       surfaceSpeed: given(s[RuleOptionsAt.surfaceSpeed]),
-      mostImpulse: given(s[RuleOptionsAt.mostImpulse]),
+      eventImpulse: given(s[RuleOptionsAt.eventImpulse]),
       reversed: s[RuleFoundAt.reversed] !== 0,
     };
   }
@@ -70,11 +70,11 @@ export class WorldRules extends WorldFields {
 
   /**
    * The contacts of the last step, or of all steps of the last `advance`, whose impulse was larger
-   * than their rule's `mostImpulse`. A copy.
-   * @example for (const { a } of world.impulses()) world.destroy(a)
+   * than their rule's `eventImpulse`. A copy.
+   * @example for (const { a } of world.impulseEvents()) world.destroy(a)
    */
-  impulses(): ImpulseEvent[] {
-    this.onWorld("api_world_impulses");
+  impulseEvents(): ImpulseEvent[] {
+    this.onWorld("api_world_impulse_events");
     const { buffer, slots } = this.engine;
     return rowsOf(Float64Array, buffer, slots, ListAt.address, ImpulseEventAt.length, readImpulse);
   }
@@ -83,8 +83,8 @@ export class WorldRules extends WorldFields {
    * The same contacts as rows (IMPULSE_ROW): a view into wasm memory, valid until the next call of
    * the engine.
    */
-  impulseView(): Float64Array {
-    this.onWorld("api_world_impulses");
+  impulseEventView(): Float64Array {
+    this.onWorld("api_world_impulse_events");
     const { buffer, slots: s } = this.engine;
     const count = s[ListAt.count] * ImpulseEventAt.length;
     return new Float64Array(buffer, count === 0 ? 0 : s[ListAt.address], count);
@@ -102,7 +102,7 @@ export class WorldRules extends WorldFields {
    */
   setListeners(listeners: Listeners | null): void {
     const { prologue, epilogue, without = [] } = listeners ?? {};
-    checkNames("listeners", listeners ?? {}, LISTENERS);
+    checkOptions("listeners", listeners ?? {}, LISTENERS);
     const { exports, callbacks } = this.engine;
     const [asks, tells] = [prologue, epilogue].map((listener) => Number(listener !== undefined));
     const parts = without.reduce((bits, part) => bits | (1 << indexOf(CONTACT_PARTS, part, "part")), 0);

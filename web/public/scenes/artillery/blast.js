@@ -12,11 +12,11 @@ export function explode(world, ground, tanks, [x, y]) {
   const hurt = tanks.map(({ body }) => WORST * nearness(world, body, x, y));
   const bodies = world
     .overlap({ kind: "circle", center: [x, y], radius: BLAST })
-    .map((shape) => world.shapeState(shape).body)
-    .filter((body) => world.bodyState(body).kind === "dynamic");
+    .map((shape) => world.shapeStateOf(shape).body)
+    .filter((body) => world.bodyStateOf(body).kind === "dynamic");
   for (const body of bodies) {
     const isTank = tanks.some((tank) => tank.body.index === body.index);
-    const { position, mass } = world.bodyState(body);
+    const { position, mass } = world.bodyStateOf(body);
     const [dx, dy] = [position[0] - x, position[1] - y];
     const distance = Math.hypot(dx, dy) || 1;
     const impulse = mass * (isTank ? TANK_PUSH : PUSH) * nearness(world, body, x, y);
@@ -29,7 +29,7 @@ export function explode(world, ground, tanks, [x, y]) {
 
 /** 1 at the hull, 0 from BLAST metres on. */
 function nearness(world, body, x, y) {
-  const { position } = world.bodyState(body);
+  const { position } = world.bodyStateOf(body);
   const gap = Math.hypot(position[0] - x, position[1] - y) - 0.9; // a hull is about so big
   return Math.min(1, Math.max(0, 1 - gap / (BLAST - 0.9)));
 }

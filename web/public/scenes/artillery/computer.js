@@ -23,8 +23,8 @@ export function chooseAim(world, tank, target, wind, shots, chance) {
  * angle costs least. If all are blocked, the steepest.
  */
 function solveAim(world, tank, target, wind) {
-  const aimed = world.bodyState(target.body).position;
-  const away = aimed[0] < world.bodyState(tank.body).position[0];
+  const aimed = world.bodyStateOf(target.body).position;
+  const away = aimed[0] < world.bodyStateOf(tank.body).position[0];
   let best = { angle: away ? 120 : 60, speed: 20, rank: -Infinity };
   for (let elevation = 30; elevation <= 84; elevation += 2) {
     const angle = away ? 180 - elevation : elevation;

@@ -12,7 +12,7 @@ export function picture({ world, view, state: game }, tanks, shell, most) {
   tanks.forEach((tank, i) => {
     const { health, angle } = game.tanks[i];
     paintTank(marks, world, tank, angle, health > 0 ? INKS[i] : "soft");
-    const [x, y] = world.bodyState(tank.body).position;
+    const [x, y] = world.bodyStateOf(tank.body).position;
     if (health === 0) paintSmoke(marks, x, y + 0.6, game.waited);
     paintHealth(marks, x, y + 2.7, health / most);
   });
@@ -32,7 +32,7 @@ export function picture({ world, view, state: game }, tanks, shell, most) {
 /** The view stands still, tanks and all, as long as the shell or what it does is in sight. */
 function follow(world, view, shell, game) {
   const ring = game.effects.find(({ kind }) => kind === "ring");
-  const place = game.phase === "fly" ? world.bodyState(shell).position : ring && [ring.x, ring.y];
+  const place = game.phase === "fly" ? world.bodyStateOf(shell).position : ring && [ring.x, ring.y];
   if (!place) return [view.x, view.y];
   const out = Math.max(0, Math.min(20, Math.abs(place[0] - view.x) - 0.4 * view.width));
   const x = view.x + out * Math.sign(place[0] - view.x);
@@ -54,7 +54,7 @@ function figures(game) {
 }
 
 function paintTank(marks, world, tank, aim, ink) {
-  const { position, angle } = world.bodyState(tank.body);
+  const { position, angle } = world.bodyStateOf(tank.body);
   const [x, y] = position;
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   const place = (across, up) => [x + across * c - up * s, y + across * s + up * c];
@@ -129,7 +129,7 @@ function paintAim(marks, world, tank, game) {
   const ink = INKS[game.turn];
   const { pivot, muzzle, direction } = barrel(world, tank, angle);
   const bob = 0.25 * Math.sin(game.waited / 8);
-  const [x, y] = [world.bodyState(tank.body).position[0], pivot[1] + 3.4 + bob];
+  const [x, y] = [world.bodyStateOf(tank.body).position[0], pivot[1] + 3.4 + bob];
   const pointer = [[x - 0.6, y + 0.8], [x, y], [x + 0.6, y + 0.8]];
   marks.push({ kind: "line", points: pointer, ink, width: 4 });
   if (game.computer && game.turn === 1) return;
@@ -148,7 +148,7 @@ function paintAim(marks, world, tank, game) {
 }
 
 function paintShell(marks, world, shell, { trail }) {
-  const [x, y] = world.bodyState(shell).position;
+  const [x, y] = world.bodyStateOf(shell).position;
   for (let i = 0; i < 16; i++) {
     const [tx, ty] = trail[trail.length - 16 + i] ?? trail[0] ?? [x, y];
     const puff = { radius: 0.06 + 0.01 * i, opacity: (i + 1) / 24 };

@@ -47,7 +47,7 @@ export function buildLoose(world, ground, chance) {
 
 /** Where the barrel turns and where it ends; the angle counts from +x counter-clockwise. */
 export function barrel(world, { body }, degrees) {
-  const { position, angle } = world.bodyState(body);
+  const { position, angle } = world.bodyStateOf(body);
   const radians = (degrees * Math.PI) / 180;
   const pivot = [position[0] - PIVOT * Math.sin(angle), position[1] + PIVOT * Math.cos(angle)];
   const direction = [Math.cos(radians), Math.sin(radians)];
@@ -57,7 +57,7 @@ export function barrel(world, { body }, degrees) {
 
 /** Puts a tank that lies on its side or roof back onto its tracks. */
 export function right(world, ground, { body }) {
-  const { position, angle } = world.bodyState(body);
+  const { position, angle } = world.bodyStateOf(body);
   if (Math.cos(angle) > 0.4) return;
   const { normal } = world.groundAt(ground, Math.max(-REACH, Math.min(REACH, position[0])));
   world.setTransform(body, [position[0], position[1] + 0.8], Math.atan2(-normal[0], normal[1]));

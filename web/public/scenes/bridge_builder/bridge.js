@@ -49,7 +49,7 @@ function hinge(world, beam, at, node) {
  */
 function spring(world, beam, at, node, anchor) {
   if (node === anchor) return hinge(world, beam, at, node); // from wall to wall
-  const { angle } = world.bodyState(beam);
+  const { angle } = world.bodyStateOf(beam);
   const along = { frequency: STIFFNESS, damping: 1 };
   const ends = { bodyA: beam, bodyB: node, at, angle };
   return world.createJoint({ kind: "wheel", ...ends, along, breakForce: STRENGTH });
@@ -78,7 +78,7 @@ export function feel(world, { beams }) {
   return beams.filter((beam) => {
     const before = beam.broken;
     const whole = beam.joints.filter((joint) => world.isValid(joint));
-    const forces = whole.map((joint) => Math.hypot(...world.jointState(joint).force));
+    const forces = whole.map((joint) => Math.hypot(...world.jointStateOf(joint).force));
     beam.broken = whole.length < beam.joints.length;
     beam.strain = beam.broken ? 1 : Math.max(...forces) / STRENGTH;
     return beam.broken && !before;

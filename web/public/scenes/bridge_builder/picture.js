@@ -28,7 +28,7 @@ export function picture(world, levels, vehicles, game) {
 /** What happens in the gorge is in sight; on a narrow screen the view goes along a little. */
 function follow(world, { x, width }, vehicle, phase) {
   const middle = x + width / 2;
-  const ahead = phase === "plan" ? 0 : world.bodyState(vehicle.chassis).position[0] - middle;
+  const ahead = phase === "plan" ? 0 : world.bodyStateOf(vehicle.chassis).position[0] - middle;
   const reach = width / 2;
   return [middle + 0.4 * Math.max(-reach, Math.min(reach, ahead)), VIEW.y];
 }
@@ -151,7 +151,7 @@ function paintBeam(marks, level, beam, ink) {
 /** Green, through gold, to red. */
 function paintBridge(marks, world, level, { beams, nodes }) {
   for (const { body, road, halfLength, strain, broken } of beams) {
-    const { position, angle } = world.bodyState(body);
+    const { position, angle } = world.bodyStateOf(body);
     const look = {
       kind: "box",
       x: position[0],
@@ -168,14 +168,14 @@ function paintBridge(marks, world, level, { beams, nodes }) {
     marks.push({ ...look, ink: over, opacity: broken ? 0 : half ? 2 * strain : 2 * strain - 1 });
   }
   for (const body of nodes) {
-    const [x, y] = world.bodyState(body).position;
+    const [x, y] = world.bodyStateOf(body).position;
     marks.push({ kind: "circle", x, y, radius: NODE_RADIUS, ink: "ink", filled: true });
   }
   for (const end of level.anchors) paintDot(marks, level, end, { radius: 0.22, ink: "gold" });
 }
 
 function paintVehicle(marks, world, { kind, chassis, wheels }) {
-  const { position, angle } = world.bodyState(chassis);
+  const { position, angle } = world.bodyStateOf(chassis);
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   const box = (x, y, halfWidth, halfHeight, ink) =>
     marks.push({
@@ -193,7 +193,7 @@ function paintVehicle(marks, world, { kind, chassis, wheels }) {
   kind.boxes.forEach((sizes, i) => box(...sizes.slice(0, 4), inks[i]));
   box(...kind.window, "ink");
   for (const wheel of wheels) {
-    const state = world.bodyState(wheel);
+    const state = world.bodyStateOf(wheel);
     const [wx, wy] = state.position;
     const tyre = { kind: "circle", x: wx, y: wy, filled: true };
     marks.push({ ...tyre, radius: kind.radius, ink: "ink" });

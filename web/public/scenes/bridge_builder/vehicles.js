@@ -52,18 +52,18 @@ export function buildVehicle(world, level) {
     return wheel;
   });
   const bodies = [chassis, ...wheels];
-  const mass = bodies.reduce((sum, body) => sum + world.bodyState(body).mass, 0);
+  const mass = bodies.reduce((sum, body) => sum + world.bodyStateOf(body).mass, 0);
   const axles = wheels.map((wheel) =>
     world.createJoint({
       kind: "wheel",
       bodyA: chassis,
       bodyB: wheel,
-      at: world.bodyState(wheel).position,
+      at: world.bodyStateOf(wheel).position,
       along: { frequency: 3, damping: 0.7, lower: -0.2, upper: 0.2 },
       turn: { motorSpeed: 0, motorForce: (5 * mass * kind.radius) / wheels.length },
     }),
   );
-  const places = bodies.map((body) => world.bodyState(body).position);
+  const places = bodies.map((body) => world.bodyStateOf(body).position);
   const rear = 0.3 - kind.wheels[0]; // behind the gorge's end it is across
   return { kind, bodies, chassis, wheels, axles, places, rear };
 }

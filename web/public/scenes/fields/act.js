@@ -5,7 +5,7 @@
 export function float(world, { level, density, drag }) {
   const water = { density, linearDrag: drag, angularDrag: drag };
   for (const body of world.awakeBodies()) {
-    const { kind, position } = world.bodyState(body);
+    const { kind, position } = world.bodyStateOf(body);
     if (kind === "dynamic") world.applyBuoyancy(body, { point: [position[0], level], ...water });
   }
 }
@@ -30,7 +30,7 @@ export function windAt(step, x, wind, { origin }) {
 /** Pushes everything that is loose. */
 export function blow(world, step, wind, gusts, air) {
   for (const body of world.awakeBodies()) {
-    const { kind, position } = world.bodyState(body);
+    const { kind, position } = world.bodyStateOf(body);
     if (kind === "dynamic")
       world.applyWind(body, [windAt(step, position[0], wind, gusts), 0], air);
   }

@@ -34,20 +34,20 @@ export function look(thud, geometry, state) {
   const least = leastSeparation(thud, geometry, moving);
   const time = impact ?? least.time;
   const bounds = Object.fromEntries(VOLUMES.map((kind) => {
-    const [first, second] = [a, b].map((shape) => geometry.volumeAround(thud, kind, shape));
+    const [first, second] = [a, b].map((shape) => geometry.volumeAroundShape(thud, kind, shape));
     return [kind, { first, second, overlap: geometry.volumesOverlap(thud, first, second) }];
   }));
   return {
     shapes: [a, b],
     ways: [wayA, wayB],
-    closest: geometry.closestPoints(thud, a, b),
+    closest: geometry.closest(thud, a, b),
     collision: geometry.timeOfCollision(thud, ...moving, 2 ** -HALVINGS),
     impact,
     least,
     /** At their impact, or where they pass each other. */
-    passing: geometry.closestPoints(thud, along(a, wayA, time), along(b, wayB, time)),
+    passing: geometry.closest(thud, along(a, wayA, time), along(b, wayB, time)),
     sum: sumOf(thud, geometry, a, b),
-    crossing: geometry.castInSum(thud, ...moving),
+    crossing: geometry.minkowskiCast(thud, ...moving),
     bounds,
   };
 }
@@ -65,11 +65,11 @@ function sumOf(thud, geometry, { center: [x, y], ...a }, { center, ...b }) {
 function leastSeparation(thud, geometry, moving) {
   const [a, { way: wayA }, b, { way: wayB }] = moving;
   if (a.kind === "circle" && b.kind === "circle") {
-    const { least, leastTime } = geometry.circlesApproach(thud, ...moving);
-    return { distance: least - a.radius - b.radius, time: leastTime, closed: true };
+    const { minDistance, minDistanceTime } = geometry.approach(thud, ...moving);
+    return { distance: minDistance - a.radius - b.radius, time: minDistanceTime, closed: true };
   }
   const distanceAt = (time) =>
-    geometry.closestPoints(thud, along(a, wayA, time), along(b, wayB, time)).distance;
+    geometry.closest(thud, along(a, wayA, time), along(b, wayB, time)).distance;
   let [from, to] = [0, 1];
   for (let i = 0; i < 40; i++) {
     const third = (to - from) / 3;

@@ -34,7 +34,7 @@ function overlapRows({ closest, collision }, costs) {
   return [
     ["Direct test", closest.overlaps ? "they overlap" : "apart"],
     [`By ${HALVINGS} halvings`, halved],
-    ["Can halving miss them?", collision.sure ? "no" : "yes, they are fast"],
+    ["Can halving miss them?", collision.bisectable ? "no" : "yes, they are fast"],
     ["Exact tests in 1 µs", rate(costs.exact)],
   ];
 }

@@ -9,8 +9,8 @@ export function findBodies(world, fits) {
     generation: handles[4 * i + 1],
   }));
   return ids.flatMap((id) => {
-    const shape = world.shapeState(id);
-    const { position, angle, velocity, kind, userData } = world.bodyState(shape.body);
+    const shape = world.shapeStateOf(id);
+    const { position, angle, velocity, kind, userData } = world.bodyStateOf(shape.body);
     const found = { body: shape.body, shape, position, angle, velocity, kind, userData };
     return fits(found) ? [found] : [];
   });

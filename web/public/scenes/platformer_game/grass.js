@@ -30,9 +30,9 @@ function isTile({ kind, shape }) {
 function isFree(world, center) {
   return world
     .overlap({ kind: "circle", center, radius: NEAR })
-    .map((id) => world.shapeState(id))
+    .map((id) => world.shapeStateOf(id))
     .every(({ body, category }) =>
-      category === ONE_WAY || world.bodyState(body).kind !== "static");
+      category === ONE_WAY || world.bodyStateOf(body).kind !== "static");
 }
 
 // Those that follow each other at one height are one.

@@ -11,7 +11,7 @@ export function findLifts(world) {
 // Before each step.
 export function turnLifts(world, lifts) {
   for (const { body, shape } of lifts) {
-    const { position, velocity } = world.bodyState(body);
+    const { position, velocity } = world.bodyStateOf(body);
     const { halfWidth, halfHeight } = shape;
     const [dx, dy] = [2 * STEP * velocity[0], 2 * STEP * velocity[1]];
     const turns = world
@@ -22,5 +22,5 @@ export function turnLifts(world, lifts) {
 }
 
 function isStatic(world, shape) {
-  return world.bodyState(world.shapeState(shape).body).kind === "static";
+  return world.bodyStateOf(world.shapeStateOf(shape).body).kind === "static";
 }

@@ -22,7 +22,7 @@ export function coordinatesOf(points, row) {
 function present(world, band) {
   const revision = world.revision.terrains;
   if (band.revision !== revision) {
-    band.points = world.terrain(band.shape).points;
+    band.points = world.terrainOf(band.shape).points;
     band.coordinates = coordinatesOf(band.points, band.row);
     band.revision = revision;
   }

@@ -183,7 +183,6 @@ export class StepPart {
     this.#draw();
     this.#stackBars([last, medians]);
     const { error } = this.#frame!;
-    const { looked, exact } = stats.motionPairs;
     fillList(this.#numbers, [
       ["step", String(this.#frame!.step)],
       ["substeps", String(stats.substeps)],
@@ -193,7 +192,7 @@ export class StepPart {
       ["colours of the solver", count(stats.colours)],
       ["blocks of contacts", count(stats.blocks)],
       ["islands solved directly", islandsText(stats)],
-      ["motions tested exactly", `${count(exact)} of ${count(looked)}`],
+      ["motions tested exactly", `${count(stats.motionExact)} of ${count(stats.motionPairs)}`],
       ["collisions within the step", count(stats.impacts)],
       ["bodies held back", heldText(stats)],
       ["bodies too fast for bisection", count(stats.unbisectable)],

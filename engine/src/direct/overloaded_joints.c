@@ -1,4 +1,4 @@
-/* yielding_joints.c: islands in which td_islands_watch has found a joint that yields under its load
+/* overloaded_joints.c: islands in which td_islands_mark_loaded has found a joint that is overloaded
  * in this step. They are solved directly in the same step, from its start, so that the joint never
  * opens. */
 #include "direct/joint_islands.h"
@@ -8,9 +8,9 @@
 
 /* Whether the island of a body was marked as direct in this step (td_direct_steps is at its full
  * value) and has not been solved yet. */
-static bool is_late(const thud_world *w, td_awake_slot slot) {
-    return *td_direct_steps_at(w, slot) == TD_DIRECT_STEPS &&
-           td_row(&w->velocity, slot)[3] > 0.0f && *td_island_local_at(w, slot) == 0;
+static bool is_newly_marked(const thud_world *w, td_awake_slot slot) {
+    return *td_direct_steps_at(w, slot) == TD_DIRECT_STEPS && td_inv_mass_of(w, slot) > 0.0f &&
+           *td_island_local_at(w, slot) == 0;
 }
 
 static bool has_joints(const thud_world *w, const td_island *island) {
@@ -27,7 +27,7 @@ static bool has_joints(const thud_world *w, const td_island *island) {
 static void solve_one(thud_world *w, td_awake_slot slot) {
     td_islands *s = &w->islands;
     int islands = s->island.count, rows = s->matrix.row.count;
-    td_islands_follow(w, slot);
+    td_islands_list_from(w, slot);
     if (s->island.count == islands) {
         return;
     }
@@ -38,10 +38,10 @@ static void solve_one(thud_world *w, td_awake_slot slot) {
     s->matrix.row.count = rows;
 }
 
-void td_yielding_islands_solve(thud_world *w, td_system last) {
+void td_overloaded_islands_solve(thud_world *w, td_system last) {
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
-        if (is_late(w, slot)) {
-            w->islands.matrix.now = last;
+        if (is_newly_marked(w, slot)) {
+            w->islands.matrix.current = last;
             solve_one(w, slot);
         }
     }

@@ -1,6 +1,6 @@
-/* meetings.c: thud_world_next_meeting, an iterator over the pairs of shapes of two categories that
- * met in the last step. It goes through begin, hit and sensor_begin events, in this order, by one
- * running number, and returns each pair once. */
+/* event_pairs.c: thud_world_next_event_pair, an iterator over the pairs of shapes of two categories
+ * that met in the last step. It goes through begin, hit and sensor_begin events, in this order, by
+ * one running number, and returns each pair once. */
 #include "lists/lists.h"
 
 #include "thud/thud_events.h"
@@ -63,27 +63,27 @@ static bool is_of(const thud_world *w, uint32_t first, uint32_t second, thud_con
     return (b & first) && (a & second);
 }
 
-bool thud_world_next_meeting(const thud_world *w, uint32_t first, uint32_t second,
-                             thud_met *meeting) {
-    if (!w || !meeting) {
-        td_refuse(w, THUD_ERROR_NULL, "next meeting: world or meeting is null");
+bool thud_world_next_event_pair(const thud_world *w, uint32_t first, uint32_t second,
+                                thud_event_pair *pair) {
+    if (!w || !pair) {
+        td_refuse(w, THUD_ERROR_NULL, "next event pair: world or pair is null");
         return false;
     }
-    if (meeting->next < 0) {
-        td_refuse(w, THUD_ERROR_INVALID, "next meeting: next is negative");
+    if (pair->next < 0) {
+        td_refuse(w, THUD_ERROR_INVALID, "next event pair: next is negative");
         return false;
     }
-    thud_events e = thud_world_events(w);
+    thud_events e = thud_events_of(w);
     thud_contact_event event;
-    int at = meeting->next;
+    int at = pair->next;
     for (; event_at(&e, at, &event); at++) {
         if (is_of(w, first, second, &event) && !is_repeated(&e, at, &event)) {
-            thud_pair pair;
-            thud_pair_get(w, event.shape_a, event.shape_b, &pair);
-            *meeting = (thud_met){event.shape_a, event.shape_b, pair.a, pair.b, at + 1};
+            thud_pair sides;
+            thud_world_get_pair(w, event.shape_a, event.shape_b, &sides);
+            *pair = (thud_event_pair){event.shape_a, event.shape_b, sides.a, sides.b, at + 1};
             return true;
         }
     }
-    *meeting = (thud_met){.next = at};
+    *pair = (thud_event_pair){.next = at};
     return false;
 }

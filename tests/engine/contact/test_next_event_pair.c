@@ -1,6 +1,6 @@
-/* test_meetings.c: thud_world_next_meeting, which lists the pairs of two categories that met in a
- * step: each pair once, whatever the order of shapes in the events, and only bodies that still
- * exist. */
+/* test_next_event_pair.c: thud_world_next_event_pair, which lists the pairs of two categories that
+ * met in a step: each pair once, whatever the order of shapes in the events, and only bodies that
+ * still exist. */
 #include "engine_support.h"
 
 #include <thud/thud_lists.h>
@@ -14,19 +14,19 @@ enum { GROUND = 1, BALL = 2, COIN = 4, CRATE = 8 };
 /* A body of a category: the ground is a static box, the others are circles, and a coin is a
  * weightless sensor. */
 static thud_body_id make(thud_world *world, double x, double y, uint32_t category) {
-    thud_body_options options = {.kind = category == GROUND ? THUD_STATIC : THUD_DYNAMIC,
+    thud_body_options options = {.kind = category == GROUND ? THUD_BODY_STATIC : THUD_BODY_DYNAMIC,
                                  .category = category,
                                  .sensor = category == COIN,
                                  .weightless = category == COIN,
                                  .user_data = 10 * category};
-    thud_shape_instance box = thud_aabb_at(x, y, 20, 1), ball = thud_circle_at(x, y, 0.5);
+    thud_geometry box = thud_aabb_at(x, y, 20, 1), ball = thud_circle_at(x, y, 0.5);
     return thud_body_make(world, category == GROUND ? box : ball, &options);
 }
 
 /* How many pairs of the two categories met in the last step. */
 static int meetings(const thud_world *world, uint32_t first, uint32_t second) {
     int count = 0;
-    for (thud_met m = {0}; thud_world_next_meeting(world, first, second, &m);) {
+    for (thud_event_pair m = {0}; thud_world_next_event_pair(world, first, second, &m);) {
         count++;
     }
     return count;
@@ -51,20 +51,20 @@ static void first_kind_comes_first_whatever_the_event_has(void **state) {
     thud_body_id ground = make(world, 0, -1, GROUND), ball = make(world, 0, 3, BALL);
     run_until(world, BALL, GROUND);
     for (int turned = 0; turned < 2; turned++) {
-        thud_met m = {0};
-        assert_true(turned ? thud_world_next_meeting(world, BALL, GROUND, &m)
-                           : thud_world_next_meeting(world, GROUND, BALL, &m));
+        thud_event_pair m = {0};
+        assert_true(turned ? thud_world_next_event_pair(world, BALL, GROUND, &m)
+                           : thud_world_next_event_pair(world, GROUND, BALL, &m));
         assert_true(same(m.a.body, turned ? ball : ground));
         assert_true(same(m.b.body, turned ? ground : ball));
         assert_int_equal(m.a.body_data, turned ? 10 * BALL : 10 * GROUND);
         assert_int_equal(m.b.shape_data, turned ? 10 * GROUND : 10 * BALL);
         thud_body_id whose;
         thud_shape_state shape;
-        OK(thud_shape_get(world, m.shape_a, &shape));
+        OK(thud_shape_get_state(world, m.shape_a, &shape));
         whose = shape.body;
         assert_true(same(whose, m.a.body));
-        assert_false(turned ? thud_world_next_meeting(world, BALL, GROUND, &m)
-                            : thud_world_next_meeting(world, GROUND, BALL, &m));
+        assert_false(turned ? thud_world_next_event_pair(world, BALL, GROUND, &m)
+                            : thud_world_next_event_pair(world, GROUND, BALL, &m));
         assert_true(m.a.body.index1 == 0 && m.shape_b.index1 == 0 && m.next > 0);
     }
     assert_int_equal(meetings(world, GROUND, CRATE), 0);
@@ -82,7 +82,7 @@ static void pair_is_told_once_a_step(void **state) {
         thud_world *world = make_world(thud_default_world_def());
         make(world, 0, -1, GROUND);
         for (int i = 0; i < 20; i++) {
-            thud_body_options ball = {.kind = THUD_DYNAMIC,
+            thud_body_options ball = {.kind = THUD_BODY_DYNAMIC,
                                       .category = BALL,
                                       .restitution = (float)restitution,
                                       .detection = i % 2 ? &thud_detection_swept : NULL};
@@ -90,7 +90,7 @@ static void pair_is_told_once_a_step(void **state) {
         }
         for (int i = 0; i < 120; i++) {
             run(world, 1);
-            thud_events e = thud_world_events(world);
+            thud_events e = thud_events_of(world);
             int pairs = e.begin_count;
             for (int h = 0; h < e.hit_count; h++) {
                 bool began = false;
@@ -115,8 +115,8 @@ static void sensors_meet_what_they_begin_to_overlap(void **state) {
     thud_world *world = make_world(thud_default_world_def());
     thud_body_id coin = make(world, 0, 1, COIN), ball = make(world, 0, 3, BALL);
     run_until(world, BALL, COIN);
-    thud_met m = {0};
-    assert_true(thud_world_next_meeting(world, BALL, COIN, &m));
+    thud_event_pair m = {0};
+    assert_true(thud_world_next_event_pair(world, BALL, COIN, &m));
     assert_true(same(m.a.body, ball) && same(m.b.body, coin) && m.b.sensor && !m.a.sensor);
     run(world, 1);
     assert_int_equal(meetings(world, BALL, COIN), 0); /* the overlap continues and does not begin */
@@ -130,12 +130,12 @@ static void two_sensors_meet_once(void **state) {
     make(world, 0, 0, COIN);
     make(world, 0.5, 0, COIN);
     run(world, 1);
-    assert_int_equal(thud_world_events(world).sensor_begin_count, 2);
+    assert_int_equal(thud_events_of(world).sensor_begin_count, 2);
     assert_int_equal(meetings(world, COIN, COIN), 1);
     thud_world_destroy(world);
 }
 
-/* Bodies that are destroyed between two calls of thud_world_next_meeting are not listed any
+/* Bodies that are destroyed between two calls of thud_world_next_event_pair are not listed any
  * more. */
 static void who_is_gone_has_met_nobody(void **state) {
     (void)state;
@@ -147,7 +147,7 @@ static void who_is_gone_has_met_nobody(void **state) {
     run(world, 1);
     assert_int_equal(meetings(world, COIN, CRATE), 3);
     int count = 0;
-    for (thud_met m = {0}; thud_world_next_meeting(world, COIN, CRATE, &m); count++) {
+    for (thud_event_pair m = {0}; thud_world_next_event_pair(world, COIN, CRATE, &m); count++) {
         if (count == 1) {
             OK(thud_body_destroy(world, m.a.body)); /* the coin: the third crate met nothing else */
             make(world, 9, 9, COIN);                /* reuses the slot of the coin */
@@ -170,12 +170,12 @@ static void new_step_or_older_snapshot_between_two_meetings_does_no_harm(void **
     make(world, 0.2, 0.2, CRATE);
     make(world, -0.2, 0.2, CRATE);
     run(world, 1);
-    thud_met m = {0};
-    assert_true(thud_world_next_meeting(world, COIN, CRATE, &m));
+    thud_event_pair m = {0};
+    assert_true(thud_world_next_event_pair(world, COIN, CRATE, &m));
     run(world, 1);
-    assert_false(thud_world_next_meeting(world, COIN, CRATE, &m));
+    assert_false(thud_world_next_event_pair(world, COIN, CRATE, &m));
     OK(thud_world_restore(world, bytes, size));
-    assert_false(thud_world_next_meeting(world, COIN, CRATE, &m));
+    assert_false(thud_world_next_event_pair(world, COIN, CRATE, &m));
     thud_world_destroy(world);
 }
 
@@ -194,15 +194,15 @@ static void wrong_questions_are_told(void **state) {
     def.log = hear;
     def.log_context = &heard;
     thud_world *world = make_world(def);
-    thud_met m = {.next = -1}, far = {.next = INT_MAX};
+    thud_event_pair m = {.next = -1}, far = {.next = INT_MAX};
     told = 0;
-    assert_false(thud_world_next_meeting(NULL, 1, 1, &m));
-    assert_false(thud_world_next_meeting(world, 1, 1, NULL));
+    assert_false(thud_world_next_event_pair(NULL, 1, 1, &m));
+    assert_false(thud_world_next_event_pair(world, 1, 1, NULL));
     assert_int_equal(heard, THUD_ERROR_NULL);
-    assert_false(thud_world_next_meeting(world, 1, 1, &m));
+    assert_false(thud_world_next_event_pair(world, 1, 1, &m));
     assert_int_equal(heard, THUD_ERROR_INVALID);
     assert_int_equal(told, 2);
-    assert_false(thud_world_next_meeting(world, 1, 1, &far));
+    assert_false(thud_world_next_event_pair(world, 1, 1, &far));
     assert_int_equal(told, 2);
     thud_world_destroy(world);
 }
