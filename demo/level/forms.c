@@ -222,7 +222,9 @@ static bool line_fits(const level_reader *r, const level_values *v, level_form *
     return true;
 }
 
-/* Prepares one form, see level_forms_settle. False if it has to be removed. */
+/* Prepares one form, see level_forms_settle. Every polygon has become ground before; all of its
+ * lower side, whose highest point is `foot`, must reach down to `lowest` (y points down). False if
+ * the form has to be removed. */
 static bool settle(const level_reader *r, const level_values *v, const level_physics *physics,
                    level_form *form, double degrees, double lowest) {
     if (!form->points)
@@ -312,7 +314,7 @@ static void add_box_or_circle(level_reader *r, const level_physics *physics, con
 }
 
 void level_add_body(level_reader *r, const level_physics *physics, uint32_t id,
-                    const level_forms *forms, bool with_ground, double x, double y,
+                    const level_forms *forms, bool solid_below, double x, double y,
                     double degrees) {
     double c, s, rotation = level_turn(degrees, &c, &s);
     bool any = false;
@@ -326,6 +328,6 @@ void level_add_body(level_reader *r, const level_physics *physics, uint32_t id,
         add_box_or_circle(r, physics, form, rotation);
     }
     for (int i = 0; i < forms->count; i++)
-        if (forms->items[i].points && (with_ground || !forms->items[i].ground))
+        if (forms->items[i].points && (solid_below || !forms->items[i].ground))
             add_line(r, physics, id, &forms->items[i], x, y);
 }

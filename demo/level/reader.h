@@ -246,9 +246,10 @@ void level_forms_settle(const level_reader *r, const level_values *v, const leve
                         level_forms *forms, double degrees, double lowest);
 
 /* Adds a body at (x, y) pixels with these forms, and one more for each line. Lines that are ground
- * are left out if `with_ground` is false. */
+ * are left out if `solid_below` is false: a tile whose ground does not go on in the cells below it.
+ */
 void level_add_body(level_reader *r, const level_physics *physics, uint32_t id,
-                    const level_forms *forms, bool with_ground, double x, double y, double degrees);
+                    const level_forms *forms, bool solid_below, double x, double y, double degrees);
 
 /* ---- tilesets.c ---- */
 

@@ -1,5 +1,5 @@
 /* bridge.c: a suspension bridge of `size` planks, hinged to each other and to both sides of a
- * valley. A lorry about a hundred times as heavy as a plank drives over it.
+ * valley. A lorry some hundreds of times as heavy as a plank drives over it.
  *
  * Bodies: the land (irregular terrain), the planks from left to right, the lorry with its wheels.
  */
@@ -49,6 +49,8 @@ static int add_land(scene *s, int size) {
     return body;
 }
 
+enum { WHEELS = 3 };
+
 static void add_lorry(scene *s, double x) {
     const double radius = 0.62, deck = 1.35;
     s->material = (scene_material){.density = 500, .friction = 0.6};
@@ -62,11 +64,11 @@ static void add_lorry(scene *s, double x) {
     box->x = -0.85;
     box->y = 1.35;
     s->material = (scene_material){.density = 300, .friction = 1.2};
-    const double places[] = {-2.7, -1.25, 2.5};
-    for (int i = 0; i < 3; i++) {
-        scene_joint *axle = part_wheel(s, body, 3, x + places[i], radius, radius);
+    const double places[WHEELS] = {-2.7, -1.25, 2.5};
+    for (int i = 0; i < WHEELS; i++) {
+        scene_joint *axle = part_wheel(s, body, WHEELS, x + places[i], radius, radius);
         axle->drive[SCENE_TURN].motor_speed = -5 / radius;
-        axle->drive[SCENE_TURN].motor_force = 0.3 * part_mass(s, body) / 3 * 10 * radius;
+        axle->drive[SCENE_TURN].motor_force = 0.3 * part_mass(s, body) / WHEELS * 10 * radius;
     }
     part_keep_apart(s, body, -1);
 }

@@ -223,7 +223,7 @@ static void see_point(thud_vec2 p, thud_style style, void *context) {
 }
 
 void play_drawing(fuzz_session *s) {
-    unsigned flags = next_byte(&s->bytes) | (unsigned)next_choice(&s->bytes, 16) << 8;
+    unsigned flags = next_byte(&s->bytes) | (unsigned)next_choice(&s->bytes, 32) << 8;
     thud_debug_draw draw = {.flags = flags,
                             .origin = pick_place(s),
                             .lower = pick_place(s),

@@ -29,14 +29,13 @@ typedef struct yard {
     unsigned features;
 } yard;
 
-/* Creates the world by this def, except that gravity stays the yard's own; `features` are
- * yard_feature bits. */
+/* Creates the world by this def; `features` are yard_feature bits. */
 void yard_make_with(yard *y, trial *t, thud_world_def def, double away, unsigned features);
 /* With YARD_TIED. */
 void yard_make(yard *y, trial *t, thud_world_def def, double away);
 /* Without joints, which pull bodies towards each other through shapes in between. */
 void yard_make_loose(yard *y, trial *t, thud_world_def def, double away);
-/* Makes a few random edits, in most calls none. */
+/* Makes a random edit, in most calls none. */
 void yard_edit(yard *y);
 /* Edits, followed by one step. */
 void yard_step(yard *y);
@@ -48,7 +47,7 @@ void yard_before_step(yard *y);
  * yard's place and on the generations of handles. */
 uint64_t yard_told(const yard *y);
 
-/* The corner of the yard, from which its positions are measured. */
+/* The middle of the floor, from which the yard's positions are measured. */
 thud_pos yard_origin(const yard *y);
 
 /* Mixes bytes into a digest (FNV-1a). */

@@ -44,8 +44,8 @@ void fill_scissor(scene *s, int stages, double kg);
  * longer one. */
 void fill_pendulum(scene *s, int bars);
 
-/* A door of 2 m and 10 kg with a knob of 100 kg, which swings at 10 rad/s towards its limit of 0.5
- * rad. */
+/* A door of 2 m and 10 kg with a knob of 100 kg, one body, which swings at 10 rad/s towards its
+ * limit of 0.5 rad. */
 void fill_door(scene *s);
 /* A box of 1 kg on a horizontal slider. If `hung`, 100 kg hang at its corner; otherwise 100 kg hit
  * it from above at 10 m/s. */

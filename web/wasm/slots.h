@@ -88,7 +88,7 @@ struct advance {
     double steps, alpha;
 };
 
-/* As thud_stats. */
+/* As thud_stats, without factorings and island_work. */
 struct stats {
     double steps, bodies, shapes, awake_bodies, pairs, contacts, colours, blocks, bytes;
     double step_allocations, substeps, step_seconds, direct_islands, direct_bodies, soft_islands;

@@ -185,6 +185,8 @@ static void place(thud_world *w, int index, int bin) {
         w->touching += td_is_contact(constraint);
     }
     set_slots(w, td_block_at(w, kind, block), lane, constraint);
+    /* A kinematic body takes no colour, so that other blocks may name it too: a single worker must
+     * solve the run. */
     if (td_body_at(w, constraint->body[0])->kind == THUD_BODY_KINEMATIC ||
         td_body_at(w, constraint->body[1])->kind == THUD_BODY_KINEMATIC) {
         td_block_at(w, kind, block)->shared = 1;
@@ -279,6 +281,7 @@ void td_lane_remove(thud_world *w, int index) {
     assert(constraint->state == TD_TOUCHING);
     release_bin(w, constraint, constraint->bin);
     td_lane at = td_lane_of(w, constraint);
+    /* Takes the lane out of the world's counts of surfaces that bounce or move. */
     td_lane_ops_of(w, constraint->kind)->clear(w, at.block, at.lane, index);
     bin_shrink(w, constraint->kind, constraint->bin, constraint->slot);
     w->touching -= td_is_contact(constraint);

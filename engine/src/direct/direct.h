@@ -53,9 +53,9 @@ typedef struct td_direct_body {
     double inverse_mass, inverse_inertia; /* inverse_inertia 0: the body does not turn */
     double free[3];                       /* v*: velocity without constraints (x, y, turn) */
     double velocity[3];                   /* in: a guess; out: the solution */
+    double before[3];                     /* velocity at the start of the step, or of its part */
+    double moved[3];                      /* motion since the start of the step */
     /* The rest is for islands with joints, which divide a step into parts: island_step_joints.c. */
-    double before[3];           /* velocity at the start of this part of the step */
-    double moved[3];            /* motion from the start of the step to the start of the part */
     double stiff;               /* added to the moment of inertia: geometric stiffness of joints */
     double own_inverse_inertia; /* inverse_inertia without that */
     double gain[3];             /* velocity that gravity, forces and damping add in one part */
@@ -170,7 +170,8 @@ static inline double td_direct_load(const td_direct_constraint *c) {
 double td_direct_friction_bound(const td_direct_constraint *c);
 /* Sets the bounds of all friction rows to that. */
 void td_direct_update_friction(td_direct *d);
-/* Restores the warm start after a method has failed: impulses, friction bounds and speeds. */
+/* Restores the impulses of the warm start after a method has failed, and recomputes friction bounds
+ * from them and speeds from the present velocities, which stay. */
 void td_direct_restore(td_direct *d);
 
 #endif

@@ -34,8 +34,8 @@ static inline void td_island_add(thud_world *w, td_island *island, td_awake_slot
  * dynamic, or asleep. `side`: 0 or 1, the side that is known. */
 td_awake_slot td_island_neighbour(const thud_world *w, const td_constraint *constraint, int side);
 /* Appends the pairs of bodies that the island's constraints join, by their numbers in the island,
- * to td_islands.topology, which must have room: two ints a constraint, TD_NONE where a side is not
- * in the island. */
+ * to td_islands.topology, which must have room: two ints a constraint, both TD_NONE where either
+ * side is not in the island. */
 void td_island_list_ties(thud_world *w, const td_island *island);
 /* Orders the island by these pairs, as a further system of td_islands.matrix. False when memory is
  * short, or when the factor would have more than `entries_max` blocks below its diagonal. */

@@ -2,8 +2,8 @@
  * impulses.
  *
  * The unknown is the mean velocity over the step. A body's free mean velocity is half the sum of
- * its velocity before the step and that after all substeps without constraints, so that free flight
- * is the same as under the soft solver. */
+ * its velocity before the step and that after all substeps without constraints, so that a body
+ * without constraints ends the step with the same velocity as under the soft solver. */
 #include "direct/elimination_order.h"
 #include "direct/island_step.h"
 
@@ -12,9 +12,10 @@
 /* Factorisations of an island in a step, whatever the quality allows. Chosen. */
 enum { ISLAND_FACTORINGS_MAX = 200 };
 
-/* Greatest rotation, rad, for which lever arms of the start of the step are good enough. Chosen;
- * their error is 1 - cos 0.4, 8 %. */
-#define PART_TURN_MAX 0.4
+/* Greatest rotation of a body in the step, rad, for which its contacts' lever arms of the start of
+ * the step are good enough; beyond it the direct result is refused. Chosen: the arms then are
+ * 1 - cos 0.4 = 8 % too long. */
+#define TURN_MAX 0.4
 
 /* Lanes whose impulses are the direct solver's begin without a warm start in the soft solver: it
  * cannot take back such an impulse within a step where a light body is between heavy ones. */
@@ -161,7 +162,7 @@ td_island_work td_island_set_up(thud_world *w, const td_island *island) {
                            .time = w->def.time_step,
                            .elapsed = w->def.time_step,
                            .next = w->def.time_step,
-                           .turn_max = PART_TURN_MAX};
+                           .turn_max = TURN_MAX};
     for (int i = 0; i < island->bodies; i++) {
         take_body(&work, i);
     }

@@ -1,10 +1,11 @@
-/* sparse.c: the symbolic part of sparse.h: minimum-degree ordering and the structure of L.
+/* sparse.c: the symbolic part of sparse.h: minimum-degree ordering and the structure of L, for A =
+ * L L'.
  *
- * Ordering simulates the elimination on the graph of the nodes (Tinney and Walker, 1967): the node
- * of minimum degree goes next, and its neighbours become neighbours of each other, which are the
- * blocks that fill in. The graph is a matrix of bits, so that an elimination is an OR of rows;
- * nodes of equal degree are taken in the order in which they got that degree, last first, which is
- * the same everywhere. */
+ * Ordering simulates the elimination on the graph of the nodes, which are block rows of A: bodies,
+ * joined where a constraint acts between them (Tinney and Walker, 1967). The node of minimum degree
+ * goes next, and its neighbours become neighbours of each other, which are the blocks that fill in.
+ * The graph is a matrix of bits, so that an elimination is an OR of rows; nodes of equal degree are
+ * taken in the order in which they got that degree, last first, which is the same everywhere. */
 #include "direct/sparse.h"
 
 #include <string.h>

@@ -115,7 +115,7 @@ void td_body_mark(thud_world *w, td_body_index index, td_change_kind change) {
         td_push_body(&w->changed, index);
     }
     body->changes |= (uint8_t)change;
-    w->preview.stale = true;
+    w->preview.stale = true; /* where pending edits will place shapes: preview.h */
     w->kinetic_stale = true; /* its velocity may have been edited */
 }
 

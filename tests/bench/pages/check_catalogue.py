@@ -39,7 +39,8 @@ def check_broadphases(results):
             for name in BROADPHASES:
                 # The broadphase is a stage of the step, so its time is shorter than the step's.
                 assert 0 < row[name]["ns_per_shape"] < row[name]["step_ns_per_shape"], row
-            # In a crowd the grid reports its pairs over several steps.
+            # In a crowd (broadphase.c) pairs take turns, and which have had theirs depends on the
+            # broadphase.
             pairs = {row[name]["pairs"] for name in BROADPHASES[part == "gathering":]}
             assert len(pairs) == 1, row
     assert results["gathering"][-1]["overlaps"] == 100 * 99 / 2, results["gathering"]
@@ -68,6 +69,8 @@ def check_walls(results):
 
 
 def check_throws(results):
+    """bend: measured error of a step's straight path, m; chord: its bound g h^2 / 8; flight: distance
+    from the parabola in free flight; mean, worst: of the hits from the parabola."""
     for row in rows_of(results, "throws"):
         # Up to rounding of floats at a distance of 20 m.
         assert row["bend"] <= row["chord"] + 2e-5, row

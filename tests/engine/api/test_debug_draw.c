@@ -39,8 +39,8 @@ static void on_point(thud_vec2 p, thud_style style, void *context) {
     ((seen *)context)->points[style]++;
 }
 
-/* All flags; THUD_DRAW_MANIFOLDS is the highest. */
-static const unsigned EVERYTHING = THUD_DRAW_MANIFOLDS * 2 - 1;
+/* All flags; THUD_DRAW_JOINT_FORCES is the highest. */
+static const unsigned EVERYTHING = THUD_DRAW_JOINT_FORCES * 2 - 1;
 
 static thud_debug_draw drawing_of(unsigned flags, seen *k) {
     return (thud_debug_draw){.flags = flags,

@@ -301,6 +301,23 @@ export interface DrawOptions {
   upper: Vec2;
 }
 
+/** What `World.draw` draws, in the order of the bits of thud_debug_draw.flags. */
+export const DRAW_FLAGS = [
+  "shapes",
+  "bounds",
+  "cells",
+  "contacts",
+  "islands",
+  "axes",
+  "pairs",
+  "motions",
+  "stages",
+  "colours",
+  "manifolds",
+  "joints",
+  "jointForces",
+] as const;
+
 /**
  * The styles in `DrawLists`, by their number. "solved directly" is of lines between pairs. "depth"
  * is a line from a contact point as long as the penetration; "impulse" is one as long as the

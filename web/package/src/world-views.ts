@@ -27,6 +27,7 @@ import {
 import { bodyAt, numbersOf, rowsOf, shapeAt, vecAt, view } from "./numbers.js";
 import { Kind } from "./plain/handles.js";
 import type { BodyRef } from "./types.js";
+import { DRAW_FLAGS } from "./view-types.js";
 import type {
   Contact,
   ContactEvent,
@@ -46,22 +47,6 @@ import { WorldQueries } from "./world-queries.js";
 const EMPTY = new Float32Array(0);
 const NO_HANDLES = new Uint32Array(0);
 
-/** The flags of DrawOptions in the order of the bits that api_world_draw takes. */
-const DRAWN = [
-  "shapes",
-  "bounds",
-  "cells",
-  "contacts",
-  "islands",
-  "axes",
-  "pairs",
-  "motions",
-  "stages",
-  "colours",
-  "manifolds",
-  "joints",
-  "jointForces",
-] as const;
 
 /** The layer of World with poses, events, statistics, errors and drawing. */
 export class WorldViews extends WorldQueries {
@@ -288,7 +273,7 @@ export class WorldViews extends WorldQueries {
    */
   draw(options: DrawOptions): DrawLists {
     const { engine } = this;
-    const numbers = numbersOf("draw", options, DRAWN, ["origin", "lower", "upper"]);
+    const numbers = numbersOf("draw", options, DRAW_FLAGS, ["origin", "lower", "upper"]);
     const flags = numbers.reduce((sum: number, on, i) => sum + (on ? 1 << i : 0), 0);
     const [x, y] = options.origin ?? [0, 0];
     engine.check(

@@ -14,7 +14,7 @@ import { OVERLAYS, type OverlayName } from "../scene/overlays";
 
 /** CSS pixels that an arrow key moves the view. Chosen. */
 const PAN = 60;
-/** The key of each overlay; the native viewer uses the same keys for the overlays that it has. */
+/** The key of each overlay. Most are those of the native viewer (demo/play/panel/overlays.c). */
 const OVERLAY_KEYS: Readonly<Record<OverlayName, readonly [cap: string, what: string]>> = {
   contacts: ["1", "contact points"],
   normals: ["2", "contact normals"],

@@ -1,7 +1,7 @@
 /** Errors in a scene, with their place in the scene's text. */
 import type { Trouble } from "./protocol";
 
-/** An error in a scene's own text. */
+/** An error that the page itself found in a scene, with its message for the visitor. */
 export class SceneError extends Error {
   constructor(readonly trouble: Trouble) {
     super(trouble.message);
