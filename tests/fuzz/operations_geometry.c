@@ -1,6 +1,7 @@
 /* operations_geometry.c: operations of a fuzzer that call the geometry functions, which need no
- * world, with shapes and motions from the input's bytes, and check what they return. PURE and
- * COUNTED, which make the calls, are in calls.h. */
+ * world, with shapes and motions from the input's bytes, and check what they return. PURE,
+ * which makes a call and demands that its output is unchanged where it is refused, and COUNTED are
+ * in calls.h. */
 #include "operations.h"
 
 /* Tolerance of the squared length of unit vectors. Chosen, far above the rounding of doubles. */

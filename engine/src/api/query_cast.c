@@ -132,6 +132,7 @@ static thud_result check_capacity(const thud_world *w, const thud_ray_hit *out, 
 
 /* ---- calls ---- */
 
+/* For movers: see query.h. */
 thud_result td_query_cast_sensors(thud_world *w, const thud_shape_cast *cast, thud_ray_hit *out,
                                   int capacity, int *out_count) {
     td_path path;

@@ -133,7 +133,7 @@ static bool table_valid(const td_snapshot_head *head, const char *table) {
         points += (uint64_t)table_at(table, at);
     }
     for (int form = 0; form < TD_FORM_COUNT; form++) {
-        const td_snapshot_slots *pool = &head->slots[TD_SNAPSHOT_POOLS + form];
+        const td_snapshot_slots *pool = &head->slots[TD_SNAPSHOT_BLOCK_POOLS + form];
         int live = 0;
         for (int end = at + pool->count; at < end; at++) {
             live += table_at(table, at) == TD_SNAPSHOT_LIVE;

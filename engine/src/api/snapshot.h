@@ -29,8 +29,8 @@ enum {
     TD_SNAPSHOT_CONSTRAINTS, /* contacts and parts of joints */
     TD_SNAPSHOT_JOINTS,
     TD_SNAPSHOT_TERRAINS,
-    TD_SNAPSHOT_POOLS, /* of blocks, by td_block_form */
-    TD_SNAPSHOT_SLOTS = TD_SNAPSHOT_POOLS + TD_FORM_COUNT
+    TD_SNAPSHOT_BLOCK_POOLS, /* of blocks, by td_block_form */
+    TD_SNAPSHOT_SLOTS = TD_SNAPSHOT_BLOCK_POOLS + TD_FORM_COUNT
 };
 
 /* Indices of the arrays of one proxy set (the sorted bounds of a broadphase), after its first in

@@ -114,14 +114,14 @@ void td_snapshot_list_slots(thud_world *w, td_slots *slots[TD_SNAPSHOT_SLOTS]) {
     slots[TD_SNAPSHOT_JOINTS] = &w->joints;
     slots[TD_SNAPSHOT_TERRAINS] = &w->terrains;
     for (int form = 0; form < TD_FORM_COUNT; form++) {
-        slots[TD_SNAPSHOT_POOLS + form] = &w->pool[form];
+        slots[TD_SNAPSHOT_BLOCK_POOLS + form] = &w->pool[form];
     }
 }
 
 int td_snapshot_table_count(const td_snapshot_head *head) {
     int count = head->slots[TD_SNAPSHOT_TERRAINS].count;
     for (int form = 0; form < TD_FORM_COUNT; form++) {
-        count += head->slots[TD_SNAPSHOT_POOLS + form].count;
+        count += head->slots[TD_SNAPSHOT_BLOCK_POOLS + form].count;
     }
     return count;
 }

@@ -222,8 +222,8 @@ uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head) {
     bytes += (uint64_t)slots[TD_SNAPSHOT_TERRAINS].count * TERRAIN_BYTES;
     bytes += head->points * sizeof(thud_pos) + td_ruled_bytes(head->ruled);
     for (int form = 0; form < TD_FORM_COUNT; form++) {
-        bytes +=
-            (uint64_t)slots[TD_SNAPSHOT_POOLS + form].live * td_form_bytes((td_block_form)form);
+        bytes += (uint64_t)slots[TD_SNAPSHOT_BLOCK_POOLS + form].live *
+                 td_form_bytes((td_block_form)form);
     }
     for (int i = 0; i < TD_SNAPSHOT_PARTS; i++) {
         bytes += (uint64_t)head->parts[i].used * (uint64_t)parts[i].array->stride;

@@ -39,7 +39,8 @@ bool td_joint_island_begin(thud_world *w, td_island *island);
  * or where a contact bounces, the soft solver's result stands, and td_islands.local of the bodies
  * becomes TD_ISLAND_REFUSED. */
 void td_joint_island_solve(thud_world *w, const td_island *island);
-/* The value of td_islands.local of a body whose island was tried in this step without success;
+/* The value of td_islands.local of a body whose island was tried in this step without success; 3.
+ * may still solve its joints alone;
  * direct_islands.c has -1 to -3, joint_subsystems.c -5. */
 enum { TD_ISLAND_REFUSED = -4 };
 

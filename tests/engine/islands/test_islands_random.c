@@ -67,7 +67,7 @@ static void add_shapes(source *r, thud_world *world, thud_body_id body, float ra
         OK(thud_shape_create_obb(world, body, def, (thud_vec2){0.4f * radius, 0},
                                  (thud_vec2){0.4f * radius, 0.3f * radius}, 0.3, NULL));
         break;
-    default: /* an AABB or an OBB */
+    default: /* an AABB where the sixth argument is true, else an OBB */
         add_shape(world, body, half, half * (float)draw(r, 0.5, 1), draw_below(r, 2), def);
     }
 }
