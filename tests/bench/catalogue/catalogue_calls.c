@@ -39,14 +39,14 @@ static double volumes_overlap(const void *inputs, int count) {
     return answers;
 }
 
-static double shapes_overlap(const void *inputs, int count) {
+static double geometry_overlap(const void *inputs, int count) {
     FOR_EACH_CALL(inputs, count) {
         answers += thud_geometry_overlap(&p->a[i], &p->b[i]);
     }
     return answers;
 }
 
-static double shapes_closest(const void *inputs, int count) {
+static double geometry_closest(const void *inputs, int count) {
     FOR_EACH_CALL(inputs, count) {
         thud_closest closest = {0};
         thud_geometry_closest(&p->a[i], &p->b[i], &closest);
@@ -55,7 +55,7 @@ static double shapes_closest(const void *inputs, int count) {
     return answers;
 }
 
-static double shapes_contacts(const void *inputs, int count) {
+static double geometry_contacts(const void *inputs, int count) {
     FOR_EACH_CALL(inputs, count) {
         thud_contacts contacts = {0};
         thud_geometry_contacts(&p->a[i], &p->b[i], 0.02, &contacts);
@@ -64,7 +64,7 @@ static double shapes_contacts(const void *inputs, int count) {
     return answers;
 }
 
-static double circles_approach(const void *inputs, int count) {
+static double geometry_approach(const void *inputs, int count) {
     FOR_EACH_CALL(inputs, count) {
         thud_approach approach = {0};
         thud_geometry_approach(&p->a[i], STILL, &p->far_b[i], p->motion[i], &approach);
@@ -140,12 +140,12 @@ static const struct {
     bool circles_only;
 } CALLS[] = {
     {"volumes_overlap", volumes_overlap, false},
-    {"shapes_overlap", shapes_overlap, false},
-    {"shapes_closest", shapes_closest, false},
-    {"shapes_contacts", shapes_contacts, false},
-    {"circles_approach", circles_approach, true},
-    {"shapes_time_of_impact", time_of_impact, false},
-    {"shapes_time_of_collision", time_of_collision, false},
+    {"geometry_overlap", geometry_overlap, false},
+    {"geometry_closest", geometry_closest, false},
+    {"geometry_contacts", geometry_contacts, false},
+    {"geometry_approach", geometry_approach, true},
+    {"geometry_time_of_impact", time_of_impact, false},
+    {"geometry_time_of_collision", time_of_collision, false},
     {"minkowski_sum", minkowski_sum, false},
     {"minkowski_contains", minkowski_contains, false},
     {"minkowski_distance", minkowski_distance, false},
