@@ -321,8 +321,8 @@ static bool take_step(linkage *l, double h) {
 }
 
 bool linkage_advance(linkage *l, double seconds) {
-    int steps = (int)ceil(seconds / l->step - 1e-9);
     bool ok = isfinite(seconds) && seconds >= 0;
+    int steps = ok ? (int)ceil(seconds / l->step - 1e-9) : 0;
     for (int i = 0; ok && i < steps; i++)
         ok = take_step(l, seconds / steps);
     return ok;

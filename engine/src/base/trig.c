@@ -9,9 +9,14 @@
 #define QUARTER_2 0x1.0b4611a6p-34
 #define QUARTER_3 0x1.3198a2e037073p-69
 
+/* Numbers of quarter turns below this are ints. */
+#define QUARTERS_MAX 2147483647.0
+
 void td_sincos(double angle, double *s, double *c) {
     double turns = angle * (2.0 / TD_PI);
-    int quarters = (int)(turns < 0.0 ? turns - 0.5 : turns + 0.5);
+    double nearest = turns < 0.0 ? turns - 0.5 : turns + 0.5;
+    /* The conversion of what is no number, or no int, is undefined. */
+    int quarters = td_abs(nearest) < QUARTERS_MAX ? (int)nearest : 0;
     double n = (double)quarters;
     double x = ((angle - n * QUARTER_1) - n * QUARTER_2) - n * QUARTER_3;
     double z = x * x;

@@ -58,7 +58,7 @@ static void overwritten_and_swapped_bytes_are_refused(void **state) {
         size_t from = (size_t)random_in(&seed, 0, (double)r.snapshot.size - 1);
         size_t count = (size_t)random_in(&seed, 1, (double)(r.snapshot.size - from));
         for (size_t i = from; i < from + count; i++) {
-            copy[i] = round % 2 ? (char)random_in(&seed, 0, 255)
+            copy[i] = round % 2 ? (char)(unsigned char)random_in(&seed, 0, 255)
                                 : r.snapshot.bytes[r.snapshot.size - 1 - i];
         }
         if (memcmp(copy, r.snapshot.bytes, r.snapshot.size) != 0) {
