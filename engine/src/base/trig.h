@@ -4,7 +4,7 @@
 #define TD_TRIG_H
 
 /* Sine and cosine of an angle in radians, |angle| <= THUD_ANGLE_MAX, with an error below 1e-15.
- * Not a number where the angle is none. */
+ * Not finite where the angle is not. */
 void td_sincos(double angle, double *s, double *c);
 
 #endif
