@@ -35,8 +35,8 @@ thud_result td_query_check_filter(const thud_world *w, const thud_query_filter *
     bool meets = !filter || filter->category || filter->mask || filter->group > 0;
     return meets ? THUD_OK
                  : td_refuse(w, THUD_ERROR_INVALID,
-                             "query: category and mask of its filter are 0, so that it meets "
-                             "nothing: begin with thud_default_query_filter()");
+                             "query: category and mask of its filter are 0: begin with "
+                             "thud_default_query_filter()");
 }
 
 thud_result td_query_check(const thud_world *w, thud_pos center, const thud_geometry *shape) {

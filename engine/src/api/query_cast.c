@@ -88,7 +88,7 @@ static thud_result cast_all(thud_world *w, td_path *path, thud_ray_hit *out, int
 /* Sets *path to that of a ray, or refuses the ray. */
 static thud_result path_of_ray(const thud_world *w, const thud_ray *ray, td_path *path) {
     if (!w || !ray) {
-        return td_refuse(w, THUD_ERROR_NULL, "cast: world or ray is null");
+        return td_refuse(w, THUD_ERROR_NULL, "cast: a pointer is null");
     }
     *path = (td_path){
         .meets = td_point_meets,
@@ -104,7 +104,7 @@ static thud_result path_of_ray(const thud_world *w, const thud_ray *ray, td_path
 static thud_result path_of_shape_cast(const thud_world *w, const thud_shape_cast *cast,
                                       td_path *path) {
     if (!w || !cast) {
-        return td_refuse(w, THUD_ERROR_NULL, "cast: world or cast is null");
+        return td_refuse(w, THUD_ERROR_NULL, "cast: a pointer is null");
     }
     *path = (td_path){
         .meets = td_shape_meets,

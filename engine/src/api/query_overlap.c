@@ -45,7 +45,7 @@ thud_result thud_world_overlap_shape(thud_world *w, thud_pos center, thud_geomet
                                      void *context) {
     TD_IN_OWN_FLOAT_MODE;
     if (!w || !fn) {
-        return td_refuse(w, THUD_ERROR_NULL, "overlap: world or callback is null");
+        return td_refuse(w, THUD_ERROR_NULL, "overlap: a pointer is null");
     }
     if (td_query_check(w, center, &shape) != THUD_OK) {
         return td_refuse(w, THUD_ERROR_INVALID, "overlap: the shape or its place is invalid");

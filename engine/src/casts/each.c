@@ -68,7 +68,7 @@ thud_result thud_world_cast_ray_each(thud_world *w, const thud_ray *ray, thud_ca
                                      void *context) {
     TD_IN_OWN_FLOAT_MODE;
     if (!w || !ray || !fn) {
-        return td_refuse(w, THUD_ERROR_NULL, "cast ray: world, ray or callback is null");
+        return td_refuse(w, THUD_ERROR_NULL, "cast: a pointer is null");
     }
     thud_query_filter own = copied(ray->filter);
     td_path way = {td_point_meets, ray->origin, .dx = ray->dx, .dy = ray->dy, .filter = &own};
@@ -80,7 +80,7 @@ thud_result thud_world_cast_shape_each(thud_world *w, const thud_shape_cast *cas
                                        void *context) {
     TD_IN_OWN_FLOAT_MODE;
     if (!w || !cast || !fn) {
-        return td_refuse(w, THUD_ERROR_NULL, "cast: world, cast or callback is null");
+        return td_refuse(w, THUD_ERROR_NULL, "cast: a pointer is null");
     }
     thud_query_filter own = copied(cast->filter);
     thud_geometry moving = cast->shape;

@@ -87,8 +87,7 @@ static thud_result check_list(const thud_world *w, const thud_joint_id *out, int
     if (!w || !out_count || (!out && capacity > 0)) {
         return THUD_ERROR_NULL;
     }
-    return capacity >= 0 ? THUD_OK
-                         : td_refuse(w, THUD_ERROR_INVALID, "list of joints: capacity is negative");
+    return capacity >= 0 ? THUD_OK : td_refuse(w, THUD_ERROR_INVALID, "list: capacity is negative");
 }
 
 thud_result thud_world_get_joints(const thud_world *w, thud_joint_id *out, int capacity,
