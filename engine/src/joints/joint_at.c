@@ -54,6 +54,13 @@ static thud_joint_def def_at(const thud_world *w, thud_joint_kind kind, thud_bod
     return def;
 }
 
+/* A joint whose x axis is a direction in the world. */
+static thud_joint_def def_along(const thud_world *w, thud_joint_kind kind, thud_body_id a,
+                                thud_body_id b, thud_pos point, thud_vec2 axis) {
+    double angle = angle_of((double)axis.x, (double)axis.y);
+    return def_at(w, kind, a, b, point, point, angle);
+}
+
 thud_joint_def thud_hinge_at(const thud_world *w, thud_body_id a, thud_body_id b, thud_pos point) {
     TD_IN_OWN_FLOAT_MODE;
     return def_at(w, THUD_JOINT_HINGE, a, b, point, point, 0.0);
@@ -67,15 +74,13 @@ thud_joint_def thud_weld_at(const thud_world *w, thud_body_id a, thud_body_id b,
 thud_joint_def thud_slider_at(const thud_world *w, thud_body_id a, thud_body_id b, thud_pos point,
                               thud_vec2 axis) {
     TD_IN_OWN_FLOAT_MODE;
-    double angle = angle_of((double)axis.x, (double)axis.y);
-    return def_at(w, THUD_JOINT_SLIDER, a, b, point, point, angle);
+    return def_along(w, THUD_JOINT_SLIDER, a, b, point, axis);
 }
 
 thud_joint_def thud_wheel_at(const thud_world *w, thud_body_id a, thud_body_id b, thud_pos point,
                              thud_vec2 axis) {
     TD_IN_OWN_FLOAT_MODE;
-    double angle = angle_of((double)axis.x, (double)axis.y);
-    return def_at(w, THUD_JOINT_WHEEL, a, b, point, point, angle);
+    return def_along(w, THUD_JOINT_WHEEL, a, b, point, axis);
 }
 
 thud_joint_def thud_target_at(const thud_world *w, thud_body_id a, thud_body_id b, thud_pos point) {

@@ -80,19 +80,9 @@ static int append_handle(const thud_world *w, int index, thud_joint_id *out, int
     return count + 1;
 }
 
-/* Refuses a null world (without a message, since there is no log), null outputs, and a negative
- * capacity. */
-static thud_result check_list(const thud_world *w, const thud_joint_id *out, int capacity,
-                              const int *out_count) {
-    if (!w || !out_count || (!out && capacity > 0)) {
-        return THUD_ERROR_NULL;
-    }
-    return capacity >= 0 ? THUD_OK : td_refuse(w, THUD_ERROR_INVALID, "list: capacity is negative");
-}
-
 thud_result thud_world_get_joints(const thud_world *w, thud_joint_id *out, int capacity,
                                   int *out_count) {
-    thud_result result = check_list(w, out, capacity, out_count);
+    thud_result result = td_list_check(w, out, capacity, out_count);
     if (result != THUD_OK) {
         return result;
     }
@@ -120,7 +110,7 @@ static int first_part(const td_joint *joint) {
 thud_result thud_body_get_joints(const thud_world *w, thud_body_id body, thud_joint_id *out,
                                  int capacity, int *out_count) {
     td_body_index index;
-    thud_result result = check_list(w, out, capacity, out_count);
+    thud_result result = td_list_check(w, out, capacity, out_count);
     result = result != THUD_OK ? result : td_find_body(w, body, &index);
     if (result != THUD_OK) {
         return result;

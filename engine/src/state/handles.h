@@ -39,4 +39,14 @@ static inline thud_shape_id td_shape_handle(const thud_world *w, int index) {
     return (thud_shape_id){(uint32_t)index + 1, td_tag(w, td_shape_at(w, index)->generation)};
 }
 
+/* Checks the arguments of a list: refuses null pointers and a negative capacity. `out` may be null
+ * where capacity is 0. */
+static inline thud_result td_list_check(const thud_world *w, const void *out, int capacity,
+                                        const int *count) {
+    if (!w || !count || (!out && capacity > 0)) {
+        return td_refuse(w, THUD_ERROR_NULL, "list: world, out or count is null");
+    }
+    return capacity >= 0 ? THUD_OK : td_refuse(w, THUD_ERROR_INVALID, "list: capacity is negative");
+}
+
 #endif
