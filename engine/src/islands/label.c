@@ -3,18 +3,6 @@
 
 #include "constraint/lanes.h"
 
-/* Unites two trees. */
-static void join(td_awake_slot *parents, td_awake_slot a, td_awake_slot b) {
-    a = td_root_of(parents, a);
-    b = td_root_of(parents, b);
-    /* The lower slot becomes the root, so that roots do not depend on the order of contacts. */
-    if (a.at < b.at) {
-        parents[b.at] = a;
-    } else {
-        parents[a.at] = b;
-    }
-}
-
 static bool is_dynamic(const thud_world *w, td_awake_slot slot) {
     return td_body_at(w, td_body_of(w, slot))->kind == THUD_BODY_DYNAMIC;
 }
@@ -34,7 +22,7 @@ static void join_islands(thud_world *w, td_awake_slot *parents, td_awake_slot a,
     }
     bool dynamic_a = is_dynamic(w, a), dynamic_b = is_dynamic(w, b);
     if (dynamic_a && dynamic_b) {
-        join(parents, a, b);
+        td_join_trees(parents, a, b);
     } else if (keeps && moves(w, dynamic_a ? b : a)) {
         *td_row(&w->idle, dynamic_a ? a : b) = 0.0f;
     }

@@ -15,6 +15,8 @@ import {
 } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
+const RUNS = "Your code runs";
+
 let visitor;
 before(async () => {
   visitor = await openVisitor();
@@ -63,6 +65,32 @@ test("scene_that_returns_nonsense_is_told_what_is_wrong", async () => {
   await close();
 });
 
+test("error_of_the_scene_before_is_not_told_while_the_next_starts", async () => {
+  const { page, errors, close } = await openCode(visitor, "?scene=sketch&panel=code&paused=1");
+  await type(
+    page,
+    `export default ({ createWorld }) =>
+      ({ world: createWorld(), paint: () => ({ marks: [{ kind: "blob" }] }) });`,
+  );
+  await run(page);
+  assert.match(await troubleOf(page), /kind of a mark is one of line/);
+  await type(
+    page,
+    `export default async ({ createWorld }) => {
+      await new Promise((done) => setTimeout(done, 1500));
+      return { world: createWorld() };
+    };`,
+  );
+  await run(page);
+  // Each change of size has the scene that still runs painted again, which fails again.
+  for (let width = 1000; (await page.locator(".code-status").textContent()) !== RUNS; width++) {
+    await page.setViewportSize({ width: 1000 + (width % 100), height: 700 });
+    assert.ok(await page.isHidden(".code-trouble"));
+  }
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test("scene_that_is_slow_and_not_stuck_runs_in_the_end_without_a_click", async () => {
   const code = `export default ({ createWorld }) => {
     for (const end = Date.now() + 2500; Date.now() < end; );
@@ -80,7 +108,7 @@ test("scene_that_is_slow_and_not_stuck_runs_in_the_end_without_a_click", async (
     await page.locator(".code-offer button").first().click();
     await page.waitForSelector("#failure[data-seen][hidden]", { state: "attached" });
   });
-  await untilStatus(page, "Your code runs");
+  await untilStatus(page, RUNS);
   assert.ok(await page.isHidden(".code-trouble"));
   assert.deepEqual(errors, []);
   await close();
@@ -103,7 +131,7 @@ test("code_that_keeps_ever_more_objects_is_ended_at_a_limit_and_the_page_goes_ba
     });
   const { page, errors, close } = await visitor.open(linkOf(code), undefined, measured);
   await page.locator(".code-offer button").first().click();
-  await untilStatus(page, "Your code runs");
+  await untilStatus(page, RUNS);
   assert.match(await failureText(page), /too much memory[\s\S]*more than 1 GB/);
   await page.click("#failure button");
   await untilStatus(page, "Changed, not run yet");

@@ -82,6 +82,8 @@ export class App {
   #running: Begun | null = null;
   /** Number of the latest request to run a scene; results of earlier requests are ignored. */
   #runs = 0;
+  /** A scene is requested and has not started yet; the one before runs until then. */
+  #starting = false;
   /** Number of the latest address to be written; earlier ones that are ready later are dropped. */
   #addresses = 0;
   /** The browser shows a new address that has not been parsed yet; nothing is written meanwhile. */
@@ -97,7 +99,7 @@ export class App {
     this.#look = look;
     this.client = new Client({
       frame: (frame) => this.#take(frame),
-      trouble: (trouble) => this.#stop(trouble, true),
+      trouble: (trouble, run) => this.#takeTrouble(trouble, run),
       stuck: () => this.#tell((listener) => listener.stuck?.()),
       answers: () => this.#tell((listener) => listener.answers?.()),
     });
@@ -151,13 +153,16 @@ export class App {
   /** Asks the worker to run `request`. Of overlapping calls only the last one takes effect. */
   async #run(): Promise<boolean> {
     const number = ++this.#runs;
+    this.#starting = true;
     try {
       const scene = await this.client.ask("run", this.request);
       if (number !== this.#runs) return false;
+      this.#starting = false;
       this.#begin(scene);
       return true;
     } catch (error) {
       if (number !== this.#runs) return false;
+      this.#starting = false;
       this.#stop(
         error instanceof TroubleError ? error.trouble : { message: messageOf(error) },
         false,
@@ -189,6 +194,7 @@ export class App {
   async #startWorker(): Promise<void> {
     // A `#run` that still waits for the old worker must not report that as an error.
     this.#runs++;
+    this.#starting = false;
     this.client.restart();
     // Frames cannot be requested until a scene runs in the new worker.
     this.scene = null;
@@ -265,6 +271,13 @@ export class App {
   /** Stops the running scene for an error that the page, not the worker, has found. */
   end(trouble: Trouble): void {
     this.#stop(trouble, true);
+  }
+
+  /** Takes an error of the worker. One of the scene that is being replaced is dropped: its text would
+   * stand where the error of the next scene belongs. */
+  #takeTrouble(trouble: Trouble, run?: number): void {
+    const replaced = this.#starting || run !== this.scene?.run;
+    if (run === undefined || !replaced) this.#stop(trouble, true);
   }
 
   /** Reports an error to the listeners, and pauses the scene if it was `running`. */

@@ -32,7 +32,8 @@ export class EndedError extends Error {}
 
 export interface ClientListeners {
   frame(frame: Frame): void;
-  trouble(trouble: Trouble): void;
+  /** Run number `run` of a scene threw; the worker itself failed where there is no number. */
+  trouble(trouble: Trouble, run?: number): void;
   /** An answer is due and no message came for STUCK; `close` or `restart` terminates the worker. */
   stuck(): void;
   /** A message has come after `stuck` was called. */
@@ -162,7 +163,7 @@ export class Client {
     } else {
       this.#ticking = false;
       if (message.kind === "frame") this.#listeners.frame(message.frame);
-      else this.#listeners.trouble(message.trouble);
+      else this.#listeners.trouble(message.trouble, message.run);
     }
     this.#watch();
   }
