@@ -3,6 +3,16 @@
 
 #include "constraint/lanes.h"
 
+void td_join_trees(td_awake_slot *parents, td_awake_slot a, td_awake_slot b) {
+    a = td_root_of(parents, a);
+    b = td_root_of(parents, b);
+    if (a.at < b.at) {
+        parents[b.at] = a;
+    } else {
+        parents[a.at] = b;
+    }
+}
+
 static bool is_dynamic(const thud_world *w, td_awake_slot slot) {
     return td_body_at(w, td_body_of(w, slot))->kind == THUD_BODY_DYNAMIC;
 }

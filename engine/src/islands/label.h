@@ -18,15 +18,7 @@ static inline td_awake_slot td_root_of(td_awake_slot *parents, td_awake_slot i) 
 
 /* Unites two trees. The lower root becomes the root of both, so that roots do not depend on the
  * order of calls. */
-static inline void td_join_trees(td_awake_slot *parents, td_awake_slot a, td_awake_slot b) {
-    a = td_root_of(parents, a);
-    b = td_root_of(parents, b);
-    if (a.at < b.at) {
-        parents[b.at] = a;
-    } else {
-        parents[a.at] = b;
-    }
-}
+void td_join_trees(td_awake_slot *parents, td_awake_slot a, td_awake_slot b);
 
 /* Sets scratch.parents of each awake slot to the lowest slot of its island. False when memory is
  * short. With `keep_awake` the idle time of a body that touches a moving kinematic body becomes 0.

@@ -1,6 +1,6 @@
 /* joint_brace.c: bracing: an energy bound on the impulses that locks and rods apply in a substep,
  * for groups of tied bodies that begin the step with a torn joint: one whose gap is wider than
- * TD_JOINT_CLOSING_SPEED closes in a substep (is_wider). Other groups do without.
+ * TD_JOINT_CLOSING_SPEED closes in a substep (opening). Other groups do without.
  *
  * The soft solver begins a substep with the impulses of the one before (warm start). One
  * Gauss-Seidel pass corrects little of a mode q of all rows together where q.K q is small beside
@@ -48,16 +48,24 @@
 
 #include <string.h>
 
-/* The numbers of a group in scratch.brace_groups, energies (mass length^2 / s^2): p.u', and E(1).
- * td_joints_engage has reserved them for as many groups as there are bodies. */
-enum { WORK, ENERGY, GROUP_NUMBERS };
+/* The numbers of a group in scratch.brace_groups: while groups are found, 1 where one of its joints
+ * is wide open, and 1 where one of its bodies touches a static shape; then energies (mass
+ * length^2 / s^2), p.u' and E(1). td_joints_engage has reserved them for as many groups as there
+ * are bodies. */
+enum { WIDE, TOUCHES, WORK = WIDE, ENERGY = TOUCHES, GROUP_NUMBERS = 2 };
+
+/* `group` is the index of the group, stored as a float in lanes. */
+static double *group_numbers(const thud_world *w, float group) {
+    return (double *)w->scratch.brace_groups.data + GROUP_NUMBERS * (size_t)group;
+}
 
 /* What visitors of blocks get beside the block. */
 typedef struct bracing {
     thud_world *w;
-    bool rods;    /* the block is of rods, else of locks */
-    int pressed;  /* the first so many groups are wide open and touch a static shape */
-    bool relaxed; /* after a relax pass, else after the warm start */
+    bool rods;                   /* the block is of rods, else of locks */
+    bool relaxed;                /* after a relax pass, else after the warm start */
+    int number;                  /* WORK or ENERGY */
+    float per_length, per_angle; /* 1 over the gap of a torn joint, see opening */
 } bracing;
 
 /* Visits a block of locks or rods; returns whether it found what it looks for. */
@@ -102,13 +110,11 @@ static bool join_lanes(const bracing *b, td_block *block) {
 
 /* The mark of the group of a body: the parent of its tree's root, once td_joints_find_torn has made
  * each root the parent of its slots. It is the root itself until the group is found to be torn;
- * then FOUND_WIDE_OPEN, or -1 - i for the group with index i. */
+ * then -1 - i for the group with index i. */
 static td_awake_slot *mark_of(const thud_world *w, td_awake_slot slot) {
     td_awake_slot *parents = w->scratch.parents.data, *parent = &parents[slot.at];
     return parent->at < 0 ? parent : &parents[parent->at];
 }
-
-#define FOUND_WIDE_OPEN INT32_MIN
 
 /* The mark of the group of a lane of locks, by its dynamic side. */
 static td_awake_slot *mark_of_lane(const thud_world *w, const td_block *block, int lane) {
@@ -116,24 +122,22 @@ static td_awake_slot *mark_of_lane(const thud_world *w, const td_block *block, i
     return mark_of(w, td_inv_mass_of(w, b) > 0.0f ? b : td_slot_of_side(block->a[lane]));
 }
 
-/* Gives a group the next index. */
-static void number_group(thud_world *w, td_awake_slot *mark) {
-    mark->at = -1 - w->scratch.brace_groups.count++;
-}
-
-/* Whether the gap of a lane, as the step began, is wider than `closing` times what
- * TD_JOINT_CLOSING_SPEED (length scales or radians a second) closes in a substep. start_separation
- * of point 0 has the gap along u also where that direction is free: it is then the travel of a
- * slider or wheel, which counts as well, since it is the lever arm of what the joint locks.
- * separation of point 1 is 0 where across is free. */
-static bool is_wider(const bracing *b, const td_block *block, int lane, float closing) {
-    float limit = closing * TD_JOINT_CLOSING_SPEED / TD_JOINT_GAP_SHARE *
-                  (float)(b->w->def.time_step / b->w->substeps);
-    bool turns = !b->rods && block->tangent_mass[lane] > 0.0f;
-    float gap = td_max_float(td_joint_abs(block->point[0].start_separation[lane]),
-                             b->rods ? 0.0f : td_joint_abs(block->point[1].separation[lane]));
-    float turn = turns ? td_joint_abs(td_lock_rows_at(block)->start_turn_gap[lane]) : 0.0f;
-    return gap > limit * b->w->unit || turn > limit;
+/* The gap of a lane as the step began, as a multiple of what TD_JOINT_CLOSING_SPEED (length scales
+ * or radians a second) closes in a substep: above 1 its joint is torn. start_separation of point 0
+ * has the gap along u also where that direction is free: it is then the travel of a slider or
+ * wheel, which counts as well, since it is the lever arm of what the joint locks. separation of
+ * point 1 is 0 where across is free. */
+static float opening(const bracing *b, const td_block *block, int lane) {
+    float limit =
+        TD_JOINT_CLOSING_SPEED / TD_JOINT_GAP_SHARE * (float)(b->w->def.time_step / b->w->substeps);
+    float gap = td_joint_abs(block->point[0].start_separation[lane]) / b->w->unit;
+    if (!b->rods) {
+        gap = td_max_float(gap, td_joint_abs(block->point[1].separation[lane]) / b->w->unit);
+        if (block->tangent_mass[lane] > 0.0f) {
+            gap = td_max_float(gap, td_joint_abs(td_lock_rows_at(block)->start_turn_gap[lane]));
+        }
+    }
+    return gap / limit;
 }
 
 /* A joint counts as wide open from half the gap at which the bias that closes it is at its limit,
@@ -149,55 +153,55 @@ static bool is_wider(const bracing *b, const td_block *block, int lane, float cl
  * bound more runs gain energy. */
 #define BRACED_CLOSING 2.0f
 
-/* Marks the groups of a block's lanes that are wide open. Finds such lanes. */
-static bool mark_wide_open(const bracing *b, td_block *block) {
+/* Numbers the groups of torn lanes. Finds lanes that are wide open. */
+static bool number_torn(const bracing *b, td_block *block) {
     bool any = false;
     for (int lane = 0; lane < block->used; lane++) {
-        if (is_wider(b, block, lane, WIDE_OPEN)) {
-            mark_of_lane(b->w, block, lane)->at = FOUND_WIDE_OPEN;
-            any = true;
+        float multiple = opening(b, block, lane);
+        if (multiple > 1.0f) {
+            td_awake_slot *mark = mark_of_lane(b->w, block, lane);
+            if (mark->at >= 0) {
+                mark->at = -1 - b->w->scratch.brace_groups.count++;
+            }
+            if (multiple > WIDE_OPEN) {
+                group_numbers(b->w, (float)(-1 - mark->at))[WIDE] = 1.0;
+                any = true;
+            }
         }
     }
     return any;
 }
 
-/* Numbers the groups with this mark of which a body touches a static shape. */
-static void number_touching(thud_world *w) {
+/* Sets TOUCHES of the groups that touch a static shape. */
+static void find_touching(const thud_world *w) {
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, i);
         td_block *const *blocks = (td_block **)w->scratch.blocks.data + run->first;
         for (int k = 0; k < run->count && run->kind < TD_PAIR_COUNT && run->a_static; k++) {
             for (int lane = 0; lane < blocks[k]->used; lane++) {
-                td_awake_slot *mark = mark_of(w, td_slot_of_side(blocks[k]->b[lane]));
-                if (mark->at == FOUND_WIDE_OPEN) {
-                    number_group(w, mark);
+                int mark = mark_of(w, td_slot_of_side(blocks[k]->b[lane]))->at;
+                if (mark < 0) {
+                    group_numbers(w, (float)(-1 - mark))[TOUCHES] = 1.0;
                 }
             }
         }
     }
 }
 
-/* Numbers the other torn groups. */
-static bool number_torn(const bracing *b, td_block *block) {
-    for (int lane = 0; lane < block->used; lane++) {
-        td_awake_slot *mark = mark_of_lane(b->w, block, lane);
-        if (mark->at == FOUND_WIDE_OPEN || (mark->at >= 0 && is_wider(b, block, lane, 1.0f))) {
-            number_group(b->w, mark);
-        }
-    }
-    return false;
-}
-
-/* Writes the groups of a block's lanes, and the closing speed of those that are pressed. */
+/* Writes the groups of a block's lanes, and the closing speed of those that press against a static
+ * shape. */
 static bool write_groups(const bracing *b, td_block *block) {
     float *group = lane_groups(block);
     float *closing_factor = (float *)&td_lock_rows_of(block)->closing_factor;
     for (int lane = 0; lane < TD_LANES; lane++) {
         int mark = lane < block->used ? mark_of_lane(b->w, block, lane)->at : 0;
-        int index = -1 - mark;
-        group[lane] = mark < 0 ? (float)index : TD_NOT_BRACED;
-        closing_factor[lane] =
-            mark < 0 && index < b->pressed ? PRESSED_CLOSING : closing_factor[lane];
+        group[lane] = TD_NOT_BRACED;
+        if (mark < 0) {
+            group[lane] = (float)(-1 - mark);
+            const double *numbers = group_numbers(b->w, group[lane]);
+            bool presses = numbers[WIDE] > 0.0 && numbers[TOUCHES] > 0.0;
+            closing_factor[lane] = presses ? PRESSED_CLOSING : closing_factor[lane];
+        }
     }
     *common_group(block) = group[0];
     for (int lane = 1; lane < block->used; lane++) {
@@ -211,7 +215,9 @@ static bool write_groups(const bracing *b, td_block *block) {
 /* After the warm start of the first substep, while gaps are those of the start of the step. */
 void td_joints_find_torn(thud_world *w) {
     td_awake_slot *parents = w->scratch.parents.data;
-    bracing b = {.w = w};
+    float per_angle = TD_JOINT_GAP_SHARE / TD_JOINT_CLOSING_SPEED / (float)(w->def.time_step) *
+                      (float)w->substeps;
+    bracing b = {.w = w, .per_length = per_angle / w->unit, .per_angle = per_angle};
     for (td_awake_slot slot = {0}; slot.at < w->body_of.count; slot.at++) {
         parents[slot.at] = slot;
     }
@@ -219,46 +225,31 @@ void td_joints_find_torn(thud_world *w) {
     for (td_awake_slot slot = {0}; slot.at < w->body_of.count; slot.at++) {
         parents[slot.at] = td_root_of(parents, slot);
     }
-    if (for_each_block(b, mark_wide_open)) {
-        number_touching(w);
-        b.pressed = w->scratch.brace_groups.count;
+    memset(w->scratch.brace_groups.data, 0,
+           (size_t)w->body_of.count * sizeof(double[GROUP_NUMBERS]));
+    if (for_each_block(b, number_torn)) {
+        find_touching(w);
     }
-    for_each_block(b, number_torn);
     for_each_block(b, write_groups);
 }
 
 /* ---- their energy ---- */
 
-/* The numbers of a group; `group` is its index, stored as a float in lanes. */
-static double *group_sums(const thud_world *w, float group) {
-    return (double *)w->scratch.brace_groups.data + GROUP_NUMBERS * (size_t)group;
-}
-
-/* Adds up one number of the lanes of each group. */
-static void add_up(const thud_world *w, td_block *block, const f8 *row, int number) {
-    const float *group = lane_groups(block), *value = (const float *)row;
-    if (*common_group(block) >= 0.0f) {
-        double sum = 0.0;
-        for (int lane = 0; lane < block->used; lane++) {
-            sum += (double)value[lane];
-        }
-        group_sums(w, group[0])[number] += sum;
-        return;
-    }
+/* Adds up b->number of the lanes of each group. */
+static bool add_up(const bracing *b, td_block *block) {
+    td_brace_rows *rows = td_brace_rows_of(block);
+    const float *value = (const float *)(b->number == WORK ? &rows->work : &rows->energy);
+    const float *group = lane_groups(block);
+    double sum = 0.0;
     for (int lane = 0; lane < block->used; lane++) {
-        if (group[lane] >= 0.0f) {
-            group_sums(w, group[lane])[number] += (double)value[lane];
+        sum += (double)value[lane];
+        if (*common_group(block) < 0.0f && group[lane] >= 0.0f) {
+            group_numbers(b->w, group[lane])[b->number] += (double)value[lane];
         }
     }
-}
-
-static bool add_work(const bracing *b, td_block *block) {
-    add_up(b->w, block, &td_brace_rows_of(block)->work, WORK);
-    return false;
-}
-
-static bool add_energy(const bracing *b, td_block *block) {
-    add_up(b->w, block, &td_brace_rows_of(block)->energy, ENERGY);
+    if (*common_group(block) >= 0.0f) {
+        group_numbers(b->w, group[0])[b->number] += sum;
+    }
     return false;
 }
 
@@ -267,9 +258,9 @@ bool td_joints_may_add_energy(thud_world *w) {
     int groups = w->scratch.brace_groups.count;
     bool any = false;
     memset(w->scratch.brace_groups.data, 0, (size_t)groups * sizeof(double[GROUP_NUMBERS]));
-    for_each_block((bracing){.w = w}, add_work);
+    for_each_block((bracing){.w = w, .number = WORK}, add_up);
     for (int group = 0; group < groups; group++) {
-        any |= group_sums(w, (float)group)[WORK] > 0.0;
+        any |= group_numbers(w, (float)group)[WORK] > 0.0;
     }
     return any;
 }
@@ -277,9 +268,11 @@ bool td_joints_may_add_energy(thud_world *w) {
 /* The share of its impulses that a group keeps, 0 .. 1. */
 static float share_to_keep(const double *group, bool relaxed) {
     double rest = group[WORK] - group[ENERGY]; /* p.(u' - u) / 2 */
-    double share = (relaxed ? 2.0 : 1.0) * (0.5 * group[WORK] - group[ENERGY]) / rest;
-    bool adds = group[ENERGY] > 0.0 && rest > 0.0;
-    return !adds || share > 1.0 ? 1.0f : share > 0.0 ? (float)share : 0.0f;
+    if (!(group[ENERGY] > 0.0 && rest > 0.0)) {
+        return 1.0f;
+    }
+    float share = (float)((0.5 * group[WORK] - group[ENERGY]) / rest);
+    return td_min_float(td_max_float(relaxed ? 2.0f * share : share, 0.0f), 1.0f);
 }
 
 /* Writes the shares to keep, which are the groups' first numbers now, into a block's lanes; after a
@@ -290,11 +283,12 @@ static bool write_shares(const bracing *b, td_block *block) {
     float *closing_factor = (float *)&td_lock_rows_of(block)->closing_factor;
     bool any = false;
     for (int lane = 0; lane < TD_LANES; lane++) {
-        share[lane] = group[lane] >= 0.0f ? (float)*group_sums(b->w, group[lane]) : 1.0f;
+        share[lane] = group[lane] >= 0.0f ? (float)*group_numbers(b->w, group[lane]) : 1.0f;
         if (share[lane] < 1.0f) {
             any = true;
-            closing_factor[lane] = b->relaxed ? td_min_float(closing_factor[lane], BRACED_CLOSING)
-                                              : closing_factor[lane];
+            if (b->relaxed) {
+                closing_factor[lane] = td_min_float(closing_factor[lane], BRACED_CLOSING);
+            }
         }
     }
     return any;
@@ -302,10 +296,10 @@ static bool write_shares(const bracing *b, td_block *block) {
 
 /* After TD_BRACE_REMOVE. */
 bool td_joints_set_shares(thud_world *w, bool relaxed) {
-    bracing b = {.w = w, .relaxed = relaxed};
-    for_each_block(b, add_energy);
+    bracing b = {.w = w, .number = ENERGY, .relaxed = relaxed};
+    for_each_block(b, add_up);
     for (int group = 0; group < w->scratch.brace_groups.count; group++) {
-        double *sums = group_sums(w, (float)group);
+        double *sums = group_numbers(w, (float)group);
         sums[0] = (double)share_to_keep(sums, relaxed);
     }
     return for_each_block(b, write_shares);

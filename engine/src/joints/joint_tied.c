@@ -11,9 +11,8 @@
  */
 static void join_groups(thud_world *w, td_awake_slot a, td_awake_slot b) {
     td_awake_slot *parents = w->scratch.parents.data;
-    td_awake_slot root_a = td_root_of(parents, a), root_b = td_root_of(parents, b);
-    if (root_a.at != root_b.at) {
-        parents[root_a.at] = root_b;
+    if (td_root_of(parents, a).at != td_root_of(parents, b).at) {
+        td_join_trees(parents, a, b);
         td_awake_slot next = td_next_tied(w, a);
         *td_tied_link(w, a) = td_next_tied(w, b);
         *td_tied_link(w, b) = next;

@@ -98,20 +98,20 @@ TD_INLINE void brace_block(td_block *block, const td_solve_context *c, bool a_st
         rows->work = work;
         return;
     }
-    td_applied_impulse change; /* what this pass applies */
+    bool remove = c->brace == TD_BRACE_REMOVE;
+    f8 factor = remove ? f8_all(-1.0f) : rows->kept_share;
+    td_applied_impulse change; /* not used: the record is scaled below */
     clear_applied(&change);
-    if (c->brace == TD_BRACE_REMOVE) {
-        apply_impulse(block, a_static, &v, &change, -p.x, -p.y, -p.moment_a, -p.moment_b);
+    apply_impulse(block, a_static, &v, &change, factor * p.x, factor * p.y, factor * p.moment_a,
+                  factor * p.moment_b);
+    if (remove) {
         rows->energy = f8_all(0.5f) * (work + work_of(&p, &v, a_static));
-    } else { /* TD_BRACE_APPLY_SHARE */
-        f8 share = rows->kept_share;
-        block->point[0].normal_impulse *= share;
-        block->point[1].normal_impulse *= share;
-        block->tangent_impulse *= share;
-        apply_impulse(block, a_static, &v, &change, share * p.x, share * p.y, share * p.moment_a,
-                      share * p.moment_b);
-        *applied = (td_applied_impulse){share * applied->x, share * applied->y,
-                                        share * applied->moment_a, share * applied->moment_b};
+    } else {
+        block->point[0].normal_impulse *= factor;
+        block->point[1].normal_impulse *= factor;
+        block->tangent_impulse *= factor;
+        *applied = (td_applied_impulse){factor * applied->x, factor * applied->y,
+                                        factor * applied->moment_a, factor * applied->moment_b};
     }
     write_sides(c, block, a_static, &v);
 }
