@@ -128,16 +128,15 @@ static td_awake_slot *mark_of_lane(const thud_world *w, const td_block *block, i
  * wheel, which counts as well, since it is the lever arm of what the joint locks. separation of
  * point 1 is 0 where across is free. */
 static float opening(const bracing *b, const td_block *block, int lane) {
-    float limit =
-        TD_JOINT_CLOSING_SPEED / TD_JOINT_GAP_SHARE * (float)(b->w->def.time_step / b->w->substeps);
-    float gap = td_joint_abs(block->point[0].start_separation[lane]) / b->w->unit;
+    float gap = td_joint_abs(block->point[0].start_separation[lane]) * b->per_length;
     if (!b->rods) {
-        gap = td_max_float(gap, td_joint_abs(block->point[1].separation[lane]) / b->w->unit);
+        gap = td_max_float(gap, td_joint_abs(block->point[1].separation[lane]) * b->per_length);
         if (block->tangent_mass[lane] > 0.0f) {
-            gap = td_max_float(gap, td_joint_abs(td_lock_rows_at(block)->start_turn_gap[lane]));
+            float turn = td_joint_abs(td_lock_rows_at(block)->start_turn_gap[lane]);
+            gap = td_max_float(gap, turn * b->per_angle);
         }
     }
-    return gap / limit;
+    return gap;
 }
 
 /* A joint counts as wide open from half the gap at which the bias that closes it is at its limit,
