@@ -71,13 +71,15 @@ static void clear_gathered_events(thud_world *w) {
     }
 }
 
-/* Appends the events of the last step to the gathered lists, which have room. */
+/* Appends the events of the last step to the gathered lists, which have room but for quarantines:
+ * finalize.c reserves their list as they happen, and drops events that find no memory. */
 static void append_events(thud_world *w) {
     td_event_copy copies[EVENT_KINDS];
     list_event_copies(w, copies);
     for (int i = 0; i < EVENT_KINDS; i++) {
         const td_array *from = copies[i].from;
-        if (from->count > 0) {
+        if (from->count > 0 &&
+            td_array_reserve(&w->memory, copies[i].to, copies[i].to->count + from->count)) {
             memcpy(td_at(copies[i].to, copies[i].to->count), from->data,
                    (size_t)from->count * (size_t)from->stride);
             copies[i].to->count += from->count;

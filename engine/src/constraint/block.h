@@ -60,19 +60,14 @@ typedef struct td_point_history {
 /* What locks and rods keep for bracing (joints/joint_brace.c), where contacts have their two
  * td_point_history. Work is impulse times speed, an energy, mass length^2 / s^2. */
 typedef struct td_brace_rows {
-    f8 group; /* number of the lane's group of tied bodies; TD_NOT_BRACED: none of its joints is
-                 torn */
-    f8 work;  /* at the speeds with the impulses: p.u' */
+    f8 group; /* number of the lane's group of tied bodies */
     union {
-        f8 energy;     /* by which the lane's impulses changed the kinetic energy */
-        f8 kept_share; /* then: the share of the impulses that is kept */
+        f8 work_without; /* at the speeds without the impulses: p.u */
+        f8 kept_share;   /* then: the share of the impulses that is kept */
     };
-    f8 common_group; /* element 0: the group of all lanes, or TD_MIXED_GROUPS; others not used */
+    f8 same_group; /* element 0: 1 where all lanes have the same group, else 0; others not used */
+    f8 work_with;  /* at the speeds with the impulses: p.u' */
 } td_brace_rows;
-
-/* Values of td_brace_rows.group and .common_group that are no group. */
-#define TD_NOT_BRACED (-1.0f)
-#define TD_MIXED_GROUPS (-2.0f)
 
 static_assert(sizeof(td_brace_rows) == 2 * sizeof(td_point_history), "they share their place");
 
@@ -344,22 +339,23 @@ typedef struct td_collide_context {
 typedef enum td_bounce { TD_BOUNCE_FIRST, TD_BOUNCE_AGAIN, TD_BOUNCE_LAST } td_bounce;
 
 /* Passes of bracing (joints/joint_brace.c), which scales down the impulses of torn joints so that
- * they add no energy, after the warm start of the step and after the relax pass of a substep. In
- * this order: */
+ * they add no energy, after the warm start and after the relax pass of a substep. In this order: */
 typedef enum td_brace {
-    TD_BRACE_WORK,       /* compute impulse times speed */
-    TD_BRACE_REMOVE,     /* where energy may have been added: take the impulses back, and compute
-                            the energy that they had added */
-    TD_BRACE_APPLY_SHARE /* apply the share of the impulses that adds no energy */
+    TD_BRACE_WARM_START,   /* apply the warm start along the present directions; not in the first
+                              substep */
+    TD_BRACE_WORK_WITH,    /* compute impulse times speed, at the speeds with the impulses */
+    TD_BRACE_REMOVE,       /* where energy may have been added: take the impulses back */
+    TD_BRACE_WORK_WITHOUT, /* compute impulse times speed, at the speeds without them */
+    TD_BRACE_APPLY_SHARE   /* apply the share of the impulses that adds no energy */
 } td_brace;
 
-/* Passes over blocks that one bracing takes, a second relax pass among them, and tasks of a single
- * worker between them; by these the counters of a job are reserved (state/jobs.c). */
-enum { TD_BRACE_PASSES = TD_BRACE_APPLY_SHARE + 2, TD_BRACE_TASKS = 2 };
+/* Passes over blocks that one bracing takes, and tasks of a single worker between them; by these
+ * the counters of a job are reserved (state/jobs.c). */
+enum { TD_BRACE_STAGES = TD_BRACE_APPLY_SHARE + 1, TD_BRACE_TASKS = 2 };
 
-/* Greatest speed at which the gap of a joint closes in the direct solver, length scales/s, or rad/s
- * of a rotation; the soft solver has multiples of it. Chosen, the same as the default of push_speed
- * for contacts. */
+/* Greatest speed at which the gap of a joint closes, length scales/s, or rad/s of a rotation: in
+ * the direct solver, and in the soft solver in groups that are braced. Chosen, the same as the
+ * default of push_speed for contacts. */
 #define TD_JOINT_CLOSING_SPEED 3.0f
 /* In the soft solver otherwise, gaps close at up to so many times TD_JOINT_CLOSING_SPEED. The
  * impulse of a soft joint grows with its gap, so that this bound also bounds the load that it
@@ -412,7 +408,8 @@ typedef struct td_solve_context {
     td_bounce bounce;    /* the present bounce pass ... */
     atomic_bool *bounced;   /* ... and the flag that it sets where a pair bounces */
     td_brace brace;         /* the present pass of bracing */
-    atomic_bool *decision;  /* the answer of the next task of bracing; see decide, solver/solve.c */
+    atomic_bool *adds;      /* flag of the present bracing: impulses of torn joints may have added
+                               energy. Those of the next bracings follow it */
     atomic_bool *torn;      /* set by the warm start where the gap of a joint is so large that the
                                bias of one substep exceeds TD_JOINT_CLOSING_SPEED */
     struct td_tally *tally; /* error statistics of this worker */

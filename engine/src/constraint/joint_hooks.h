@@ -38,15 +38,13 @@ typedef struct td_joint_hooks {
     void (*hold_back)(thud_world *w, td_awake_slot slot, double time);
 
     /* ---- joint_brace.c, between passes of the solver ---- */
-    /* After the warm start of the first substep: finds the groups of tied bodies that have a torn
-     * joint (scratch.brace_groups). */
-    void (*find_torn)(thud_world *w);
-    /* After the warm start and after a relax pass: whether the impulses of a group may have added
-     * energy. */
-    bool (*may_add_energy)(thud_world *w);
-    /* Computes the share of its impulses that each group keeps; `relaxed`: after a relax pass.
-     * Whether any keeps less than all. */
-    bool (*set_shares)(thud_world *w, bool relaxed);
+    /* Whether the impulses of locks may have added energy: those of the warm start, or, if
+     * `relaxed`, all up to the end of the relax pass. */
+    bool (*may_add_energy)(thud_world *w, bool relaxed);
+    /* Computes the share of its impulses that each group keeps. */
+    void (*set_shares)(thud_world *w, bool relaxed);
+    /* Whether a lock is wide open. Valid after the first call of may_add_energy in a step. */
+    bool (*wide_open)(const thud_world *w);
 
     /* ---- joint_caps.c, before the solver ---- */
     /* Sets the bounds of springs and motors that act both along and across. */
@@ -84,9 +82,9 @@ void td_joints_suspend(thud_world *w, td_body_index body);
 void td_joints_move_locks(thud_world *w, td_body_index body);
 void td_joints_tie(thud_world *w);
 void td_joints_hold_back(thud_world *w, td_awake_slot slot, double time);
-void td_joints_find_torn(thud_world *w);
-bool td_joints_may_add_energy(thud_world *w);
-bool td_joints_set_shares(thud_world *w, bool relaxed);
+bool td_joints_may_add_energy(thud_world *w, bool relaxed);
+void td_joints_set_shares(thud_world *w, bool relaxed);
+bool td_joints_wide_open(const thud_world *w);
 void td_joints_share_caps(thud_world *w);
 void td_joints_clear_yielded(thud_world *w);
 void td_joints_yield(thud_world *w);

@@ -22,6 +22,20 @@
  * and an impulse loses the share IMPULSE_SCALE = 1/9; the mass scale is 1 - IMPULSE_SCALE. */
 #define IMPULSE_SCALE (1.0f / (1.0f + TD_JOINT_PHASE * (2.0f + TD_JOINT_PHASE)))
 
+/* The share of a gap that closes in groups that would add energy (closing_factor <= 1,
+ * joint_brace.c). A slow mode of many rows, of which each moves little, oscillates with growing
+ * amplitude unless
+ *     IMPULSE_SCALE (1 + s) > s g
+ * for the mass scale s = 1 - IMPULSE_SCALE and the share g: what both passes of a substep take from
+ * an impulse must exceed what its gap adds. The g of equality, less 5 %: 0.22. */
+#define GAP_SHARE_BRACED (0.95f * IMPULSE_SCALE * (2.0f - IMPULSE_SCALE) / (1.0f - IMPULSE_SCALE))
+
+/* The share of a gap that closes in a substep. */
+TD_INLINE f8 gap_share(f8 closing_factor) {
+    return f8_pick(closing_factor > f8_all(1.0f), f8_all(TD_JOINT_GAP_SHARE),
+                   f8_all(GAP_SHARE_BRACED));
+}
+
 /* A soft row bears a load of impulse L a substep at rest by a bias of LOAD_BIAS K L, where K is the
  * inverse of its effective mass: the gap then restores what the impulse loses. */
 #define LOAD_BIAS (IMPULSE_SCALE / (1.0f - IMPULSE_SCALE))
@@ -172,8 +186,11 @@ TD_INLINE void clear_applied(td_applied_impulse *applied) {
     *applied = (td_applied_impulse){zero, zero, zero, zero};
 }
 
-/* wide_rod.c: the passes of bracing (joint_brace.c) over blocks of rods and locks, by c->brace. */
-td_solve_fn TD_WIDE(td_brace_moving), TD_WIDE(td_brace_static);
+/* wide_rod.c: a stage of bracing (joint_brace.c) on what the lanes of a rod's or lock's block
+ * applied, by c->brace: measures p.u or p.u' into td_brace_rows, takes the impulses back,
+ * or applies the share to keep. */
+typedef void td_brace_fn(td_block *block, const td_solve_context *c, bool a_static);
+td_brace_fn TD_WIDE(td_brace_applied);
 
 /* Sets c->torn where a gap (lengths) or an angle (rad) at the start of the step is wider than
  * TD_JOINT_CLOSING_SPEED closes in a substep, so that the step braces its joints. */

@@ -93,7 +93,7 @@ TD_INLINE void solve_lock(td_block *block, const softness *s, const td_solve_con
     f8 speed_u = speed_now(&v, a_static, f.x, f.y, f.a_u, f.b_u);
     f8 speed_v = speed_now(&v, a_static, -f.y, f.x, f.a_v, f.b_v);
     f8 spin = a_static ? v.b.z : v.b.z - v.a.z;
-    f8 rate = f8_all(TD_JOINT_GAP_SHARE) * s->inv_h;
+    f8 rate = gap_share(h->closing_factor) * s->inv_h;
     f8 max = h->closing_factor * s->closing,
        turn_max = h->closing_factor * f8_all(TD_JOINT_CLOSING_SPEED);
     f8 turn = f8_keep(k.has_turn, spin + h->turn_sign * bias_of(h->turn_gap, rate, turn_max));
@@ -161,6 +161,29 @@ TD_INLINE void relax(td_block *const *blocks, int count, const td_solve_context 
     }
 }
 
+/* A stage of bracing, joint_brace.c. TD_BRACE_WARM_START applies the warm start along the
+ * directions of the present substep. */
+TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool a_static) {
+    for (int i = 0; i < count; i++) {
+        td_block *block = blocks[i];
+        if (c->brace != TD_BRACE_WARM_START) {
+            TD_WIDE(td_brace_applied)(block, c, a_static);
+            continue;
+        }
+        td_point *p = &block->point[0], *q = &block->point[1];
+        td_lock_rows *h = td_lock_rows_of(block);
+        sides v = read_sides(c->velocity, block, a_static),
+              d = read_sides(c->delta, block, a_static);
+        frame8 f = frame_now(block, &d, a_static, p->start_separation, q->start_separation,
+                             h->frame_turns);
+        f8 u = p->normal_impulse, w = q->normal_impulse;
+        f8 turn = h->turn_sign * block->tangent_impulse;
+        replace_impulse(block, a_static, &v, &h->applied, f.x * u - f.y * w, f.y * u + f.x * w,
+                        turn + f.a_u * u + f.a_v * w, turn + f.b_u * u + f.b_v * w);
+        write_sides(c, block, a_static, &v);
+    }
+}
+
 /* The restitution pass: joints have none. */
 static void no_bounce(td_block *const *blocks, int count, const td_solve_context *c) {
     (void)blocks, (void)count, (void)c;
@@ -172,11 +195,12 @@ TD_PASS(solve_moving, solve, false)
 TD_PASS(solve_static, solve, true)
 TD_PASS(relax_moving, relax, false)
 TD_PASS(relax_static, relax, true)
+TD_PASS(brace_moving, brace, false)
+TD_PASS(brace_static, brace, true)
 
 extern const td_solve_ops TD_WIDE(td_solve_lock);
 const td_solve_ops TD_WIDE(td_solve_lock) = {.warm_start = {warm_start_moving, warm_start_static},
                                              .solve = {solve_moving, solve_static},
                                              .relax = {relax_moving, relax_static},
                                              .bounce = no_bounce,
-                                             .brace = {TD_WIDE(td_brace_moving),
-                                                       TD_WIDE(td_brace_static)}};
+                                             .brace = {brace_moving, brace_static}};

@@ -1,6 +1,6 @@
 /* wide_rod.c: solver passes for locked distances (rods): one equality row along the line between
  * the anchors as it is in the substep, with gap = distance - rest length; and, for rods and locks,
- * the passes of bracing, which bounds the energy that torn joints add (joint_brace.c). */
+ * the passes of bracing, which bounds the energy that widely open joints add (joint_brace.c). */
 #include "joints/wide_joint.h"
 
 /* A solve pass (`soft`) or relax pass over a block; `a_static`: side a is static. The equations are
@@ -31,7 +31,7 @@ TD_INLINE void solve_rod(td_block *block, const td_solve_context *c, bool a_stat
     if (soft) {
         f8 factor = td_lock_rows_of(block)->closing_factor;
         f8 max = factor * f8_all(c->joint_closing_speed);
-        bias = f8_clamp(p->separation * f8_all(TD_JOINT_GAP_SHARE * c->inv_h), -max, max);
+        bias = f8_clamp(p->separation * gap_share(factor) * f8_all(c->inv_h), -max, max);
         scale = f8_all(1.0f - IMPULSE_SCALE);
         impulse_share = f8_all(IMPULSE_SCALE);
     }
@@ -73,63 +73,60 @@ TD_INLINE void solve(td_block *const *blocks, int count, const td_solve_context 
     }
 }
 
-/* The work of impulses p at the relative speeds of a block's lanes, an energy. */
-TD_INLINE f8 work_of(const td_applied_impulse *p, const sides *v, bool a_static) {
-    f8 work = p->x * v->b.x + p->y * v->b.y + p->moment_b * v->b.z;
-    return a_static ? work : work - (p->x * v->a.x + p->y * v->a.y + p->moment_a * v->a.z);
-}
-
-/* A pass of bracing (td_brace, block.h) over the block of a rod or lock, for the impulses p that
- * its lanes applied in this substep (td_lock_rows.applied); lanes of groups that are not braced
- * stay as they are. TD_BRACE_WORK stores p.u'. TD_BRACE_REMOVE takes p back, leaves the record of
- * it, and stores the energy p.(v + v') / 2 that this takes out, for the lane's speeds v' before and
- * v after: the sum over all lanes is the energy that they had added together. TD_BRACE_APPLY_SHARE
- * applies the share of p that joint_brace.c has computed, and scales the lane's impulses and the
- * record by it. */
-TD_INLINE void brace_block(td_block *block, const td_solve_context *c, bool a_static) {
+/* A pass of bracing (td_brace, block.h) on the impulses p that the lanes of a rod's or lock's block
+ * applied in this substep (td_lock_rows.applied). TD_BRACE_WORK_WITH and TD_BRACE_WORK_WITHOUT
+ * store p times the relative speed along it, an energy: p.u', by the speeds u' with the impulses of
+ * all locks, and p.u, by the speeds u without them. TD_BRACE_REMOVE takes p back, and leaves the
+ * record of it. TD_BRACE_APPLY_SHARE applies the share of p that joint_brace.c has computed from
+ * the two (kept_share), and scales the lane's impulses and the record by it. */
+void TD_WIDE(td_brace_applied)(td_block *block, const td_solve_context *c, bool a_static) {
     td_applied_impulse *applied = &td_lock_rows_of(block)->applied;
     td_brace_rows *rows = td_brace_rows_of(block);
     sides v = read_sides(c->velocity, block, a_static);
-    i8 braced = rows->group > f8_all(TD_NOT_BRACED);
-    td_applied_impulse p = {f8_keep(braced, applied->x), f8_keep(braced, applied->y),
-                            f8_keep(braced, applied->moment_a), f8_keep(braced, applied->moment_b)};
-    f8 work = work_of(&p, &v, a_static);
-    if (c->brace == TD_BRACE_WORK) {
-        rows->work = work;
+    if (c->brace == TD_BRACE_WORK_WITHOUT || c->brace == TD_BRACE_WORK_WITH) {
+        f8 work = applied->x * v.b.x + applied->y * v.b.y + applied->moment_b * v.b.z;
+        if (!a_static) {
+            work -= applied->x * v.a.x + applied->y * v.a.y + applied->moment_a * v.a.z;
+        }
+        *(c->brace == TD_BRACE_WORK_WITH ? &rows->work_with : &rows->work_without) = work;
         return;
     }
-    bool remove = c->brace == TD_BRACE_REMOVE;
-    f8 factor = remove ? f8_all(-1.0f) : rows->kept_share;
-    td_applied_impulse change; /* not used: the record is scaled below */
+    td_applied_impulse change; /* what this pass applies */
     clear_applied(&change);
-    apply_impulse(block, a_static, &v, &change, factor * p.x, factor * p.y, factor * p.moment_a,
-                  factor * p.moment_b);
-    if (remove) {
-        rows->energy = f8_all(0.5f) * (work + work_of(&p, &v, a_static));
-    } else {
-        block->point[0].normal_impulse *= factor;
-        block->point[1].normal_impulse *= factor;
-        block->tangent_impulse *= factor;
-        *applied = (td_applied_impulse){factor * applied->x, factor * applied->y,
-                                        factor * applied->moment_a, factor * applied->moment_b};
+    if (c->brace == TD_BRACE_REMOVE) {
+        apply_impulse(block, a_static, &v, &change, -applied->x, -applied->y, -applied->moment_a,
+                      -applied->moment_b);
+    } else { /* TD_BRACE_APPLY_SHARE */
+        f8 share = rows->kept_share;
+        block->point[0].normal_impulse *= share;
+        block->point[1].normal_impulse *= share;
+        block->tangent_impulse *= share;
+        apply_impulse(block, a_static, &v, &change, share * applied->x, share * applied->y,
+                      share * applied->moment_a, share * applied->moment_b);
+        *applied = change;
     }
     write_sides(c, block, a_static, &v);
 }
 
+/* A pass of bracing of rods. TD_BRACE_WARM_START turns the impulses that the velocities have from
+ * the substep before to the present line; the others are td_brace_applied. */
 TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool a_static) {
     for (int i = 0; i < count; i++) {
-        if (((const float *)&td_brace_rows_of(blocks[i])->common_group)[0] != TD_NOT_BRACED) {
-            brace_block(blocks[i], c, a_static);
+        td_block *block = blocks[i];
+        if (c->brace != TD_BRACE_WARM_START) {
+            TD_WIDE(td_brace_applied)(block, c, a_static);
+            continue;
         }
+        td_lock_rows *rows = td_lock_rows_of(block);
+        f8 length, impulse = block->point[0].normal_impulse;
+        sides v = read_sides(c->velocity, block, a_static),
+              d = read_sides(c->delta, block, a_static);
+        f8 start_length = block->point[0].start_separation + rows->rest_length;
+        frame8 f = line_now(block, &d, a_static, start_length, f8_all(0.0f), &length);
+        replace_impulse(block, a_static, &v, &rows->applied, f.x * impulse, f.y * impulse,
+                        f.a_u * impulse, f.b_u * impulse);
+        write_sides(c, block, a_static, &v);
     }
-}
-
-void TD_WIDE(td_brace_moving)(td_block *const *blocks, int count, const td_solve_context *c) {
-    brace(blocks, count, c, false);
-}
-
-void TD_WIDE(td_brace_static)(td_block *const *blocks, int count, const td_solve_context *c) {
-    brace(blocks, count, c, true);
 }
 
 /* The restitution pass: joints do not bounce. */
@@ -143,11 +140,12 @@ TD_PASS(solve_moving, solve, false, true)
 TD_PASS(solve_static, solve, true, true)
 TD_PASS(relax_moving, solve, false, false)
 TD_PASS(relax_static, solve, true, false)
+TD_PASS(brace_moving, brace, false)
+TD_PASS(brace_static, brace, true)
 
 extern const td_solve_ops TD_WIDE(td_solve_rod);
 const td_solve_ops TD_WIDE(td_solve_rod) = {.warm_start = {warm_start_moving, warm_start_static},
                                             .solve = {solve_moving, solve_static},
                                             .relax = {relax_moving, relax_static},
                                             .bounce = no_bounce,
-                                            .brace = {TD_WIDE(td_brace_moving),
-                                                      TD_WIDE(td_brace_static)}};
+                                            .brace = {brace_moving, brace_static}};

@@ -134,7 +134,7 @@ typedef struct solving {
     td_worker worker;
     pass which;      /* the present pass */
     int first_chunk; /* first chunk of the present phase */
-    bool relaxed;    /* joints are braced after a relax pass, else after the warm start */
+    bool relaxed;    /* joints are braced after the relax pass of a substep, not before it */
 } solving;
 
 /* Solves the last blocks of a run. The last one may have empty lanes, which read the record of slot
@@ -284,42 +284,20 @@ static bool bounce(solving *s) {
     return passes > 1;
 }
 
-/* One chunk: finds the groups of bodies that have a torn joint. */
-static void find_torn(void *work, int chunk) {
-    const solving *s = work;
-    (void)chunk;
-    s->w->joint_hooks->find_torn(s->w);
-}
-
-/* Finds these groups, if the warm start of this step found a torn joint (flag_torn,
- * joints/wide_joint.h). */
-static void find_torn_groups(solving *s) {
-    if (atomic_load_explicit(s->contacts.torn, memory_order_relaxed)) {
-        td_worker_walk(&s->worker, 1, find_torn, s);
-    }
-}
-
-/* Runs `task` as one worker, and returns its answer to all of them. A worker that is late may still
- * read an answer, so that each has a flag of its own. */
-static bool decide(solving *s, td_chunk_fn *task) {
-    td_worker_walk(&s->worker, 1, task, s);
-    return atomic_load_explicit(s->contacts.decision++, memory_order_relaxed);
-}
-
-/* One chunk: whether the impulses of torn joints may have added energy. */
+/* One chunk, for one worker: sums up the work of torn joints, and sets td_solve_context.adds
+ * where their impulses may have added energy. */
 static void judge_energy(void *work, int chunk) {
     const solving *s = work;
     (void)chunk;
-    atomic_store_explicit(s->contacts.decision, s->w->joint_hooks->may_add_energy(s->w),
-                          memory_order_relaxed);
+    bool adds = s->w->joint_hooks->may_add_energy(s->w, s->relaxed);
+    atomic_store_explicit(s->contacts.adds, adds, memory_order_relaxed);
 }
 
-/* One chunk: computes the share of their impulses that torn joints keep. */
+/* One chunk, for one worker: computes the share of their impulses that torn joints keep. */
 static void set_kept_shares(void *work, int chunk) {
     const solving *s = work;
     (void)chunk;
-    atomic_store_explicit(s->contacts.decision, s->w->joint_hooks->set_shares(s->w, s->relaxed),
-                          memory_order_relaxed);
+    s->w->joint_hooks->set_shares(s->w, s->relaxed);
 }
 
 static void brace_pass(solving *s, td_brace stage) {
@@ -327,26 +305,35 @@ static void brace_pass(solving *s, td_brace stage) {
     walk(s, BRACE);
 }
 
-/* Scales down the impulses of torn groups in this substep to the share that adds no energy
- * (bracing, joints/joint_brace.c). `relaxed`: after a relax pass; a second one then corrects the
- * speeds that rows miss without the impulses taken. */
-static void brace(solving *s, bool relaxed) {
-    if (s->w->scratch.brace_groups.count == 0) {
-        return;
+/* Scales down the impulses of torn joints in this substep to the share that adds no energy
+ * (bracing, joints/joint_brace.c). Torn: open by more than one substep's bias closes. False where
+ * they added none, and nothing was done. */
+static bool brace(solving *s) {
+    brace_pass(s, TD_BRACE_WORK_WITH);
+    td_worker_walk(&s->worker, 1, judge_energy, s);
+    /* A worker that is late may still read this flag, so that each bracing has its own. */
+    bool adds = atomic_load_explicit(s->contacts.adds, memory_order_relaxed);
+    s->contacts.adds++;
+    if (adds) {
+        brace_pass(s, TD_BRACE_REMOVE);
+        brace_pass(s, TD_BRACE_WORK_WITHOUT);
+        td_worker_walk(&s->worker, 1, set_kept_shares, s);
+        brace_pass(s, TD_BRACE_APPLY_SHARE);
     }
-    s->relaxed = relaxed;
-    brace_pass(s, TD_BRACE_WORK);
-    if (!decide(s, judge_energy)) {
-        return;
-    }
-    brace_pass(s, TD_BRACE_REMOVE);
-    bool takes = decide(s, set_kept_shares);
-    brace_pass(s, TD_BRACE_APPLY_SHARE);
-    if (takes && relaxed) {
-        s->contacts.again = true;
-        walk(s, RELAX);
-        s->contacts.again = false;
-    }
+    return adds;
+}
+
+/* Whether the warm start of this step found a torn joint (flag_torn, joints/wide_joint.h). */
+static bool has_torn_joint(const solving *s) {
+    return atomic_load_explicit(s->contacts.torn, memory_order_relaxed);
+}
+
+/* A second relax pass of the substep, after bracing: corrects the speeds that rows miss without the
+ * impulses that bracing took. */
+static void relax_again(solving *s) {
+    s->contacts.again = true;
+    walk(s, RELAX);
+    s->contacts.again = false;
 }
 
 /* Runs all passes of the step, as one worker of the task (a thud_task_fn). All workers run the same
@@ -363,14 +350,22 @@ static void run_passes(void *argument) {
         td_worker_walk(&s->worker, bodies, i ? velocities : first_velocities, s);
         if (i == 0) {
             walk(s, WARM_START);
-            find_torn_groups(s);
-            brace(s, false);
+        }
+        if (has_torn_joint(s)) {
+            if (i > 0) {
+                brace_pass(s, TD_BRACE_WARM_START);
+            }
+            brace(s);
         }
         walk(s, SOLVE);
         td_worker_walk(&s->worker, bodies, positions, s);
         s->contacts.last = i == last;
         walk(s, RELAX);
-        brace(s, true);
+        s->relaxed = true;
+        if (has_torn_joint(s) && s->w->joint_hooks->wide_open(s->w) && brace(s)) {
+            relax_again(s);
+        }
+        s->relaxed = false;
     }
     if (bounced) {
         s->contacts.bounce = TD_BOUNCE_LAST;
@@ -384,7 +379,7 @@ static void run_passes(void *argument) {
 void td_solve(thud_world *w) {
     td_tally tallies[THUD_WORKERS_MAX];
     atomic_bool bounced[TD_BOUNCE_PASSES + 1] = {false}, torn = false;
-    atomic_bool decisions[TD_BRACE_TASKS * (THUD_SUBSTEPS_MAX + 1)] = {false};
+    atomic_bool adds[2 * THUD_SUBSTEPS_MAX] = {false};
     atomic_flag dummy = ATOMIC_FLAG_INIT;
     float h = (float)(w->def.time_step / w->substeps);
     refresh_push(w, h);
@@ -407,7 +402,7 @@ void td_solve(thud_world *w) {
         .dummy = &dummy,
     };
     s.contacts.torn = &torn;
-    s.contacts.decision = decisions;
+    s.contacts.adds = adds;
     memset(tallies, 0, (size_t)task.workers * sizeof *tallies);
     td_errors_begin(w);
     td_job_run(w, &task, run_passes, &s);

@@ -35,14 +35,14 @@ void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work)
 
 /* The number of counters for the task with the most phases, which is the solver's (solve.c): for
  * each substep two phases over bodies and two passes over the bins (solve and relax); once the warm
- * start and the passes of restitution; and with joints, bracing once before and in each substep
- * (joint_brace.c). A pass has a phase for each entry of scratch.chunks, and a phase has 1 + workers
- * counters. */
+ * start and the passes of restitution; and with joints, bracing twice in each substep
+ * (joint_brace.c), of whose second the relax pass stands for TD_BRACE_WARM_START. A pass has a
+ * phase for each entry of scratch.chunks, and a phase has 1 + workers counters. */
 static int counter_count(const thud_world *w) {
     int bounces = w->bouncy > 0 || w->asks ? TD_BOUNCE_PASSES + 1 : 0;
-    int braces = w->joint_hooks ? w->substeps + 1 : 0, passes = 2 * w->substeps + 1 + bounces;
-    int phases = 1 + 2 * w->substeps + braces * TD_BRACE_TASKS +
-                 (passes + braces * TD_BRACE_PASSES) * w->scratch.chunks.count;
+    int braces = w->joint_hooks ? 2 * w->substeps : 0, passes = 2 * w->substeps + 1 + bounces;
+    int phases = 2 * w->substeps + braces * TD_BRACE_TASKS +
+                 (passes + braces * TD_BRACE_STAGES) * w->scratch.chunks.count;
     return phases * (1 + w->def.job_system.workers);
 }
 
