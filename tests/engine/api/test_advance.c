@@ -474,6 +474,31 @@ static void steps_before_one_that_fails_are_told(void **state) {
     assert_int_equal(memory_held, 0);
 }
 
+typedef struct thrown {
+    thud_body_id ball;
+    int steps;
+} thrown;
+
+/* Pushes a ball to infinity in the second step of a call, the first in which a body is quarantined.
+ */
+static void push_to_infinity(thud_world *world, void *context) {
+    thrown *t = context;
+    for (int i = 0; t->steps == 1 && i < 2; i++) {
+        OK(thud_body_apply_center_force(world, t->ball, (thud_vec2){3e38f, -3e38f}));
+    }
+    t->steps++;
+}
+
+static void first_quarantine_of_a_later_step_is_told(void **state) {
+    (void)state;
+    thud_world *world = make_world(thud_default_world_def());
+    thrown t = {add_ball(world, 0, 0, 0.5f), 0};
+    thud_step_calls calls = {push_to_infinity, NULL, &t};
+    OK(thud_world_advance_with(world, 3.5 / 60, 3, &calls, NULL, NULL));
+    assert_int_equal(thud_events_of(world).quarantined_count, 1);
+    thud_world_destroy(world);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_outcome_is_the_same_at_any_rate),
@@ -486,6 +511,7 @@ int main(void) {
         cmocka_unit_test(calls_may_edit_and_not_step),
         cmocka_unit_test(a_restored_world_goes_on_as_it_did),
         cmocka_unit_test(steps_before_one_that_fails_are_told),
+        cmocka_unit_test(first_quarantine_of_a_later_step_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
