@@ -7,7 +7,9 @@
  * Events: thud_world.gathered collects the events of all steps of a call. The hook
  * thud_world.gather copies the events of step n while step n + 1 reserves its memory, before any
  * body moves, and also reserves room for the events of step n + 1. So the copy at the end of the
- * call cannot run out of memory, and a call that runs one step copies nothing.
+ * call cannot run out of memory, and a call that runs one step copies nothing. The events of
+ * quarantines are the exception: finalize.c makes their list longer as bodies are quarantined,
+ * after that reservation, and drops an event for which there is no memory; so does the copy.
  *
  * Forces: the forces that the caller applies between two calls act for the `elapsed` of the second
  * call. A step applies their mean over its own time:
@@ -71,8 +73,8 @@ static void clear_gathered_events(thud_world *w) {
     }
 }
 
-/* Appends the events of the last step to the gathered lists, which have room but for quarantines:
- * finalize.c reserves their list as they happen, and drops events that find no memory. */
+/* Appends the events of the last step to the gathered lists. Only that of quarantines may have to
+ * be made longer. */
 static void append_events(thud_world *w) {
     td_event_copy copies[EVENT_KINDS];
     list_event_copies(w, copies);

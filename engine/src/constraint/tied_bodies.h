@@ -8,8 +8,7 @@
  *
  * Detection uses them: where it stops a body on its way through the step, it stops the whole group
  * at that time, so that no joint opens; once bodies of a group touch something, their contacts are
- * left to the solver, which knows what they bear. joint_brace.c and joint_yield.c correct whole
- * groups. */
+ * left to the solver, which knows what they bear. joint_yield.c corrects whole groups. */
 #ifndef TD_TIED_BODIES_H
 #define TD_TIED_BODIES_H
 

@@ -3,7 +3,7 @@
 
 #include "constraint/lanes.h"
 
-void td_join_trees(td_awake_slot *parents, td_awake_slot a, td_awake_slot b) {
+bool td_join_trees(td_awake_slot *parents, td_awake_slot a, td_awake_slot b) {
     a = td_root_of(parents, a);
     b = td_root_of(parents, b);
     if (a.at < b.at) {
@@ -11,6 +11,7 @@ void td_join_trees(td_awake_slot *parents, td_awake_slot a, td_awake_slot b) {
     } else {
         parents[a.at] = b;
     }
+    return a.at != b.at;
 }
 
 static bool is_dynamic(const thud_world *w, td_awake_slot slot) {

@@ -17,8 +17,8 @@ static inline td_awake_slot td_root_of(td_awake_slot *parents, td_awake_slot i) 
 }
 
 /* Unites two trees. The lower root becomes the root of both, so that roots do not depend on the
- * order of calls. */
-void td_join_trees(td_awake_slot *parents, td_awake_slot a, td_awake_slot b);
+ * order of calls. False if they were one tree before. */
+bool td_join_trees(td_awake_slot *parents, td_awake_slot a, td_awake_slot b);
 
 /* Sets scratch.parents of each awake slot to the lowest slot of its island. False when memory is
  * short. With `keep_awake` the idle time of a body that touches a moving kinematic body becomes 0.

@@ -48,18 +48,19 @@ static double *group_sums(const thud_world *w, float group) {
     return (double *)w->scratch.brace_groups.data + GROUP_NUMBERS * (size_t)group;
 }
 
-/* Calls `visit` for each block of locks and rods. Returns whether any call returned true. */
-static bool for_each_lock_block(thud_world *w, bool (*visit)(thud_world *w, td_block *block)) {
-    bool any = false;
+/* Visits a block of locks or rods; `which`: an argument of the visitor's own. */
+typedef void visit_fn(thud_world *w, td_block *block, int which);
+
+/* Calls `visit` for each block of locks and rods. */
+static void for_each_lock_block(thud_world *w, visit_fn *visit, int which) {
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, i);
         td_block *const *blocks = (td_block **)w->scratch.blocks.data + run->first;
         bool locks = run->kind == TD_CONSTRAINT_ROD || run->kind == TD_CONSTRAINT_LOCK;
         for (int k = 0; k < run->count && locks; k++) {
-            any |= visit(w, blocks[k]);
+            visit(w, blocks[k], which);
         }
     }
-    return any;
 }
 
 /* The index of each lane's group. */
@@ -72,16 +73,15 @@ static float *same_group(td_block *block) {
     return (float *)&td_brace_rows_of(block)->same_group;
 }
 
-/* Joins the trees of the dynamic bodies that the lanes of a block tie together. A visitor of
- * for_each_lock_block; returns false. */
-static bool join_lanes(thud_world *w, td_block *block) {
+/* Joins the trees of the dynamic bodies that the lanes of a block tie together. */
+static void join_lanes(thud_world *w, td_block *block, int unused) {
+    (void)unused;
     for (int lane = 0; lane < block->used; lane++) {
         td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
         if (td_inv_mass_of(w, a) > 0.0f && td_inv_mass_of(w, b) > 0.0f) {
             td_join_trees(w->scratch.parents.data, a, b);
         }
     }
-    return false;
 }
 
 /* The index of the group of a body, once each slot has the root of its tree as its parent. A group
@@ -116,8 +116,9 @@ static bool is_wide_open(const thud_world *w, td_block *block, int lane) {
 }
 
 /* Sets the groups of a block's lanes, each by its dynamic side, and flags groups that are wide
- * open. A visitor of for_each_lock_block; returns false. */
-static bool number_lanes(thud_world *w, td_block *block) {
+ * open. */
+static void number_lanes(thud_world *w, td_block *block, int unused) {
+    (void)unused;
     float *group = lane_groups(block);
     *same_group(block) = 1.0f;
     for (int lane = 0; lane < block->used; lane++) {
@@ -128,7 +129,6 @@ static bool number_lanes(thud_world *w, td_block *block) {
             group_sums(w, group[lane])[WIDE_OPEN] = 1.0;
         }
     }
-    return false;
 }
 
 /* Numbers the groups once a step: in the first substep, while gaps are those at its start. Later
@@ -141,16 +141,16 @@ static void number_groups(thud_world *w) {
     for (td_awake_slot slot = {0}; slot.at < w->body_of.count; slot.at++) {
         parents[slot.at] = slot;
     }
-    for_each_lock_block(w, join_lanes);
+    for_each_lock_block(w, join_lanes, 0);
     for (td_awake_slot slot = {0}; slot.at < w->body_of.count; slot.at++) {
         parents[slot.at] = td_root_of(parents, slot);
     }
-    for_each_lock_block(w, number_lanes);
+    for_each_lock_block(w, number_lanes, 0);
 }
 
 /* Adds the work p.u (`which` WORK_WITHOUT) or p.u' (WORK_WITH) of a block's lanes to the sums of
  * their groups. */
-static void add_work(const thud_world *w, td_block *block, int which) {
+static void add_work(thud_world *w, td_block *block, int which) {
     const float *group = lane_groups(block);
     td_brace_rows *rows = td_brace_rows_of(block);
     const float *work =
@@ -168,16 +168,6 @@ static void add_work(const thud_world *w, td_block *block, int which) {
     }
 }
 
-static bool add_work_without(thud_world *w, td_block *block) {
-    add_work(w, block, WORK_WITHOUT);
-    return false;
-}
-
-static bool add_work_with(thud_world *w, td_block *block) {
-    add_work(w, block, WORK_WITH);
-    return false;
-}
-
 /* Multiples of the share at which E has its minimum: that share itself, and the one with E = 0. */
 #define MIN_ENERGY 1.0
 #define ZERO_ENERGY 2.0
@@ -192,30 +182,18 @@ static float share_to_keep(const double *group, double multiple) {
 }
 
 /* Writes the shares to keep into a block's lanes, and limits the closing speed of lanes that keep
- * less than all. `relaxed`: after the relax pass; else after the warm start. Returns whether any
- * lane keeps less. */
-static bool set_shares(thud_world *w, td_block *block, bool relaxed) {
+ * less than all. `relaxed`: after the relax pass; else after the warm start. */
+static void set_shares(thud_world *w, td_block *block, int relaxed) {
     const float *group = lane_groups(block);
     float *share = (float *)&td_brace_rows_of(block)->kept_share;
     float *closing_factor = (float *)&td_lock_rows_of(block)->closing_factor;
-    bool any = false;
     for (int lane = 0; lane < block->used; lane++) {
         const double *sums = group_sums(w, group[lane]);
         share[lane] = !relaxed                ? share_to_keep(sums, MIN_ENERGY)
                       : sums[WIDE_OPEN] > 0.0 ? share_to_keep(sums, ZERO_ENERGY)
                                               : 1.0f;
         closing_factor[lane] = share[lane] < 1.0f ? 1.0f : closing_factor[lane];
-        any |= share[lane] < 1.0f;
     }
-    return any;
-}
-
-static bool set_warm_start_shares(thud_world *w, td_block *block) {
-    return set_shares(w, block, false);
-}
-
-static bool set_relaxed_shares(thud_world *w, td_block *block) {
-    return set_shares(w, block, true);
 }
 
 /* Whether the impulses may add energy, once TD_BRACE_WORK_WITH has measured p.u' of the lanes. This
@@ -229,7 +207,7 @@ bool td_joints_may_add_energy(thud_world *w, bool relaxed) {
     for (int group = 0; group < w->scratch.brace_groups.count; group++) {
         group_sums(w, (float)group)[WORK_WITHOUT] = group_sums(w, (float)group)[WORK_WITH] = 0.0;
     }
-    for_each_lock_block(w, add_work_with);
+    for_each_lock_block(w, add_work, WORK_WITH);
     for (int group = 0; group < w->scratch.brace_groups.count && !any; group++) {
         const double *sums = group_sums(w, (float)group);
         any = sums[WORK_WITH] > 0.0 && (!relaxed || sums[WIDE_OPEN] > 0.0);
@@ -240,8 +218,8 @@ bool td_joints_may_add_energy(thud_world *w, bool relaxed) {
 /* Sets the shares to keep, after td_joints_may_add_energy, and once TD_BRACE_WORK_WITHOUT has
  * measured p.u of the lanes. */
 void td_joints_set_shares(thud_world *w, bool relaxed) {
-    for_each_lock_block(w, add_work_without);
-    for_each_lock_block(w, relaxed ? set_relaxed_shares : set_warm_start_shares);
+    for_each_lock_block(w, add_work, WORK_WITHOUT);
+    for_each_lock_block(w, set_shares, relaxed);
 }
 
 /* Whether any group is wide open. Known once td_joints_may_add_energy has found the groups. */

@@ -10,9 +10,7 @@
 /* Joins the groups of two bodies. Two circular lists become one where one link of each is swapped.
  */
 static void join_groups(thud_world *w, td_awake_slot a, td_awake_slot b) {
-    td_awake_slot *parents = w->scratch.parents.data;
-    if (td_root_of(parents, a).at != td_root_of(parents, b).at) {
-        td_join_trees(parents, a, b);
+    if (td_join_trees(w->scratch.parents.data, a, b)) {
         td_awake_slot next = td_next_tied(w, a);
         *td_tied_link(w, a) = td_next_tied(w, b);
         *td_tied_link(w, b) = next;

@@ -474,27 +474,28 @@ static void steps_before_one_that_fails_are_told(void **state) {
     assert_int_equal(memory_held, 0);
 }
 
-typedef struct thrown {
+/* A ball, and the steps that were begun. */
+typedef struct pushed {
     thud_body_id ball;
     int steps;
-} thrown;
+} pushed;
 
-/* Pushes a ball to infinity in the second and last step of a call, the first in which a body is
- * quarantined.
- */
+/* Before the second step: applies a force that is infinite, as the sum of two. */
 static void push_to_infinity(thud_world *world, void *context) {
-    thrown *t = context;
-    for (int i = 0; t->steps == 1 && i < 2; i++) {
-        OK(thud_body_apply_center_force(world, t->ball, (thud_vec2){3e38f, -3e38f}));
+    pushed *p = context;
+    for (int i = 0; p->steps == 1 && i < 2; i++) {
+        OK(thud_body_apply_center_force(world, p->ball, (thud_vec2){3e38f, -3e38f}));
     }
-    t->steps++;
+    p->steps++;
 }
 
+/* The ball is quarantined in the last of two steps of a call; no step before had such an event, so
+ * that none has reserved memory for it. */
 static void first_quarantine_of_a_later_step_is_told(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
-    thrown t = {add_ball(world, 0, 0, 0.5f), 0};
-    thud_step_calls calls = {push_to_infinity, NULL, &t};
+    pushed p = {add_ball(world, 0, 0, 0.5f), 0};
+    thud_step_calls calls = {push_to_infinity, NULL, &p};
     OK(thud_world_advance_with(world, 2.5 / 60, 2, &calls, NULL, NULL));
     assert_int_equal(thud_events_of(world).quarantined_count, 1);
     thud_world_destroy(world);

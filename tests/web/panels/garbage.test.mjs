@@ -83,10 +83,12 @@ test("error_of_the_scene_before_is_not_told_while_the_next_starts", async () => 
   );
   await run(page);
   // Each change of size has the scene that still runs painted again, which fails again.
-  for (let width = 1000; (await page.locator(".code-status").textContent()) !== RUNS; width++) {
-    await page.setViewportSize({ width: 1000 + (width % 100), height: 700 });
+  let painted = 0;
+  while ((await page.locator(".code-status").textContent()) !== RUNS) {
+    await page.setViewportSize({ width: 1000 + (painted++ % 2), height: 700 });
     assert.ok(await page.isHidden(".code-trouble"));
   }
+  assert.ok(painted > 0);
   assert.deepEqual(errors, []);
   await close();
 });

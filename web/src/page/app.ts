@@ -273,11 +273,11 @@ export class App {
     this.#stop(trouble, true);
   }
 
-  /** Takes an error of the worker. One of the scene that is being replaced is dropped: its text would
-   * stand where the error of the next scene belongs. */
+  /** Takes an error of the worker, or of run number `run` of a scene. That of a scene that is being
+   * replaced is dropped: it would be shown as one of the next scene. */
   #takeTrouble(trouble: Trouble, run?: number): void {
-    const replaced = this.#starting || run !== this.scene?.run;
-    if (run === undefined || !replaced) this.#stop(trouble, true);
+    const isOfShown = !this.#starting && run === this.scene?.run;
+    if (run === undefined || isOfShown) this.#stop(trouble, true);
   }
 
   /** Reports an error to the listeners, and pauses the scene if it was `running`. */
