@@ -53,8 +53,10 @@ endfunction()
 # Compiles the named sources into `target` once per instruction set. Each pass sees TD_ISA, the
 # name that td_ functions of the pass end in: `base` is what the platform always has (SSE2, NEON,
 # wasm SIMD128, or plain scalar), `avx2` is chosen at run time where the processor has it.
+set(THUD_BASE_FLAGS "" CACHE STRING "Additional compiler flags of the pass `base`")
 function(thud_wide_sources target)
-    _thud_wide_pass(${target} base "" ${ARGN})
+    separate_arguments(base_flags UNIX_COMMAND "${THUD_BASE_FLAGS}")
+    _thud_wide_pass(${target} base "${base_flags}" ${ARGN})
     # As TD_HAS_AVX2 in base.h has it.
     if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND NOT EMSCRIPTEN
             AND NOT (WIN32 AND CMAKE_C_COMPILER_ID STREQUAL "GNU"))
@@ -76,13 +78,23 @@ endfunction()
 
 # thud_test(FILE [LIBRARY...]) makes a ctest test of one cmocka program. It runs in the project's
 # root, so that it finds assets/, and it may include the engine's internal headers and tests/support.
+# A test spends its time in the engine: -O1 compiles it in half the time of -O3.
 function(thud_test file)
     get_filename_component(name ${file} NAME_WE)
     add_executable(${name} ${file})
     thud_common_flags(${name})
+    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
     target_include_directories(${name} PRIVATE ${CMOCKA_INCLUDE_DIR}
         ${PROJECT_SOURCE_DIR}/engine/src ${PROJECT_SOURCE_DIR}/tests/support)
     target_compile_definitions(${name} PRIVATE TEST_SHARE=${THUD_TEST_SHARE})
     target_link_libraries(${name} PRIVATE ${ARGN} thud ${CMOCKA_LIBRARY})
     add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+endfunction()
+
+# thud_long_test(FILE [LIBRARY...]): a test that THUD_LONG_TESTS=OFF leaves out. tests/CMakeLists.txt
+# says which tests these are.
+function(thud_long_test file)
+    if(THUD_LONG_TESTS)
+        thud_test(${file} ${ARGN})
+    endif()
 endfunction()

@@ -134,7 +134,7 @@ links_fuzzer() {
 
 links_sanitizers() {
     echo 'int main(void) { return 0; }' |
-        clang-16 -fsanitize=address,undefined -x c - -o /dev/null
+        clang-16 -fsanitize=address,undefined -fuse-ld=lld -x c - -o /dev/null
 }
 
 need_fuzz() {
@@ -153,6 +153,7 @@ need_test() {
     need "Ninja" ninja-build have ninja
     need "clang-format 16" clang-format-16 have clang-format-16
     need "clang 16" clang-16 have clang-16
+    need "LLVM's linker" lld-16 test -x /usr/lib/llvm-16/bin/ld.lld
     need "the sanitizers of clang 16" libclang-rt-16-dev links_sanitizers
     need "cmocka's headers" libcmocka-dev has_header cmocka.h
     need "Python 3" python3 have python3

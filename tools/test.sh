@@ -13,7 +13,7 @@ usage: ./run test [--full] [PART...]
 Builds and tests everything, or only the parts that are named:
 
   native      the library, the examples and the tools, by the system's compiler
-  sanitizers  all tests of the engine once more, compiled by clang with the address and
+  sanitizers  most tests of the engine once more, compiled by clang with the address and
               undefined-behaviour sanitizers: the same golden hashes and bits as by the system's
               compiler. Long ones run one of 7 of their cases; all cases: cmake -DTHUD_TEST_SHARE=1
   wasm        the engine as WebAssembly, in Node; the package in bundlers and other runtimes
@@ -22,7 +22,8 @@ Builds and tests everything, or only the parts that are named:
 
   --full      gives every pair of shapes 10^6 random cases instead of hundreds to thousands, and
               tries each guarantee (docs/guarantees.md) on every combination of settings instead
-              of some twenty, runs the tests of clang's release build, those of the memory
+              of some twenty, runs all tests under the address and undefined-behaviour sanitizers
+              (tests/CMakeLists.txt), the tests of clang's release build, those of the memory
               sanitizer, and those of threads and the kept inputs of ./run fuzz under the thread
               sanitizer, and measures anew what the generated pages in docs/ say, more than an
               hour; belongs to native
@@ -137,7 +138,11 @@ test_clang() {
 }
 
 test_sanitizers() {
-    build sanitize --preset sanitize -DTHUD_WERROR=ON
+    set -- -DTHUD_WERROR=ON
+    # All tests; and the kernels of both instruction sets instead of those of AVX2 alone, of which
+    # tests/CMakeLists.txt and CMakePresets.json tell.
+    [ "$full" = no ] || set -- "$@" -DTHUD_LONG_TESTS=ON -DTHUD_BASE_FLAGS=
+    build sanitize --preset sanitize "$@"
     ctest --preset sanitize --label-exclude '^once$' --parallel "$jobs"
 }
 

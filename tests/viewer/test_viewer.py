@@ -1,5 +1,5 @@
 """Runs thud-play without a display and checks the pictures that it writes: test_viewer.py
-THUD_PLAY."""
+THUD_PLAY [short]. `short` leaves out the tests that take longest."""
 
 import os
 import pathlib
@@ -14,6 +14,13 @@ from picture import read_bmp, read_png
 HERE = pathlib.Path(__file__).resolve().parent
 PALETTE = (HERE / "../../demo/play/draw/palette.h").read_text(encoding="utf-8")
 PLAY = ""
+SHORT = "short" in sys.argv[2:]
+
+
+def long_one(test):
+    """Marks a test that takes long where sanitizers watch."""
+    return unittest.skipIf(SHORT, "takes long")(test)
+
 
 # ball.tmj is 40 x 30 m, so that 800 x 600 pixels show 20 pixels per metre. The ball has radius 1,
 # begins with its centre at (20, 25) and falls freely for the first 22 m.
@@ -277,6 +284,7 @@ class Viewer(unittest.TestCase):
         self.assertEqual(len(colors), 1)
         self.assertTrue(colourful(colors.pop()))
 
+    @long_one
     def test_sleeping_bodies_are_dimmed(self):
         """The boxes of this scene are asleep after one second; its circles never sleep."""
         awake = self.shoot_bare("asleep", "--frames", 90, "--overlay", "none")
@@ -304,10 +312,12 @@ class Viewer(unittest.TestCase):
         bmp = self.shoot("cradle", "--frames", 5, "--bare", suffix="bmp")
         self.assertEqual(png.rows, bmp.rows)
 
+    @long_one
     def test_same_scene_twice_gives_same_picture(self):
         first = self.shoot_bare("smash", "--frames", 20)
         self.assertEqual(first.rows, self.shoot_bare("smash", "--frames", 20).rows)
 
+    @long_one
     def test_everything_listed_is_drawn(self):
         listed = run("--list")
         self.assertEqual(listed.returncode, 0)
@@ -356,5 +366,5 @@ class Viewer(unittest.TestCase):
 if __name__ == "__main__":
     if len(sys.argv) < 2:
         sys.exit(__doc__)
-    PLAY = str(pathlib.Path(sys.argv.pop(1)).resolve())
-    unittest.main()
+    PLAY = str(pathlib.Path(sys.argv[1]).resolve())
+    unittest.main(argv=sys.argv[:1])

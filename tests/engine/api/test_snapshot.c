@@ -1,5 +1,6 @@
 /* test_snapshot.c: worlds that are restored from a snapshot repeat the same steps exactly, in every
  * scene and with every setting. */
+#include "share.h"
 #include "snapshot_support.h"
 
 #include "build_thud.h"
@@ -57,7 +58,7 @@ static void restored_anywhere(const scene_info *info, const thud_world_def *sett
 
 static void every_scene_restored_goes_the_same_way(void **state) {
     (void)state;
-    for (int i = 0; i < scenes_count(); i++) {
+    for (int i = 0; i < scenes_count(); i += TEST_SHARE) {
         restored_anywhere(scenes_at(i), NULL, NULL, BEFORE, AFTER, scenes_at(i)->name);
     }
 }
@@ -100,7 +101,7 @@ static thud_world *wild_world(thud_world_def def, int steps) {
 static void unlike_worlds_restored_from_each_other_go_the_same_ways(void **state) {
     (void)state;
     const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep};
-    for (int i = 0; i < 2 * scenes_count(); i++) {
+    for (int i = 0; i < 2 * scenes_count(); i += TEST_SHARE) {
         const char *name = scenes_at(i / 2)->name;
         thud_world_def def = thud_default_world_def();
         def.broadphase = broadphases[i % 2];
@@ -200,7 +201,7 @@ static void every_step_on_the_way_to_sleep_is_restored(void **state) {
         digests[i] = digest_of(y.world);
     }
     assert_true(thud_stats_of(y.world).awake_bodies < 7); /* of 14 */
-    for (int i = 0; i < 2 * STEPS; i++) {
+    for (int i = 0; i < 2 * STEPS; i += TEST_SHARE) {
         int from = i * 37 % STEPS;
         back_to(others[i % 2], kept[from]);
         for (int k = 0; k < MORE; k++) {
