@@ -66,12 +66,13 @@ def write(path, words):
     os.replace(path + ".new", path)
 
 
-def write_all(out, results):
+def write_all(out, results, only=None):
+    """Writes the page, its figures, and the pictures: of all cases, or of the case `only`."""
     folder = os.path.join(out, FOLDER)
     write(os.path.join(folder, "tradeoff.json"), json.dumps(results, indent=1) + "\n")
     write(os.path.join(folder, "tradeoff.csv"), tradeoff_page.comma_separated(results))
     if results["cases"]:
-        for name, picture in tradeoff_picture.draw(results).items():
+        for name, picture in tradeoff_picture.draw(results, only).items():
             write(os.path.join(folder, name), picture)
     with open(os.path.join(HERE, "tradeoff-notes.md"), encoding="utf-8") as file:
         write(os.path.join(out, "tradeoff.md"),
@@ -181,7 +182,7 @@ def measure(arguments):
         results["cases"] += found["cases"]
         results["cases"].sort(key=lambda case: wanted.index(case["case"]))
         results["missing"] = [n for n in results["missing"] if n != name]
-        write_all(arguments.out, results)
+        write_all(arguments.out, results, only=name)
         progress.finish_case(work)
         progress.clear()
         print(f"{name}: {tradeoff_page.verdict(found['cases'][0])}".replace("**", ""))

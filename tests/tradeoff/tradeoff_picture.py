@@ -116,6 +116,11 @@ def along(start, end, every=6):
             for i in range(count + 1)]
 
 
+def meets(a, b):
+    """Whether two rectangles (left, top, right, bottom) share an area."""
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+
+
 class Room:
     """Finds places for labels that cover no other label, no point and no line."""
 
@@ -128,24 +133,28 @@ class Room:
             for start, end in zip(points, points[1:]):
                 self.taken += [(px - 2, py - 2, px + 2, py + 2) for px, py in along(start, end)]
 
-    def cost(self, box):
+    def cost(self, box, near):
+        """The lower, the better; `near` has all that is taken and may meet the box."""
         left, top, right, bottom = self.bounds
         beyond = (max(0, left - box[0]) + max(0, box[2] - right) + max(0, top - box[1])
                   + max(0, box[3] - bottom))
-        covered = sum(max(0, min(box[2], b[2]) - max(box[0], b[0]))
-                      * max(0, min(box[3], b[3]) - max(box[1], b[1])) for b in self.taken)
+        covered = sum((min(box[2], b[2]) - max(box[0], b[0]))
+                      * (min(box[3], b[3]) - max(box[1], b[1])) for b in near if meets(box, b))
         return 100 * beyond + covered
 
     def place(self, px, py, words):
         """The nearest free place around a point: x and y of the text's start."""
         width, height = CHARACTER * self.size * len(words), self.size
+        reach_x, reach_y = 4.5 * self.size + width, 4.5 * self.size + 2 + height
+        around = (px - reach_x, py - reach_y, px + reach_x, py + reach_y)
+        near = [b for b in self.taken if meets(around, b)]
         tries = []
         for far in (0.6, 1, 1.6, 2.4, 3.4, 4.5):
             for dx, dy in ((1, 0), (-1, 0), (1, -1), (0, -1), (-1, -1), (0, 1), (1, 1), (-1, 1)):
                 cx = px + dx * (far * self.size + width / 2)
                 cy = py + dy * (far * self.size + 2)
                 box = (cx - width / 2, cy - height / 2, cx + width / 2, cy + height / 2)
-                tries.append((self.cost(box) + far * self.size, len(tries), box))
+                tries.append((self.cost(box, near) + far * self.size, len(tries), box))
         box = min(tries)[2]
         self.taken.append(box)
         return box[0], box[3] - 0.15 * self.size
@@ -255,7 +264,8 @@ def draw_overview(cases):
     return svg(width, height, "What accuracy costs, in all cases", parts)
 
 
-def draw(results):
-    """All pictures by their file names."""
-    pictures = {f"{case['case']}.svg": draw_case(case) for case in results["cases"]}
+def draw(results, only=None):
+    """The pictures of all cases, or of the case `only`, and the overview, by their file names."""
+    pictures = {f"{case['case']}.svg": draw_case(case) for case in results["cases"]
+                if only in (None, case["case"])}
     return {**pictures, "overview.svg": draw_overview(results["cases"])}
