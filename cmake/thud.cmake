@@ -53,15 +53,15 @@ endfunction()
 # Compiles the named sources into `target` once per instruction set. Each pass sees TD_ISA, the
 # name that td_ functions of the pass end in: `base` is what the platform always has (SSE2, NEON,
 # wasm SIMD128, or plain scalar), `avx2` is chosen at run time where the processor has it.
-set(THUD_BASE_FLAGS "" CACHE STRING "Additional compiler flags of the pass `base`")
 function(thud_wide_sources target)
-    separate_arguments(base_flags UNIX_COMMAND "${THUD_BASE_FLAGS}")
-    _thud_wide_pass(${target} base "${base_flags}" ${ARGN})
+    set(base_flags "")
     # As TD_HAS_AVX2 in base.h has it.
     if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND NOT EMSCRIPTEN
             AND NOT (WIN32 AND CMAKE_C_COMPILER_ID STREQUAL "GNU"))
         _thud_wide_pass(${target} avx2 -mavx2 ${ARGN})
+        separate_arguments(base_flags UNIX_COMMAND "${THUD_BASE_FLAGS}")
     endif()
+    _thud_wide_pass(${target} base "${base_flags}" ${ARGN})
 endfunction()
 
 function(_thud_wide_pass target isa flags)

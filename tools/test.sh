@@ -139,8 +139,7 @@ test_clang() {
 
 test_sanitizers() {
     set -- -DTHUD_WERROR=ON
-    # All tests; and the kernels of both instruction sets instead of those of AVX2 alone, of which
-    # tests/CMakeLists.txt and CMakePresets.json tell.
+    # What the preset leaves out, as tests/CMakeLists.txt says.
     [ "$full" = no ] || set -- "$@" -DTHUD_LONG_TESTS=ON -DTHUD_BASE_FLAGS=
     build sanitize --preset sanitize "$@"
     ctest --preset sanitize --label-exclude '^once$' --parallel "$jobs"

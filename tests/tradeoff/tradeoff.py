@@ -69,11 +69,12 @@ def write(path, words):
 def write_all(out, results, only=None):
     """Writes the page, its figures, and the pictures: of all cases, or of the case `only`."""
     folder = os.path.join(out, FOLDER)
-    write(os.path.join(folder, "tradeoff.json"), json.dumps(results, indent=1) + "\n")
-    write(os.path.join(folder, "tradeoff.csv"), tradeoff_page.comma_separated(results))
+    # Pictures come first: a run that goes on draws none of the cases that the figures have.
     if results["cases"]:
         for name, picture in tradeoff_picture.draw(results, only).items():
             write(os.path.join(folder, name), picture)
+    write(os.path.join(folder, "tradeoff.json"), json.dumps(results, indent=1) + "\n")
+    write(os.path.join(folder, "tradeoff.csv"), tradeoff_page.comma_separated(results))
     with open(os.path.join(HERE, "tradeoff-notes.md"), encoding="utf-8") as file:
         write(os.path.join(out, "tradeoff.md"),
               tradeoff_page.fill(file.read(), results, FOLDER))

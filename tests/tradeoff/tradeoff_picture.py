@@ -121,6 +121,10 @@ def meets(a, b):
     return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
 
 
+# Distances of a label from its point at which a place is tried, in sizes of the text. Chosen.
+DISTANCES = (0.6, 1, 1.6, 2.4, 3.4, 4.5)
+
+
 class Room:
     """Finds places for labels that cover no other label, no point and no line."""
 
@@ -134,7 +138,8 @@ class Room:
                 self.taken += [(px - 2, py - 2, px + 2, py + 2) for px, py in along(start, end)]
 
     def cost(self, box, near):
-        """The lower, the better; `near` has all that is taken and may meet the box."""
+        """How bad a place is: what the box covers, and what of it is out of bounds, which counts
+        more. `near` is what is taken, at least as far as the box reaches."""
         left, top, right, bottom = self.bounds
         beyond = (max(0, left - box[0]) + max(0, box[2] - right) + max(0, top - box[1])
                   + max(0, box[3] - bottom))
@@ -145,11 +150,13 @@ class Room:
     def place(self, px, py, words):
         """The nearest free place around a point: x and y of the text's start."""
         width, height = CHARACTER * self.size * len(words), self.size
-        reach_x, reach_y = 4.5 * self.size + width, 4.5 * self.size + 2 + height
+        # No place that is tried reaches further than this.
+        reach_x = DISTANCES[-1] * self.size + width
+        reach_y = DISTANCES[-1] * self.size + 2 + height
         around = (px - reach_x, py - reach_y, px + reach_x, py + reach_y)
         near = [b for b in self.taken if meets(around, b)]
         tries = []
-        for far in (0.6, 1, 1.6, 2.4, 3.4, 4.5):
+        for far in DISTANCES:
             for dx, dy in ((1, 0), (-1, 0), (1, -1), (0, -1), (-1, -1), (0, 1), (1, 1), (-1, 1)):
                 cx = px + dx * (far * self.size + width / 2)
                 cy = py + dy * (far * self.size + 2)

@@ -1,5 +1,5 @@
 """Runs thud-play without a display and checks the pictures that it writes: test_viewer.py
-THUD_PLAY [short]. `short` leaves out the tests that take longest."""
+THUD_PLAY [short] [TEST...]. `short` leaves out the tests that take longest."""
 
 import os
 import pathlib
@@ -15,12 +15,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 PALETTE = (HERE / "../../demo/play/draw/palette.h").read_text(encoding="utf-8")
 PLAY = ""
 SHORT = "short" in sys.argv[2:]
-
-
-def long_one(test):
-    """Marks a test that takes long where sanitizers watch."""
-    return unittest.skipIf(SHORT, "takes long")(test)
-
+# Marks a test that takes long in a program that was built with sanitizers.
+long_one = unittest.skipIf(SHORT, "takes long")
 
 # ball.tmj is 40 x 30 m, so that 800 x 600 pixels show 20 pixels per metre. The ball has radius 1,
 # begins with its centre at (20, 25) and falls freely for the first 22 m.
@@ -366,5 +362,7 @@ class Viewer(unittest.TestCase):
 if __name__ == "__main__":
     if len(sys.argv) < 2:
         sys.exit(__doc__)
-    PLAY = str(pathlib.Path(sys.argv[1]).resolve())
-    unittest.main(argv=sys.argv[:1])
+    PLAY = str(pathlib.Path(sys.argv.pop(1)).resolve())
+    if SHORT:
+        sys.argv.remove("short")
+    unittest.main()

@@ -357,6 +357,7 @@ enum { DETECTIONS = 4 };
 static void edits_inside_callbacks_wait_for_the_next_step(void **state) {
     (void)state;
     for (site s = SITE_PROLOGUE; s <= SITE_PASS; s++) {
+        /* Where one case of seven runs, each edit still runs at one of the four sites. */
         for (int i = (int)s % TEST_SHARE; i < EDITS * DETECTIONS; i += TEST_SHARE) {
             edit_in(s, &edits[i / DETECTIONS], detections[i % DETECTIONS]);
         }

@@ -41,6 +41,7 @@ static void any_number_of_workers_gives_the_same_bits(void **state) {
     for (size_t i = 0; i < sizeof SCENES / sizeof *SCENES; i++) {
         uint64_t alone =
             hash_after(SCENES[i].name, SCENES[i].size, SCENES[i].steps, (thud_job_system){0});
+        /* A share of the cases begins with the most workers. */
         for (int workers = 5; workers >= 2; workers -= TEST_SHARE) {
             pool *p = pool_create(workers);
             assert_non_null(p);
