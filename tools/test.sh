@@ -26,7 +26,8 @@ Builds and tests everything, or only the parts that are named:
               (tests/CMakeLists.txt), the tests of clang's release build, those of the memory
               sanitizer, and those of threads and the kept inputs of ./run fuzz under the thread
               sanitizer, and measures anew what the generated pages in docs/ say, more than an
-              hour; belongs to native
+              hour; belongs to native. In the part page it runs in Firefox, too, what the page's own
+              code decides
 
 Two lanes run side by side: wasm, page and baseline, of which the page often waits, and all others,
 which give way to them. What a part prints is in build/test/PART.log and shown as it ends.
@@ -55,8 +56,8 @@ check_test_options() {
         esac
     done
     case "$full $parts " in
-        yes*' native '*) ;;
-        yes*) die "--full belongs to the part native" ;;
+        yes*' native '* | yes*' page '*) ;;
+        yes*) die "--full belongs to the parts native and page" ;;
     esac
 }
 
@@ -156,6 +157,9 @@ test_wasm() {
 
 test_page() {
     build_page
+    if [ "$full" = yes ]; then
+        export THUD_FULL=1
+    fi
     (cd web && npm run test:page)
 }
 

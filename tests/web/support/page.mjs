@@ -15,6 +15,15 @@ export { BROWSERS, DESKTOP, PHONE, stepBy } from "../../../web/tools/browser.mjs
 export const PATIENCE = 120_000;
 
 /**
+ * Why a test is left out in a browser, or false: a test of what the page's own code decides runs in
+ * Chromium, and in Firefox, too, if THUD_FULL is 1 (./run test --full).
+ */
+export function leftOut(browser) {
+  if (browser === "chromium" || process.env.THUD_FULL === "1") return false;
+  return "in the second browser only with ./run test --full";
+}
+
+/**
  * Starts a browser and serves the page; every opened page collects its errors. A page with
  * `prepare` has its own context, and so has every page in Firefox, where sharing saves no time.
  */
