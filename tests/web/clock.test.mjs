@@ -3,7 +3,7 @@
  * why it does not.
  */
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
+import { describe, test } from "node:test";
 import { boxes } from "./support/code.mjs";
 import { display } from "./support/contexts.mjs";
 import { BROWSERS, DESKTOP, openVisitor, untilRunning, untilTold } from "./support/page.mjs";
@@ -38,11 +38,7 @@ function times(page) {
 
 for (const browser of BROWSERS)
   describe(browser, () => {
-    let visitor;
-    before(async () => {
-      visitor = await openVisitor({ browser });
-    });
-    after(() => visitor.close());
+    const visitor = openVisitor({ browser });
 
     for (const [hertz, scene, seconds, speed] of RATES[browser])
       test(`${scene}_at_${speed}_times_keeps_the_time_at_${hertz}_pictures_a_second`, async () => {
@@ -66,11 +62,7 @@ for (const browser of BROWSERS)
   });
 
 describe("slow motion", () => {
-  let visitor;
-  before(async () => {
-    visitor = await openVisitor();
-  });
-  after(() => visitor.close());
+  const visitor = openVisitor();
 
   /** The text that the page shows while a scene is too slow. */
   async function toldOf(page) {

@@ -2,7 +2,7 @@
  * Tests the page zoomed, with the keyboard, for screen readers, on paper, and with high contrast.
  */
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import {
   DESKTOP,
   failureText,
@@ -17,11 +17,7 @@ import {
 import { display } from "../support/contexts.mjs";
 import { until, untilFigures, untilStill } from "../support/wait.mjs";
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 /** The viewport of a window of 1440 by 900 pixels at that zoom. */
 const ZOOMED_TWICE = { viewport: { width: 720, height: 450 }, deviceScaleFactor: 2 };

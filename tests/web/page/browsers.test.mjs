@@ -3,12 +3,13 @@
  * policies, modules in workers and clocks. Everything else is tested in one browser.
  */
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
+import { describe, test } from "node:test";
 import { createStaticServer } from "../../../web/tools/static-server.mjs";
 import { copyOfPage, serve, untilOffline } from "../support/built-page.mjs";
 import { boxes, type } from "../support/code.mjs";
 import { drawLightly } from "../support/contexts.mjs";
 import {
+  browserOf,
   BROWSERS,
   choose,
   DESKTOP,
@@ -31,11 +32,7 @@ const LONG = { timeout: 300_000 };
 
 for (const browser of BROWSERS)
   describe(browser, () => {
-    let visitor;
-    before(async () => {
-      visitor = await openVisitor({ browser });
-    });
-    after(() => visitor.close());
+    const visitor = openVisitor({ browser });
 
     for (const [name, options] of [["desktop", DESKTOP], ["phone", PHONE]])
       test(`scenes_and_levels_run_and_are_drawn_on_a_${name}`, async () => {
@@ -181,7 +178,7 @@ for (const browser of BROWSERS)
 
     test("without_network_after_one_visit_games_and_versus_run", async (t) => {
       const { url, cut } = await serve(t, createStaticServer(copyOfPage(t)));
-      const context = await visitor.browser.newContext();
+      const context = await (await browserOf(browser)).newContext();
       t.after(() => context.close());
       context.setDefaultTimeout(PATIENCE);
       await drawLightly(context);

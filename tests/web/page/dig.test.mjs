@@ -1,14 +1,10 @@
 /** Tests digging on the page, with the mouse and with a finger. */
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { DESKTOP, openVisitor, PHONE, pressed, stepBy, untilRunning } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 /** The top of the ground's line at x in CSS pixels, found as the darkest pixel of the column. */
 function groundTop(page, x) {

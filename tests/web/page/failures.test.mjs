@@ -1,6 +1,6 @@
 /** Tests that failures show a clear message and a way to continue. */
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import {
   DESKTOP,
   drawn,
@@ -13,16 +13,8 @@ import {
 import { ballLevel } from "../support/package.mjs";
 import { until } from "../support/wait.mjs";
 
-let visitor;
-let visitorWithWebgl;
-before(async () => {
-  visitor = await openVisitor();
-  visitorWithWebgl = await openVisitor({ webgl: true });
-});
-after(async () => {
-  await visitor.close();
-  await visitorWithWebgl.close();
-});
+const visitor = openVisitor();
+const visitorWithWebgl = openVisitor({ webgl: true });
 
 test("missing_wasm_file_is_said_and_loading_again_offered", async () => {
   const block = (page) =>

@@ -1,14 +1,10 @@
 /** Tests the gallery: search, keyboard navigation, and starting a scene from it. */
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { DESKTOP, openVisitor, PHONE, untilRunning } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 async function openGallery(options = DESKTOP) {
   const opened = await visitor.open("?scene=pyramid&size=10", options);

@@ -1,14 +1,10 @@
 /** Tests the games with keys and with touch: what a player holds must take effect. */
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { DESKTOP, figure, openVisitor, PHONE, stepBy, untilRunning } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 /** Opens a game, paused after its first step. */
 async function openGame(name, options = DESKTOP) {

@@ -3,16 +3,12 @@
  * the code for it.
  */
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { choose, openVisitor, PHONE, stepBy } from "../support/page.mjs";
 import { table, untilBox2D, untilMeasured } from "../support/versus.mjs";
 import { overlay, until, untilOverlay } from "../support/wait.mjs";
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 const DRAWING = /\/joint(s|-frames)-[\w-]+\.js$/;
 

@@ -2,7 +2,7 @@
  * Tests the page's layout on many screen sizes, and the figures and texts that describe the scene.
  */
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import {
   DESKTOP,
   drawn,
@@ -14,11 +14,7 @@ import {
 } from "../support/page.mjs";
 import { until, untilFigures, untilStill } from "../support/wait.mjs";
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 const phone = (width, height) => ({ ...PHONE, viewport: { width, height } });
 const SIZES = [

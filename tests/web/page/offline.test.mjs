@@ -5,28 +5,21 @@
 import assert from "node:assert/strict";
 import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import { launch, launchChromium } from "../../../web/tools/browser.mjs";
+import { test } from "node:test";
 import { writeServiceWorker } from "../../../web/tools/offline-plugin.mjs";
 import { createStaticServer } from "../../../web/tools/static-server.mjs";
 import { copyOfPage, createPlainServer, serve, untilOffline } from "../support/built-page.mjs";
 import { drawLightly } from "../support/contexts.mjs";
-import { PATIENCE, untilRunning } from "../support/page.mjs";
+import { browserOf, PATIENCE, untilRunning } from "../support/page.mjs";
 import { untilMeasured } from "../support/versus.mjs";
 import { until } from "../support/wait.mjs";
-
-let browser;
-before(async () => {
-  browser = await launchChromium({ webgl: false });
-});
-after(() => browser.close());
 
 /** A paused scene: Chromium looks for a newer build only while the page is idle. */
 const STANDING = "?scene=cradle&paused=1";
 
 /** A page in a new browser context, which has no data of earlier visits. */
 async function newVisitor(t) {
-  const context = await browser.newContext();
+  const context = await (await browserOf("chromium")).newContext();
   t.after(() => context.close());
   context.setDefaultTimeout(PATIENCE);
   await drawLightly(context);
@@ -117,9 +110,8 @@ test("policy_of_a_new_build_replaces_the_former_one_in_firefox", async (t) => {
   await writeServiceWorker(folder, FORMER_POLICY);
   // The plain server sends no policy; only the service worker does.
   const { url } = await serve(t, createPlainServer(folder));
-  const firefox = await launch("firefox", { webgl: false });
-  t.after(() => firefox.close());
-  const page = await firefox.newPage();
+  const page = await (await browserOf("firefox")).newPage();
+  t.after(() => page.close());
   page.setDefaultTimeout(PATIENCE);
   await page.goto(url + STANDING);
   await untilOffline(page);

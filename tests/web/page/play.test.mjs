@@ -3,7 +3,7 @@
  * scenes, settings, overlays, layout on a phone, and accessibility by axe.
  */
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import {
   DESKTOP,
   drawn,
@@ -20,11 +20,7 @@ import {
 import { ballLevel } from "../support/package.mjs";
 import { until, untilOverlay } from "../support/wait.mjs";
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 /** Waits until the ball is drawn within `tolerance` pixels of `x`; returns its place. */
 function drawnNear(page, x, tolerance, what) {

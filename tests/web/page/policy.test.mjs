@@ -6,28 +6,21 @@ import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { transformWithEsbuild } from "../../../web/node_modules/vite/dist/node/index.js";
-import { BROWSERS, launch } from "../../../web/tools/browser.mjs";
 import { writeServiceWorker } from "../../../web/tools/offline-plugin.mjs";
 import { listenFrom } from "../../../web/tools/serve.mjs";
 import { createStaticServer } from "../../../web/tools/static-server.mjs";
 import { copyOfPage, createPlainServer, serve, untilOffline } from "../support/built-page.mjs";
 import { drawLightly } from "../support/contexts.mjs";
-import { PATIENCE, untilRunning } from "../support/page.mjs";
+import { browserOf, BROWSERS, PATIENCE, untilRunning } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
-
-const browsers = {};
-before(async () => {
-  for (const name of BROWSERS) browsers[name] = await launch(name, { webgl: false });
-});
-after(() => Promise.all(Object.values(browsers).map((browser) => browser.close())));
 
 /**
  * Opens a page that records its requests, and its errors, warnings and violations of the policy.
  */
 async function openWatched(t, browser = "chromium") {
-  const context = await browsers[browser].newContext();
+  const context = await (await browserOf(browser)).newContext();
   t.after(() => context.close());
   context.setDefaultTimeout(PATIENCE);
   await drawLightly(context);

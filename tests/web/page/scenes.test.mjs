@@ -1,15 +1,11 @@
 /** Tests that every scene, level and game of the page runs 300 steps without an error. */
 import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { figure, openVisitor, stepBy } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 /** A small window, which is cheap to draw; the tests do not look at the picture. */
 const SMALL = { viewport: { width: 640, height: 480 } };

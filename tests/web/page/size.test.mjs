@@ -4,10 +4,9 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { gzipSync } from "node:zlib";
-import { launchChromium } from "../../../web/tools/browser.mjs";
 import { createStaticServer } from "../../../web/tools/static-server.mjs";
 import { copyOfPage, serve } from "../support/built-page.mjs";
-import { PATIENCE, untilRunning } from "../support/page.mjs";
+import { browserOf, PATIENCE, untilRunning } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
 /** Kilobytes of 1000 bytes, gzipped, without Box2D. Chosen. */
@@ -16,12 +15,11 @@ const BOUND = 150;
 test(`first_picture_loads_less_than_${BOUND}_kB`, async (t) => {
   const folder = copyOfPage(t);
   const { url } = await serve(t, createStaticServer(folder));
-  const browser = await launchChromium({ webgl: false });
-  const context = await browser.newContext();
+  const context = await (await browserOf("chromium")).newContext();
   t.after(async () => {
     // The page may ask for the rest once more while it is closed.
     await context.unrouteAll({ behavior: "ignoreErrors" });
-    await browser.close();
+    await context.close();
   });
   context.setDefaultTimeout(PATIENCE);
   // Files that the service worker caches for later visits are fetched after the first picture and

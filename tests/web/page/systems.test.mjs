@@ -3,17 +3,13 @@
  * on a phone.
  */
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { DESKTOP, near, openVisitor, PHONE, stepBy } from "../support/page.mjs";
 import { overlay, untilOverlay, untilStep, untilStill } from "../support/wait.mjs";
 
 const SIZES = [["desktop", DESKTOP], ["phone", PHONE]];
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 /**
  * The number of the overlay's pixels that are close to a colour, and their mean place on the page.

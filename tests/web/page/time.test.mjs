@@ -3,7 +3,7 @@
  * rewinding.
  */
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import {
   choose,
   DESKTOP,
@@ -19,11 +19,7 @@ const SIZES = [["desktop", DESKTOP], ["phone", PHONE]];
 /** Steps: more than ten seconds. */
 const LONG = 660;
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 /** Opens a paused scene with the panel that shows the hash of the state. */
 async function openStill(scene, options = DESKTOP) {

@@ -1,13 +1,9 @@
 /** Tests the page's texts: instructions for keys or for touch, and plain labels. */
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { DESKTOP, openVisitor, PHONE, stepBy } from "../support/page.mjs";
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 /** Matches instructions that need a keyboard. */
 const OF_KEYBOARDS = /arrow keys|Space|Enter|\bkeys?\b|\bA D\b/i;

@@ -3,19 +3,23 @@
  * reach other hosts.
  */
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { inflateRawSync } from "node:zlib";
 import { copyOfPage, createPlainServer, serve } from "../support/built-page.mjs";
 import { boxes, linkOf, openCode, run, type, untilStatus, untilText } from "../support/code.mjs";
-import { DESKTOP, openVisitor, PATIENCE, PHONE, untilBodies, untilRunning } from "../support/page.mjs";
+import {
+  browserOf,
+  DESKTOP,
+  openVisitor,
+  PATIENCE,
+  PHONE,
+  untilBodies,
+  untilRunning,
+} from "../support/page.mjs";
 
 const SIZES = { desktop: DESKTOP, phone: PHONE };
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 test("code_goes_with_the_address_with_letters_of_any_language", async () => {
   const { page, errors, close } = await openCode(visitor, "?scene=sketch&panel=code");
@@ -57,7 +61,7 @@ for (const [name, options] of Object.entries(SIZES))
 
 test("code_of_a_link_is_asked_about_twice_where_nothing_confines_it", async (t) => {
   const { url } = await serve(t, createPlainServer(copyOfPage(t)));
-  const page = await visitor.browser.newPage();
+  const page = await (await browserOf("chromium")).newPage();
   t.after(() => page.close());
   page.setDefaultTimeout(PATIENCE);
   await page.addInitScript(() => delete Navigator.prototype.serviceWorker);

@@ -4,7 +4,7 @@
  */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import {
   boxes,
   openCode,
@@ -31,11 +31,7 @@ import { root } from "../support/package.mjs";
 const SIZES = { desktop: DESKTOP, phone: PHONE };
 const SKETCH = readFileSync(`${root}web/public/scenes/sketch.js`, "utf8");
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 for (const [name, options] of Object.entries(SIZES)) {
   test(`number_changed_and_run_changes_the_world_on_${name}`, async () => {

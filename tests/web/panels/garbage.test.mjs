@@ -3,7 +3,7 @@
  * scenes chosen in quick succession.
  */
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { linkOf, openCode, run, troubleOf, type, untilStatus } from "../support/code.mjs";
 import {
   failureText,
@@ -17,11 +17,7 @@ import { until } from "../support/wait.mjs";
 
 const RUNS = "Your code runs";
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 test("address_with_values_that_are_none_is_as_if_they_were_not_there", async () => {
   for (const search of [

@@ -4,7 +4,7 @@
  */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { buildScene, runScene, USUAL_OPTIONS } from "../../../web/tools/scenes.mjs";
 import {
   DESKTOP,
@@ -21,11 +21,7 @@ import { overlay, until, untilOverlay } from "../support/wait.mjs";
 
 const SIZES = [["desktop", DESKTOP], ["phone", PHONE]];
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 const openInside = (part, search, options) => openPanel(visitor, part, search, options);
 

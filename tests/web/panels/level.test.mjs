@@ -4,7 +4,7 @@
  */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { figure, openVisitor, untilRunning } from "../support/page.mjs";
 import { level, root } from "../support/package.mjs";
 import { until } from "../support/wait.mjs";
@@ -13,11 +13,7 @@ const folder = `${root}tests/levels/maps/`;
 const beside = ["tiles/ground.tsx", "tiles/things.tsj", "templates/crate.tx", "templates/plank.tj"];
 const open = (path) => readFileSync(folder + path);
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 async function bodiesOf(file) {
   return (await level.readLevel(file, open(file), { open, skip: true })).bodies.length;

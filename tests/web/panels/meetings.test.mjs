@@ -3,17 +3,15 @@
  * announcements for screen readers.
  */
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
+import { describe, test } from "node:test";
 import { DESKTOP, openVisitor, runAxeInBothThemes } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
 describe("chromium", () => {
-  let visitor;
-  before(async () => (visitor = await openVisitor()));
-  after(() => visitor?.close());
+  const visitor = openVisitor();
 
   test("buttons_of_the_table_take_the_next_word_and_say_so", async () => {
-    const { page } = await visitor.open("?scene=meetings&size=16&paused=1", DESKTOP);
+    const { page, close } = await visitor.open("?scene=meetings&size=16&paused=1", DESKTOP);
     await page.waitForSelector(".matrix button");
     assert.equal(await page.locator(".matrix button").count(), 10);
     const told = (title) =>
@@ -32,5 +30,6 @@ describe("chromium", () => {
     await press("Blue among itself", "ignore true");
     await press("Blue among itself", "collide false");
     assert.deepEqual(await runAxeInBothThemes(page), []);
+    await close();
   });
 });

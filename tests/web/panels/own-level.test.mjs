@@ -4,7 +4,7 @@
  */
 import assert from "node:assert/strict";
 import { randomBytes } from "node:crypto";
-import { after, before, describe, test } from "node:test";
+import { describe, test } from "node:test";
 import {
   BROWSERS,
   DESKTOP,
@@ -55,11 +55,7 @@ for (const browser of BROWSERS)
   describe(browser, () => {
     /** For tests of what the page's own code decides. */
     const LOGIC = { skip: leftOut(browser) };
-    let visitor;
-    before(async () => {
-      visitor = await openVisitor({ browser });
-    });
-    after(() => visitor.close());
+    const visitor = openVisitor({ browser });
 
     test("file_that_cannot_be_read_leaves_the_own_level_before_it_running", LOGIC, async () => {
       const { page, close } = await visitor.open("?scene=cradle");

@@ -3,7 +3,7 @@
  * search for the largest size at full speed.
  */
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import {
   choose,
   DESKTOP,
@@ -16,11 +16,7 @@ import {
 } from "../support/page.mjs";
 import { until, untilStep } from "../support/wait.mjs";
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 /** For measurements of two engines at many sizes, which take minutes on a slow machine. */
 const LONG = { timeout: 300_000 };

@@ -3,7 +3,7 @@
  * panel shows their geometry, in each browser.
  */
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
+import { describe, test } from "node:test";
 import {
   BROWSERS,
   choose,
@@ -67,11 +67,7 @@ for (const browser of BROWSERS)
   describe(browser, () => {
     /** For tests of what the page's own code decides. */
     const LOGIC = { skip: leftOut(browser) };
-    let visitor;
-    before(async () => {
-      visitor = await openVisitor({ browser });
-    });
-    after(() => visitor.close());
+    const visitor = openVisitor({ browser });
 
     for (const [size, options, where] of [["desktop", DESKTOP, {}], ["phone", PHONE, LOGIC]])
       test(`shapes_are_dragged_and_what_is_between_them_read_on_a_${size}`, where, async () => {
@@ -143,11 +139,7 @@ for (const browser of BROWSERS)
   });
 
 describe("chromium alone", () => {
-  let visitor;
-  before(async () => {
-    visitor = await openVisitor();
-  });
-  after(() => visitor.close());
+  const visitor = openVisitor();
 
   for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
     test(`values_can_be_read_by_everybody_on_a_${size}`, async () => {

@@ -3,7 +3,7 @@
  * scene goes on.
  */
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import {
   choose,
   DESKTOP,
@@ -24,11 +24,7 @@ import {
   untilTwo,
 } from "../support/versus.mjs";
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 // The property of a level's object that makes its body dynamic.
 const MOVES = [{ name: "body", type: "string", value: "dynamic" }];
@@ -160,7 +156,7 @@ const SMALL_DESKTOP = { viewport: { width: 1024, height: 640 } };
 
 for (const [size, options] of [["desktop", SMALL_DESKTOP], ["phone", PHONE]])
   test(`lost_webgl_leaves_both_views_to_canvas_2d_until_it_comes_back_on_${size}`, async () => {
-    const withWebgl = await openVisitor({ webgl: true });
+    const withWebgl = openVisitor({ webgl: true });
     const { page, close } = await openBoth(withWebgl, options);
     const renderer = (name) => page.waitForSelector(`#bodies[data-renderer="${name}"]`);
     await renderer("webgl2");
@@ -187,5 +183,4 @@ for (const [size, options] of [["desktop", SMALL_DESKTOP], ["phone", PHONE]])
       near(y, fallen[i].y, 1, "where it was");
     }
     await close();
-    await withWebgl.close();
   });

@@ -1,6 +1,6 @@
 /** Tests the panel Versus: both engines are drawn, take commands, and are measured. */
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import {
   choose,
   DESKTOP,
@@ -23,11 +23,7 @@ import {
 } from "../support/versus.mjs";
 import { until, untilStep } from "../support/wait.mjs";
 
-let visitor;
-before(async () => {
-  visitor = await openVisitor();
-});
-after(() => visitor.close());
+const visitor = openVisitor();
 
 /** More than the 30 steps of the warm-up, and too few for resting bodies to fall asleep. */
 const STEPS_THAT_COUNT = 45;

@@ -2,6 +2,7 @@
  * Support for the tests of the page: a browser with the served page, and what visitors do and see.
  */
 import assert from "node:assert/strict";
+import { after } from "node:test";
 import { DESKTOP, launch, servePage } from "../../../web/tools/browser.mjs";
 import { contextsOf } from "./contexts.mjs";
 import { axeSource } from "./package.mjs";
@@ -23,19 +24,46 @@ export function leftOut(browser) {
   return "in the second browser only with ./run test --full";
 }
 
+/** What all test files of this process share: launched browsers by their kind, and the server. */
+const launched = new Map();
+let served = null;
+
+after(async () => {
+  for (const browser of launched.values()) await (await browser).close();
+  await (await served)?.close();
+});
+
 /**
- * Starts a browser and serves the page; every opened page collects its errors. A page with
- * `prepare` has its own context, and so has every page in Firefox, where sharing saves no time.
+ * The browser of that name, with or without WebGL. It is launched when it is first asked for, and
+ * once more if it has ended since.
  */
-export async function openVisitor({ webgl = false, browser: name = "chromium" } = {}) {
-  const server = await servePage();
-  const browser = await launch(name, { webgl, oneProcess: true });
-  const contexts = contextsOf(browser, server.url, PATIENCE);
+export async function browserOf(name, { webgl = false } = {}) {
+  const key = `${name} ${webgl}`;
+  if (launched.has(key) && !(await launched.get(key)).isConnected()) launched.delete(key);
+  if (!launched.has(key)) {
+    const browser = launch(name, { webgl, oneProcess: true });
+    launched.set(key, browser);
+    browser.catch(() => launched.delete(key));
+  }
+  return launched.get(key);
+}
+
+/** Contexts of each browser that was launched. */
+const contexts = new WeakMap();
+
+/**
+ * A visitor, whose `open` opens the served page in a browser that all visitors of this process
+ * share; every opened page collects its errors. A page with `prepare` has its own context, and so
+ * has every page in Firefox, where sharing saves no time.
+ */
+export function openVisitor({ webgl = false, browser: name = "chromium" } = {}) {
   return {
-    browser,
     async open(search = "", options = DESKTOP, prepare = null) {
+      const server = await (served ??= servePage());
+      const browser = await browserOf(name, { webgl });
+      if (!contexts.has(browser)) contexts.set(browser, contextsOf(browser, server.url, PATIENCE));
       const kind = prepare || name === "firefox" ? "own" : "shared";
-      const { context, giveBack } = await contexts[kind](options);
+      const { context, giveBack } = await contexts.get(browser)[kind](options);
       const page = await context.newPage();
       const errors = [];
       page.on("pageerror", (error) => errors.push(error.message));
@@ -49,10 +77,6 @@ export async function openVisitor({ webgl = false, browser: name = "chromium" } 
       await prepare?.(page);
       await page.goto(server.url + search);
       return { page, errors, close: giveBack };
-    },
-    async close() {
-      await browser.close();
-      await server.close();
     },
   };
 }
