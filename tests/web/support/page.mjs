@@ -2,7 +2,7 @@
  * Support for the tests of the page: a browser with the served page, and what visitors do and see.
  */
 import assert from "node:assert/strict";
-import { after } from "node:test";
+import { after, afterEach } from "node:test";
 import { DESKTOP, launch, servePage } from "../../../web/tools/browser.mjs";
 import { contextsOf } from "./contexts.mjs";
 import { axeSource } from "./package.mjs";
@@ -27,6 +27,12 @@ export function leftOut(browser) {
 /** What all test files of this process share: launched browsers by their kind, and the server. */
 const launched = new Map();
 let served = null;
+
+/** Functions that close the pages which tests have opened and not closed yet. */
+const left = new Set();
+
+// A test that fails before it closes its page would leave it running beside the tests after it.
+afterEach(() => Promise.all([...left].map((close) => close())));
 
 after(async () => {
   for (const browser of launched.values()) await (await browser).close();
@@ -75,8 +81,10 @@ export function openVisitor({ webgl = false, browser: name = "chromium" } = {}) 
           errors.push(`request to ${request.url()}`);
       });
       await prepare?.(page);
+      const close = () => (left.delete(close) ? giveBack() : undefined);
+      left.add(close);
       await page.goto(server.url + search);
-      return { page, errors, close: giveBack };
+      return { page, errors, close };
     },
   };
 }
