@@ -56,7 +56,8 @@ void td_draw_contacts(const td_drawing *d) {
         }
         thud_vec2 p = td_drawing_local(d, td_place_from(w, seen.point));
         draw_point(d, p, THUD_STYLE_CONTACT);
-        td_drawing_line(d, p, along(p, seen.normal, NORMAL_LENGTH * w->unit), THUD_STYLE_NORMAL);
+        td_drawing_line(d, p, along(p, seen.normal, NORMAL_LENGTH * w->length_scale),
+                        THUD_STYLE_NORMAL);
     }
 }
 

@@ -71,7 +71,7 @@ bool td_query_prepare(thud_world *w) {
 /* The position of (x, y), held to the outermost place that any part of a shape can reach:
  * differences of such positions fit in 64 bits. */
 static td_position clamped_place(const thud_world *w, double x, double y) {
-    double max = (THUD_PLACE_MAX + 2.0 * (double)THUD_SIZE_MAX) * (double)w->unit;
+    double max = (THUD_PLACE_MAX + 2.0 * (double)THUD_SIZE_MAX) * (double)w->length_scale;
     return td_place_from(w, (thud_pos){td_clamp(x, -max, max), td_clamp(y, -max, max)});
 }
 

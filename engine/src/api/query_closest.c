@@ -57,7 +57,7 @@ thud_result thud_world_closest(thud_world *w, thud_pos point, double max_distanc
     thud_result result = td_check_place(w, "closest: x or y of point", point.x, point.y);
     if (result == THUD_OK) {
         result = td_check(w, "closest: max_distance", max_distance, 0.0,
-                          THUD_PLACE_MAX * (double)w->unit);
+                          THUD_PLACE_MAX * (double)w->length_scale);
     }
     if (result == THUD_OK) {
         result = td_query_check_filter(w, filter);
@@ -73,7 +73,7 @@ thud_result thud_world_closest(thud_world *w, thud_pos point, double max_distanc
      * <= reach. */
     thud_closest best = {.distance = 1e300};
     int nearest = TD_NONE;
-    double reach = max_distance < (double)w->unit ? max_distance : (double)w->unit;
+    double reach = max_distance < (double)w->length_scale ? max_distance : (double)w->length_scale;
     for (bool first = true;; first = false) {
         thud_pos lower = {point.x - reach, point.y - reach};
         thud_pos upper = {point.x + reach, point.y + reach};

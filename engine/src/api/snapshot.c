@@ -173,7 +173,7 @@ static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_sn
     if (head->checksum != td_snapshot_checksum(from + SUMMED_FROM, bytes - SUMMED_FROM)) {
         return "restore: the snapshot is damaged";
     }
-    if (head->unit != own.unit) {
+    if (head->length_scale != own.length_scale) {
         return "restore: the snapshot is of a world with another length scale";
     }
     if (memcmp(head->broadphase, own.broadphase, sizeof own.broadphase) != 0) {

@@ -113,7 +113,7 @@ typedef struct td_snapshot_head {
     uint32_t version;
     uint32_t layout;     /* hash of sizes of records and byte order: builds must agree on it */
     char broadphase[16]; /* name, cut off */
-    double unit;         /* thud_world.unit: the power of two at or below length_scale */
+    double length_scale; /* thud_world.length_scale, a power of two */
     td_snapshot_settings settings;
     uint32_t plugged;
     int32_t detection;                        /* rank of the quality's detection */

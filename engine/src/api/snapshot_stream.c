@@ -176,7 +176,7 @@ td_snapshot_head td_snapshot_head_of(thud_world *w) {
     td_snapshot_head head = {.magic = TD_SNAPSHOT_MAGIC,
                              .version = TD_SNAPSHOT_VERSION,
                              .layout = layout_of_build(),
-                             .unit = (double)w->unit,
+                             .length_scale = (double)w->length_scale,
                              .settings = settings_of(&w->def),
                              .plugged = plugged_into(w),
                              .detection = w->quality.detection->rank,

@@ -228,7 +228,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
     w->wide = has_avx2(def->cookie == TD_COOKIE_BASELINE);
     w->def.broadphase = def->broadphase ? def->broadphase : &thud_broadphase_grid;
     double unit = power_below((double)def->length_scale);
-    w->unit = (float)unit;
+    w->length_scale = (float)unit;
     w->to_fixed = TD_FIXED_ONE / unit;
     w->to_coarse = TD_COARSE_ONE / unit;
     w->quantum = (float)(unit / TD_FIXED_ONE);

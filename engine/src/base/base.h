@@ -1,7 +1,7 @@
 /* base.h: constants and helpers that every file may use.
  *
- * Constants that are lengths are multiples of the world's length scale L (thud_world.unit): the
- * greatest power of two that is not above the caller's length_scale. L is about the size of a
+ * Constants that are lengths are multiples of the world's length scale L (thud_world.length_scale):
+ * the greatest power of two that is not above the caller's length_scale. L is about the size of a
  * typical body, and a power of two, so that multiplying by it is exact. */
 #ifndef TD_BASE_H
 #define TD_BASE_H

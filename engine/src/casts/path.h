@@ -66,7 +66,7 @@ enum {
  */
 static inline double td_piece_first(const thud_world *w, const td_path *way) {
     double length = __builtin_sqrt(way->dx * way->dx + way->dy * way->dy);
-    return length > 8.0 * (double)w->unit ? 8.0 * (double)w->unit / length : 1.0;
+    return length > 8.0 * (double)w->length_scale ? 8.0 * (double)w->length_scale / length : 1.0;
 }
 
 /* The end of the piece that begins at `from`, both as fractions of the path. */

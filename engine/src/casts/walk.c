@@ -50,7 +50,7 @@ td_walk td_walk_begin(const thud_world *w, const td_path *way, int *room, int si
 /* The position of a corner of a box, held to the outermost place that any part of a shape can
  * reach: differences of such positions fit in 64 bits. */
 static td_position clamped_place(const thud_world *w, thud_pos at) {
-    double max = (THUD_PLACE_MAX + 2.0 * (double)THUD_SIZE_MAX) * (double)w->unit;
+    double max = (THUD_PLACE_MAX + 2.0 * (double)THUD_SIZE_MAX) * (double)w->length_scale;
     return td_place_from(w, (thud_pos){td_clamp(at.x, -max, max), td_clamp(at.y, -max, max)});
 }
 

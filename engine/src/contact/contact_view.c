@@ -60,7 +60,8 @@ void td_contacts_hit(thud_world *w) {
     if (!w->def.contact_events) {
         return;
     }
-    float hit_speed = w->def.hit_speed * w->unit; /* length/s: the setting is in length scales/s */
+    float hit_speed =
+        w->def.hit_speed * w->length_scale; /* length/s: the setting is in length scales/s */
     for (int i = 0; i < w->scratch.begins.count; i++) {
         int index = td_int_at(&w->scratch.begins, i);
         const td_contact *contact = td_contact_at(w, index);

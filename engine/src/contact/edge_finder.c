@@ -102,7 +102,7 @@ static bool flattens_corner(const td_neighbourhood *s, int neighbour, const thud
  * `context` is the box's box_parts. */
 static bool add_neighbour_bits(const td_neighbourhood *s, int neighbour, void *context) {
     box_parts *parts = context;
-    double width = TD_NEIGHBOUR_GAP * s->unit;
+    double width = TD_NEIGHBOUR_GAP * s->length_scale;
     if (!parts->known) {
         find_parts(parts, &s->a, width);
     }
@@ -142,7 +142,7 @@ static uint8_t sealed_ends(const td_neighbourhood *s, int terrain_shape, int nei
     thud_terrain t = td_terrain_view(s->w, terrain_shape);
     thud_geometry at = td_shape_instance(s->w, terrain_shape, s->origin);
     thud_geometry other = td_neighbour_instance(s, neighbour);
-    double out = TD_NEIGHBOUR_GAP * s->unit;
+    double out = TD_NEIGHBOUR_GAP * s->length_scale;
     if (t.kind == THUD_TERRAIN_FLAT) {
         return 0;
     }

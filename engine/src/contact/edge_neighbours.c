@@ -19,7 +19,7 @@ td_neighbourhood td_neighbourhood_between(thud_world *w, int shape, int other,
                           .c = 1.0,
                           .a = *a,
                           .b = *b,
-                          .unit = (double)w->unit};
+                          .length_scale = (double)w->length_scale};
     s.b.x -= s.a.x;
     s.b.y -= s.a.y;
     s.a.x = s.a.y = 0.0;
@@ -93,7 +93,7 @@ bool td_neighbour_contains(const td_neighbourhood *s, int neighbour, const thud_
 static bool is_line_end(const td_neighbourhood *s, const thud_terrain *t, int vertex, double at,
                         double x) {
     bool end = t->kind != THUD_TERRAIN_FLAT && (vertex == 0 || vertex == t->count - 1);
-    return end && td_abs(at - x) <= 2.0 * TD_NEIGHBOUR_GAP * s->unit;
+    return end && td_abs(at - x) <= 2.0 * TD_NEIGHBOUR_GAP * s->length_scale;
 }
 
 bool td_neighbour_overlaps(const td_neighbourhood *s, int neighbour, const thud_geometry *n,
@@ -120,13 +120,14 @@ bool td_neighbour_extends(const td_neighbourhood *s, int neighbour, const thud_g
     double past = (n->x - x) * nx + (n->y - y) * ny;
     if (td_kind_is_line(n->kind)) {
         thud_terrain terrain = td_terrain_view(s->w, neighbour);
-        double near =
-            2.0 * TD_NEIGHBOUR_GAP * s->unit; /* Ground further away gives contacts of its own. */
+        double near = 2.0 * TD_NEIGHBOUR_GAP *
+                      s->length_scale; /* Ground further away gives contacts of its own. */
         int first, last;
         thud_terrain_segments(&terrain, x - n->x - near, x - n->x + near, &first, &last);
         bool higher = ny < 0.0;
         for (int i = first; i <= last; i++) {
-            td_segment t = td_terrain_segment(&terrain, i, x - n->x - s->unit, x - n->x + s->unit);
+            td_segment t = td_terrain_segment(&terrain, i, x - n->x - s->length_scale,
+                                              x - n->x + s->length_scale);
             higher |= !is_line_end(s, &terrain, i, t.p.x, x - n->x) &&
                       past + t.p.x * nx + t.p.y * ny > level;
             higher |= !is_line_end(s, &terrain, i + 1, t.q.x, x - n->x) &&
@@ -149,7 +150,7 @@ static bool visit(const td_neighbourhood *s, int n, td_neighbour_fn *fn, void *c
 /* td_neighbour_any for the shapes of one moving body, by their bounding squares. */
 static bool any_in_body(const td_neighbourhood *s, const thud_geometry *where, td_neighbour_fn *fn,
                         void *context) {
-    double near = td_reach(where) + 2.0 * TD_NEIGHBOUR_GAP * s->unit;
+    double near = td_reach(where) + 2.0 * TD_NEIGHBOUR_GAP * s->length_scale;
     int n = td_body_at(s->w, td_shape_at(s->w, s->shape)->body)->first_shape;
     for (; n != TD_NONE; n = td_shape_at(s->w, n)->next) {
         thud_geometry p = td_neighbour_instance(s, n);
@@ -170,7 +171,7 @@ bool td_neighbour_any(const td_neighbourhood *s, const thud_geometry *where, td_
     if (s->moves) {
         return any_in_body(s, where, fn, context);
     }
-    td_bounds b = td_placed_bounds(w, where, s->origin, 2.0 * TD_NEIGHBOUR_GAP * s->unit);
+    td_bounds b = td_placed_bounds(w, where, s->origin, 2.0 * TD_NEIGHBOUR_GAP * s->length_scale);
     found->count = 0;
     if (!td_kind_is_line(where->kind) &&
         !w->def.broadphase->find[w->wide](&w->rest_shapes, &w->memory, &b, s->origin, found)) {

@@ -24,7 +24,7 @@ typedef struct td_neighbourhood {
     bool moves;         /* the body is not static */
     double c, s;        /* cosine and sine of the frame's rotation in the world; not static only */
     thud_geometry a, b; /* `shape` and `other` in the frame */
-    double unit;        /* length scale */
+    double length_scale;
 } td_neighbourhood;
 
 /* For the present poses. With `other` TD_NONE, the field b is a copy of a. */

@@ -49,7 +49,8 @@ typedef struct probe {
 static bool covers_point(const td_neighbourhood *s, int neighbour, void *context) {
     const probe *p = context;
     thud_geometry n = td_neighbour_instance(s, neighbour);
-    return td_neighbour_contains(s, neighbour, &n, p->x, p->y, 0.5 * TD_NEIGHBOUR_GAP * s->unit);
+    return td_neighbour_contains(s, neighbour, &n, p->x, p->y,
+                                 0.5 * TD_NEIGHBOUR_GAP * s->length_scale);
 }
 
 /* A td_neighbour_fn: whether the neighbour contains the corner and extends past it along the
@@ -57,9 +58,10 @@ static bool covers_point(const td_neighbourhood *s, int neighbour, void *context
 static bool hides_corner(const td_neighbourhood *s, int neighbour, void *context) {
     const probe *p = context;
     thud_geometry n = td_neighbour_instance(s, neighbour);
-    return td_neighbour_contains(s, neighbour, &n, p->x, p->y, TD_NEIGHBOUR_GAP * s->unit) &&
+    return td_neighbour_contains(s, neighbour, &n, p->x, p->y,
+                                 TD_NEIGHBOUR_GAP * s->length_scale) &&
            td_neighbour_extends(s, neighbour, &n, p->x, p->y, p->nx, p->ny,
-                                CORNER_RISE_MIN * s->unit);
+                                CORNER_RISE_MIN * s->length_scale);
 }
 
 /* Whether `fn` is true for some neighbour at the place of `p`. Only neighbours whose bounds contain
@@ -77,7 +79,7 @@ static bool face_hidden(const td_neighbourhood *s, int face, double from, double
                         double deepest) {
     double half = face % 2 ? s->a.hx : s->a.hy, out = face % 2 ? s->a.hy : s->a.hx;
     double margin = COVER_MARGIN * td_kind_half_thickness(s->b.kind, s->b.hx, s->b.hy);
-    out += 2.0 * TD_NEIGHBOUR_GAP * s->unit;
+    out += 2.0 * TD_NEIGHBOUR_GAP * s->length_scale;
     out = face >= 2 ? -out : out;
     from = td_clamp(from - margin, -half, half);
     to = td_clamp(to + margin, -half, half);
@@ -345,8 +347,8 @@ static bool open_contact(const td_internal_edge_pair *p, td_internal_edge_contac
     const thud_geometry *a = &p->placed[0], *b = &p->placed[1];
     sides s = sides_of(p);
     return td_kind_is_box(a->kind) && td_kind_is_box(b->kind) &&
-           td_box_contact_on_open_axis(a, b, (double)(TD_SPECULATIVE * p->w->unit), is_hidden, &s,
-                                       contact);
+           td_box_contact_on_open_axis(a, b, (double)(TD_SPECULATIVE * p->w->length_scale),
+                                       is_hidden, &s, contact);
 }
 
 /* Replaces the manifold of a lane that is at a hidden feature, or clears the lane. */

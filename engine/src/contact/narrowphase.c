@@ -24,9 +24,9 @@ static td_collide_context context_of(const thud_world *w) {
         .proxy = w->proxy.data,
         .velocity = w->velocity.data,
         .quantum = w->quantum,
-        .margin = TD_SPECULATIVE * w->unit,
+        .margin = TD_SPECULATIVE * w->length_scale,
         .skin = w->skin,
-        .axis_tolerance = 0.1f * TD_SLOP * w->unit, /* 0.0005 length scales. Chosen. */
+        .axis_tolerance = 0.1f * TD_SLOP * w->length_scale, /* 0.0005 length scales. Chosen. */
     };
 }
 

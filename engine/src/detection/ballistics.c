@@ -90,7 +90,7 @@ void td_ballistics_set_parabolas(thud_world *w) {
         double x = (double)substep_gain[0], y = (double)substep_gain[1];
         double gain = w->substeps * __builtin_sqrt(x * x + y * y);
         /* A gain above the maximum speed is clamped by the substeps, and there is no parabola. */
-        f->free = gain <= (double)(w->def.maximum_speed * w->unit) &&
+        f->free = gain <= (double)(w->def.maximum_speed * w->length_scale) &&
                   gained_only_gravity(w, slot, FREE_SHARE_MAX * gain) && !is_joined(w, body);
         if (f->free && gain > 0.0) {
             set_parabola(w, slot, !gained_only_gravity(w, slot, 0.0));

@@ -199,7 +199,7 @@ static outcome apply_collision(side *a, side *b, bool use_motion, const surface 
  * more than FALL_MIN. */
 static void stop_mutual_fall(const thud_world *w, const side *a, const side *b, const surface *u,
                              bool fall_reduced[2]) {
-    double fall_min = FALL_MIN * (double)(TD_IMPACT_DISTANCE * w->unit);
+    double fall_min = FALL_MIN * (double)(TD_IMPACT_DISTANCE * w->length_scale);
     double x = u->nx, y = u->ny;
     double fall_a = a->trajectory ? a->trajectory->fall[0] * x + a->trajectory->fall[1] * y : 0.0;
     double fall_b = b->trajectory ? b->trajectory->fall[0] * x + b->trajectory->fall[1] * y : 0.0;
@@ -256,7 +256,8 @@ static void set_motion_from_velocity(side *s) {
  * multiple of the speed that gravity gives in a step (solver/bounces.h). Of both, elastic pairs
  * take the lesser and pairs in free flight that are not elastic the greater. */
 static double bounce_speed(const thud_world *w, const side *a, const side *b, const surface *u) {
-    double threshold = (double)(w->def.restitution_threshold * w->unit), dt = w->def.time_step;
+    double threshold = (double)(w->def.restitution_threshold * w->length_scale),
+           dt = w->def.time_step;
     bool elastic = u->restitution >= 1.0;
     if (td_detection_of(w, a->index, b->index)->rank != TD_RANK_SWEPT) {
         return threshold;

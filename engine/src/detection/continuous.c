@@ -151,7 +151,8 @@ static void sweep_against_terrain(sweep *s, int line) {
  * than rounding needs. */
 static td_bounds swept_bounds(const sweep *s, td_position end) {
     const thud_world *w = s->w;
-    double reach = (double)td_row(&w->reach, s->slot)[1] + (double)w->unit * (double)TD_SPECULATIVE;
+    double reach =
+        (double)td_row(&w->reach, s->slot)[1] + (double)w->length_scale * (double)TD_SPECULATIVE;
     int32_t half = (int32_t)(reach * w->to_coarse) + 1;
     td_bounds a = td_bounds_about(s->swept.start, half, half), b = td_bounds_about(end, half, half);
     return td_bounds_around(&a, &b);
@@ -167,7 +168,7 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
     const td_shape *shape = td_shape_at(w, index);
     float arm_x = shape->arm_x, arm_y = shape->arm_y, hx = shape->half_x, hy = shape->half_y;
     float half_thickness = td_half_thickness(shape);
-    float shrink = td_min_float(2.0f * TD_SLOP * w->unit, 0.25f * half_thickness);
+    float shrink = td_min_float(2.0f * TD_SLOP * w->length_scale, 0.25f * half_thickness);
     bool turns = td_kind_turns(shape->kind);
     s->shape = index;
     s->shrink = (double)shrink;
@@ -201,7 +202,7 @@ static bool find_obstacles(sweep *s) {
     thud_world *w = s->w;
     td_array *hits = &w->scratch.ahead;
     const float *delta = td_row(&w->delta, s->slot);
-    float distance_max = 0x1p15f * w->unit;
+    float distance_max = 0x1p15f * w->length_scale;
     if (delta[0] * delta[0] + delta[1] * delta[1] > distance_max * distance_max) {
         s->shapes = &w->rest_shapes.ids;
         s->swept.far = true;

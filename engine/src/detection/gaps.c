@@ -44,7 +44,7 @@ enum { PLAIN_PASSES = 2, PASSES_MAX = 40, FINAL_PASSES = 2 };
 
 /* The inputs of the wide kernels, with lengths in the caller's unit. */
 static td_project_context context_of(const thud_world *w) {
-    float impact_distance = TD_IMPACT_DISTANCE * w->unit;
+    float impact_distance = TD_IMPACT_DISTANCE * w->length_scale;
     return (td_project_context){.delta = w->delta.data,
                                 .velocity = w->velocity.data,
                                 .reach = w->reach.data,
@@ -54,7 +54,7 @@ static td_project_context context_of(const thud_world *w) {
                                 .tolerance = SHORTFALL_TOLERANCE * impact_distance,
                                 .collision_distance = COLLISION_DISTANCE * impact_distance,
                                 .closing_max = (float)TD_LOAD_CLOSING_MAX * impact_distance,
-                                .margin = TD_SPECULATIVE * w->unit,
+                                .margin = TD_SPECULATIVE * w->length_scale,
                                 .next_tied = w->scratch.next_tied.count > 0
                                                  ? w->scratch.next_tied.data
                                                  : NULL};
@@ -208,7 +208,7 @@ static bool are_centred_circles(const thud_world *w, const td_contact *contact) 
 bool td_gap_stays_open(const thud_world *w, const td_contact *contact, double now) {
     td_lane at = td_lane_of(w, (const td_constraint *)contact);
     const td_block *block = at.block;
-    double unit = (double)(TD_IMPACT_DISTANCE * w->unit), skin = (double)w->skin;
+    double unit = (double)(TD_IMPACT_DISTANCE * w->length_scale), skin = (double)w->skin;
     relative_motion start = relative_motion_at(w, contact, block, at.lane, now);
     relative_motion end = relative_motion_at(w, contact, block, at.lane, 1.0);
     int points = td_form_points(w->kinds[contact->kind]->form), present = 0;
@@ -234,8 +234,9 @@ bool td_gap_stays_open(const thud_world *w, const td_contact *contact, double no
     }
     /* A point that is not there had a gap of more than TD_SPECULATIVE at the start of the step. */
     if (present < points) {
-        stays_open &= (double)(TD_SPECULATIVE * w->unit) + end.along - end.turn_reach - slack >=
-                      (double)COLLISION_DISTANCE * unit;
+        stays_open &=
+            (double)(TD_SPECULATIVE * w->length_scale) + end.along - end.turn_reach - slack >=
+            (double)COLLISION_DISTANCE * unit;
     }
     return present > 0 && stays_open;
 }

@@ -325,7 +325,8 @@ static void hit_events(thud_world *w) {
         const td_impact *impact = TD_AT(td_impact, &w->scratch.impacts, i);
         const thud_contact *seen = &impact->seen;
         int a = (int)seen->shape_a.index1 - 1, b = (int)seen->shape_b.index1 - 1;
-        if (impact->closing_speed > w->def.hit_speed * w->unit && !td_pair_is_silent(w, a, b)) {
+        if (impact->closing_speed > w->def.hit_speed * w->length_scale &&
+            !td_pair_is_silent(w, a, b)) {
             TD_PUSH(thud_hit_event, &w->events.hit) =
                 (thud_hit_event){seen->shape_a, seen->shape_b, seen->point, seen->normal,
                                  td_hit_speed(impact->closing_speed)};

@@ -220,7 +220,7 @@ static void test_all_resting(thud_world *w, td_awake_slot slot) {
     const td_array *found = &w->rest_shapes.ids;
     double reach = path_reach(w, slot);
     /* Wider bounds might wrap around: 2^14 length scales are a sixteenth of the period. */
-    if (reach < 0x1p14 * (double)w->unit) {
+    if (reach < 0x1p14 * (double)w->length_scale) {
         td_position end = td_pose_at(w, index)->center;
         int32_t half = (int32_t)(reach * w->to_coarse) + 3;
         td_bounds bounds = td_bounds_about(end, half, half);

@@ -125,7 +125,7 @@ static td_far_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, i
     double turn = 0.5 * td_abs(f->motion[2]) * (1.0 - f->since);
     double slack =
         (td_reach(&now) + td_abs(now.x) + td_abs(now.y)) * turn +
-        (double)(TD_IMPACT_DISTANCE * w->unit) +
+        (double)(TD_IMPACT_DISTANCE * w->length_scale) +
         td_trajectories_chord_error(&(td_trajectory){.body = {TD_NONE}}, f, 1.0 - f->since);
     double huge = (double)__builtin_inf();
     td_far_bounds b = {huge, huge, -huge, -huge};
@@ -255,7 +255,7 @@ bool td_trajectory_leaves_bounds(const thud_world *w, const td_trajectory *f) {
     const td_body *body = td_body_at(w, f->body);
     double out = 0.125 * (double)body->max_extent * f->motion[2] * f->motion[2];
     int i = body->first_shape;
-    bool turns = !body->aabbs && out > (double)(TD_MARGIN * w->unit);
+    bool turns = !body->aabbs && out > (double)(TD_MARGIN * w->length_scale);
     while (i != TD_NONE && !turns && !(*td_marks_at(w, i) & TD_MARK_MOVED)) {
         i = td_shape_at(w, i)->next;
     }

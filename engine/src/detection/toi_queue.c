@@ -39,7 +39,7 @@ static bool is_tied(const thud_world *w, const td_toi_candidate *e) {
 static bool closes(thud_world *w, const td_toi_candidate *e, double now) {
     td_impact_point at;
     return td_impact_point_of(w, e, now, &at) &&
-           at.closing_distance > CLOSING_MIN * (double)(TD_IMPACT_DISTANCE * w->unit);
+           at.closing_distance > CLOSING_MIN * (double)(TD_IMPACT_DISTANCE * w->length_scale);
 }
 
 /* Whether an impact can stop the body: it is dynamic, awake and not held. */
@@ -60,7 +60,7 @@ static bool had_impact(const thud_world *w, td_body_index body) {
 static bool next_check(thud_world *w, const td_toi_candidate *e, const thud_detection *detection,
                        double now, bool *hit, double *time) {
     td_approach approach;
-    double unit = (double)(TD_IMPACT_DISTANCE * w->unit);
+    double unit = (double)(TD_IMPACT_DISTANCE * w->length_scale);
     *hit = false;
     if (now >= 1.0 || !td_toi_candidate_approach(w, e, now, 1.0, &approach)) {
         return false;

@@ -281,7 +281,8 @@ bool td_toi_candidate_is_far(thud_world *w, const td_toi_candidate *e) {
     double my = path_along(&b, 1, 1.0) - path_along(&a, 1, 1.0);
     double reach =
         (double)(td_body_at(w, e->body[0])->max_extent + td_body_at(w, e->body[1])->max_extent) +
-        2.0 * (double)(TD_IMPACT_DISTANCE * w->unit) + td_trajectories_chord_error(&a, &b, 1.0);
+        2.0 * (double)(TD_IMPACT_DISTANCE * w->length_scale) +
+        td_trajectories_chord_error(&a, &b, 1.0);
     double gap = __builtin_sqrt(x * x + y * y) - reach;
     bool far = gap > 0.0 && gap * gap > mx * mx + my * my;
     w->stats.motion_pairs += far;
@@ -291,7 +292,7 @@ bool td_toi_candidate_is_far(thud_world *w, const td_toi_candidate *e) {
 bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double now, double until,
                                td_approach *p) {
     td_trajectory a = td_trajectory_of(w, e->body[0]), b = td_trajectory_of(w, e->body[1]);
-    double target = (double)(TD_IMPACT_DISTANCE * w->unit) +
+    double target = (double)(TD_IMPACT_DISTANCE * w->length_scale) +
                     arc_error(w, &b, e->shape[1], until - now) +
                     td_trajectories_chord_error(&a, &b, until - now);
     td_toi_candidate_motions(w, e, now, until, p);
@@ -306,13 +307,13 @@ bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double 
         /* Beyond twice the target the exact distance does not matter: any greater one will do. */
         thud_contacts near;
         thud_terrain_contacts(&p->ground, &p->a, 2.0 * target, &near);
-        p->path_error = target - (double)(TD_IMPACT_DISTANCE * w->unit);
+        p->path_error = target - (double)(TD_IMPACT_DISTANCE * w->length_scale);
         p->distance = near.count ? near.point[0].distance : 4.0 * target;
         p->target = 0.5 * p->distance < target ? 0.5 * p->distance : target;
         return true;
     }
     p->target += arc_error(w, &a, e->shape[0], until - now);
-    p->path_error = p->target - (double)(TD_IMPACT_DISTANCE * w->unit);
+    p->path_error = p->target - (double)(TD_IMPACT_DISTANCE * w->length_scale);
     if (motions_miss(w, p)) {
         return false;
     }
@@ -381,7 +382,7 @@ static void drop_sealed_ends(const thud_world *w, int line, const thud_terrain *
 void td_toi_candidate_features(thud_world *w, const td_toi_candidate *e, double time,
                                td_features *out) {
     td_trajectory a = td_trajectory_of(w, e->body[0]), b = td_trajectory_of(w, e->body[1]);
-    double margin = (double)(TD_SPECULATIVE * w->unit);
+    double margin = (double)(TD_SPECULATIVE * w->length_scale);
     if (td_kind_is_line(td_shape_at(w, e->shape[0])->kind)) {
         out->origin = td_shape_proxy_at(w, e->shape[0])->center;
         thud_terrain ground = td_terrain_view(w, e->shape[0]);

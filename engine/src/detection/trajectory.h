@@ -91,14 +91,15 @@ static inline int td_edge_candidate(int edge) {
 
 /* Clamps a motion in a step: x and y (axes 0, 1) in lengths, the angle (axis 2) in radians. */
 static inline double td_motion_held(const thud_world *w, int axis, double motion) {
-    double max = axis < 2 ? THUD_PLACE_MAX * (double)w->unit : TD_MOTION_TURN_MAX;
+    double max = axis < 2 ? THUD_PLACE_MAX * (double)w->length_scale : TD_MOTION_TURN_MAX;
     return td_clamp(motion, -max, max);
 }
 
 /* The bound to which a step clamps the velocity along an axis: length/s, of the spin (axis 2)
  * rad/s. */
 static inline double td_speed_max(const thud_world *w, int axis) {
-    return axis < 2 ? (double)(w->def.maximum_speed * w->unit) : (double)THUD_ANGULAR_SPEED_MAX;
+    return axis < 2 ? (double)(w->def.maximum_speed * w->length_scale)
+                    : (double)THUD_ANGULAR_SPEED_MAX;
 }
 
 /* Clamps a velocity that gravity and forces gave within a step and that is removed again. Substeps

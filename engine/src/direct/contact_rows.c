@@ -25,7 +25,7 @@ enum { TANGENT = TD_DIRECT_TANGENT };
 
 /* The target speed of a point, see above, length/s; `gap` is its separation beyond the skin. */
 static double target_speed_of(const thud_world *w, double gap, double blur) {
-    double push_max = (double)(w->def.push_speed * w->unit), time = w->def.time_step;
+    double push_max = (double)(w->def.push_speed * w->length_scale), time = w->def.time_step;
     if (gap > blur) {
         return -gap / time;
     }
@@ -37,8 +37,8 @@ static double target_speed_of(const thud_world *w, double gap, double blur) {
  * at rest that carry next to nothing would enter and leave the active set with the noise. */
 static double blur_of(const thud_world *w, const td_direct_row *r) {
     double arm_a = r->a[2] < 0.0 ? -r->a[2] : r->a[2], arm_b = r->b[2] < 0.0 ? -r->b[2] : r->b[2];
-    double blur = BLUR * (arm_a + arm_b), max = BLUR_MAX * (double)w->unit;
-    return (blur < max ? blur : max) + BLUR_MIN * (double)w->unit;
+    double blur = BLUR * (arm_a + arm_b), max = BLUR_MAX * (double)w->length_scale;
+    return (blur < max ? blur : max) + BLUR_MIN * (double)w->length_scale;
 }
 
 /* The lever arms of a body that does not turn are 0. */

@@ -158,7 +158,7 @@ static bool add_constraints_of(thud_world *w, td_island *island, td_awake_slot s
 float td_calm_speed(const thud_world *w) {
     float x = w->def.gravity.x, y = w->def.gravity.y;
     return td_max_float(4.0f * __builtin_sqrtf(x * x + y * y) * (float)w->def.time_step,
-                        4.0f * TD_SLEEP_SPEED * w->unit);
+                        4.0f * TD_SLEEP_SPEED * w->length_scale);
 }
 
 int64_t td_island_cost(const td_island *island) {

@@ -48,7 +48,7 @@
 /* Clamps each number of a velocity to the world's maximum speed, and its turn to
  * THUD_ANGULAR_SPEED_MAX. */
 static void clamp_velocity(const thud_world *w, double velocity[3]) {
-    double speed_max = (double)(w->def.maximum_speed * w->unit);
+    double speed_max = (double)(w->def.maximum_speed * w->length_scale);
     for (int k = 0; k < 3; k++) {
         double max = k < 2 ? speed_max : (double)THUD_ANGULAR_SPEED_MAX;
         velocity[k] = velocity[k] > max ? max : velocity[k] < -max ? -max : velocity[k];
@@ -246,7 +246,7 @@ static double solve_contacts(td_island_work *work, double tolerance) {
 double td_island_tolerance(const thud_world *w) {
     double x = (double)w->def.gravity.x, y = (double)w->def.gravity.y;
     double gravity_speed = w->def.time_step * __builtin_sqrt(x * x + y * y); /* g h */
-    return td_max_double(TOLERANCE_SHARE * gravity_speed, TOLERANCE_MIN * (double)w->unit);
+    return td_max_double(TOLERANCE_SHARE * gravity_speed, TOLERANCE_MIN * (double)w->length_scale);
 }
 
 bool td_island_compute(td_island_work *work) {

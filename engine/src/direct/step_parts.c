@@ -63,7 +63,7 @@ static double spring_phase(const td_island_work *work) {
 #define CENTRED 1e-5
 
 static bool is_centred(const td_island_work *work, float cross_u, float cross_v) {
-    double arm_max = CENTRED * (double)work->w->unit;
+    double arm_max = CENTRED * (double)work->w->length_scale;
     return td_abs((double)cross_u) <= arm_max && td_abs((double)cross_v) <= arm_max;
 }
 

@@ -109,7 +109,7 @@ thud_result thud_body_set_detection(thud_world *w, thud_body_id id,
 /* Why the mass is refused, or null. */
 static const char *mass_error(const thud_world *w, const td_body *body, const thud_mass *m,
                               td_reason *why) {
-    double max_offset = (double)(THUD_SIZE_MAX * w->unit);
+    double max_offset = (double)(THUD_SIZE_MAX * w->length_scale);
     double min = (double)THUD_MASS_MIN, max = (double)THUD_MASS_MAX;
     if (body->kind != THUD_BODY_DYNAMIC) {
         return "set mass: the body is not dynamic";

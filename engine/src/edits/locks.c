@@ -28,7 +28,7 @@ static int lock_of(const thud_world *w, td_body_index body) {
 
 /* The body index of an anchor near a place, or TD_NONE. */
 static int find_anchor(const thud_world *w, td_position near) {
-    double max = ANCHOR_DISTANCE_MAX * (double)w->unit * w->to_fixed;
+    double max = ANCHOR_DISTANCE_MAX * (double)w->length_scale * w->to_fixed;
     for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         const td_position *at = &td_pose_at(w, i)->center;
         int flags = td_body_at(w, i)->flags, required = TD_BODY_LIVE | TD_BODY_ANCHOR;

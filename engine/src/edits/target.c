@@ -51,7 +51,7 @@ thud_result thud_body_set_target(thud_world *w, thud_body_id id, thud_pos positi
         return td_refuse(w, THUD_ERROR_INVALID, "set target: a body with an AABB cannot turn");
     }
     double time = damped_time(w, body->linear_damping);
-    double max_speed = (double)(w->def.maximum_speed * w->unit);
+    double max_speed = (double)(w->def.maximum_speed * w->length_scale);
     double v[3] = {x / time, y / time, turn / damped_time(w, body->angular_damping)};
     if (!(td_abs(v[0]) <= max_speed && td_abs(v[1]) <= max_speed &&
           td_abs(v[2]) <= (double)THUD_ANGULAR_SPEED_MAX)) {

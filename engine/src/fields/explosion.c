@@ -211,7 +211,8 @@ static thud_result explode(blast *b, int *pushed) {
 
 /* Refuses a def with a value out of range. */
 static thud_result check(const thud_world *w, const thud_explosion *def) {
-    double max_length = THUD_PLACE_MAX * (double)w->unit, max_impulse = (double)THUD_EXPLOSION_MAX;
+    double max_length = THUD_PLACE_MAX * (double)w->length_scale,
+           max_impulse = (double)THUD_EXPLOSION_MAX;
     td_reason why;
     if (!td_in_world(w, &why, "explode: x or y of center", def->center.x, def->center.y) ||
         !td_in(&why, "explode: radius", def->radius, 0.0, max_length) ||

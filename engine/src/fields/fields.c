@@ -32,7 +32,7 @@ thud_result td_field_body_find(const thud_world *w, thud_body_id id, td_field_bo
 
 thud_result td_field_body_in_flow(const thud_world *w, const char *name, thud_vec2 flow,
                                   td_field_body *a) {
-    double max = (double)THUD_FLOW_MAX * (double)w->unit;
+    double max = (double)THUD_FLOW_MAX * (double)w->length_scale;
     a->x -= (double)flow.x;
     a->y -= (double)flow.y;
     thud_result result = td_check(w, name, (double)flow.x, -max, max);

@@ -25,7 +25,7 @@ thud_result thud_body_apply_grip(thud_world *w, thud_body_id id, thud_vec2 point
         return result;
     }
     double x = (double)axis.x, y = (double)axis.y, length = __builtin_sqrt(x * x + y * y);
-    double max_speed = (double)THUD_FLOW_MAX * (double)w->unit;
+    double max_speed = (double)THUD_FLOW_MAX * (double)w->length_scale;
     td_reason why;
     if (!td_offset_in(w, &why, "apply grip: x or y of point", point) ||
         !td_in(&why, "apply grip: speed", (double)speed, -max_speed, max_speed) ||

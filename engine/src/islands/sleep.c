@@ -83,7 +83,7 @@ bool td_sleep_reserve(thud_world *w) {
  * which looks at the velocity, does not see it. */
 static bool is_corrected(const thud_world *w, td_awake_slot slot) {
     const float *delta = td_row(&w->delta, slot);
-    double max = (double)(TD_SLEEP_SPEED * w->unit) * w->def.time_step;
+    double max = (double)(TD_SLEEP_SPEED * w->length_scale) * w->def.time_step;
     double x = (double)delta[0], y = (double)delta[1];
     double turn = (double)delta[2] * (double)td_row(&w->reach, slot)[1];
     return x * x + y * y >= max * max || turn * turn >= max * max;

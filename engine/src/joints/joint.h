@@ -159,7 +159,7 @@ float td_joint_line(const td_joint_place *place, float *x, float *y);
 
 /* The unit in which bounds of gaps are given: a length scale for lengths, 1 (rad) for angles. */
 static inline double td_gap_unit(const thud_world *w, bool is_angle) {
-    return is_angle ? 1.0 : (double)w->unit;
+    return is_angle ? 1.0 : (double)w->length_scale;
 }
 
 /* The speed that closes a gap within `time`, at most TD_JOINT_CLOSING_SPEED units a second. `unit`:

@@ -112,7 +112,7 @@ static bool is_wide_open(const thud_world *w, td_block *block, int lane) {
     float gap = td_max_float(td_joint_abs(block->point[0].start_separation[lane]),
                              rod ? 0.0f : td_joint_abs(block->point[1].separation[lane]));
     float turn = turns ? td_joint_abs(td_lock_rows_of(block)->start_turn_gap[lane]) : 0.0f;
-    return gap > limit * w->unit || turn > limit;
+    return gap > limit * w->length_scale || turn > limit;
 }
 
 /* Sets the groups of a block's lanes, each by its dynamic side, and flags groups that are wide

@@ -7,7 +7,7 @@
 #include "base/trig.h"
 
 bool td_joint_frame_valid(const thud_world *w, td_reason *why, const thud_joint_frame *f) {
-    float max = THUD_JOINT_LENGTH_MAX * w->unit;
+    float max = THUD_JOINT_LENGTH_MAX * w->length_scale;
     return td_float_in(why, "joint: x of a frame's position", f->position.x, -max, max) &&
            td_float_in(why, "joint: y of a frame's position", f->position.y, -max, max) &&
            td_in(why, "joint: angle of a frame", f->angle, -THUD_ANGLE_MAX, THUD_ANGLE_MAX);
@@ -27,7 +27,7 @@ static const char *undrivable_error(int direction, const thud_drive *d) {
 const char *td_joint_drive_error(const thud_world *w, thud_joint_kind kind, int direction,
                                  const thud_drive *d, td_reason *why) {
     bool turns = direction == THUD_DIRECTION_TURN;
-    float max_value = turns ? THUD_JOINT_ANGLE_MAX : THUD_JOINT_LENGTH_MAX * w->unit;
+    float max_value = turns ? THUD_JOINT_ANGLE_MAX : THUD_JOINT_LENGTH_MAX * w->length_scale;
     float max_speed = turns ? THUD_JOINT_ANGULAR_SPEED_MAX : max_value,
           max_force = THUD_JOINT_FORCE_MAX;
     float min = kind == THUD_JOINT_DISTANCE ? 0.0f : -max_value;
@@ -86,7 +86,7 @@ const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_
     if (!td_joint_frame_valid(w, why, &d->frame_a) || !td_joint_frame_valid(w, why, &d->frame_b) ||
         (d->kind == THUD_JOINT_DISTANCE &&
          !td_above_0(why, "joint create: length", (double)d->length,
-                     (double)(THUD_JOINT_LENGTH_MAX * w->unit))) ||
+                     (double)(THUD_JOINT_LENGTH_MAX * w->length_scale))) ||
         !td_joint_break_valid(why, "joint create: break_force", d->break_force) ||
         !td_joint_break_valid(why, "joint create: break_torque", d->break_torque)) {
         return why->text;

@@ -48,7 +48,7 @@ static void angle_line(const td_drawing *d, const drawn *j, double angle, float 
 
 /* Both limits of a direction (x, y): a line between them, and a mark across each end. */
 static void limit_marks(const td_drawing *d, thud_vec2 from, float x, float y, const td_drive *of) {
-    float half = 0.25f * AXIS_LENGTH * d->w->unit, at[2] = {of->lower, of->upper};
+    float half = 0.25f * AXIS_LENGTH * d->w->length_scale, at[2] = {of->lower, of->upper};
     thud_vec2 end[2];
     for (int i = 0; i < 2; i++) {
         end[i] = offset_by(from, at[i] * x, at[i] * y);
@@ -59,7 +59,7 @@ static void limit_marks(const td_drawing *d, thud_vec2 from, float x, float y, c
 }
 
 static void draw_limits(const td_drawing *d, const td_joint *joint, const drawn *j) {
-    float length = AXIS_LENGTH * d->w->unit, x = j->x, y = j->y;
+    float length = AXIS_LENGTH * d->w->length_scale, x = j->x, y = j->y;
     if (joint->kind == THUD_JOINT_DISTANCE) {
         float u = j->place[1].x - j->place[0].x, v = j->place[1].y - j->place[0].y;
         float size = __builtin_sqrtf(u * u + v * v);
@@ -95,7 +95,7 @@ static void draw_joint(const td_drawing *d, const td_joint *joint) {
     }
     td_drawing_line(d, j.place[0], j.place[1], THUD_STYLE_JOINT);
     if (joint->kind != THUD_JOINT_DISTANCE) {
-        angle_line(d, &j, 0.0, AXIS_LENGTH * d->w->unit, THUD_STYLE_JOINT_AXIS);
+        angle_line(d, &j, 0.0, AXIS_LENGTH * d->w->length_scale, THUD_STYLE_JOINT_AXIS);
     }
     draw_limits(d, joint, &j);
 }

@@ -193,7 +193,8 @@ bool td_rod_take_rows(const thud_world *w, td_block *block, int lane, const floa
     const td_point *p = &block->point[0];
     td_row_set(&c->row[0], TD_ROW_EQUALITY, (double)block->nx[lane], (double)block->ny[lane],
                (double)p->cross_a[lane], (double)p->cross_b[lane]);
-    set_equality(w, &c->row[0], impulses[0], (double)p->start_separation[lane], (double)w->unit);
+    set_equality(w, &c->row[0], impulses[0], (double)p->start_separation[lane],
+                 (double)w->length_scale);
     return false;
 }
 
@@ -205,7 +206,7 @@ void td_rod_update_rows(const thud_world *w, const td_block *block, int lane, co
                       0.0, s, length);
     set_direction(&c->row[0], f.x, f.y, f.a_u, f.b_u);
     c->row[0].target_speed = target_speed_for_gap(w, &c->row[0], s, length[0] - rest_length,
-                                                  length[1] - rest_length, (double)w->unit);
+                                                  length[1] - rest_length, (double)w->length_scale);
     set_line_stiffness(c, &f, s, c->row[0].impulse, length[0], &c->row[1]);
 }
 
@@ -216,7 +217,7 @@ void td_lock_update_rows(const thud_world *w, const td_block *block, int lane, c
     const td_lock_rows *rows = td_lock_rows_at(block);
     double u = (double)block->point[0].start_separation[lane],
            v = (double)block->point[1].start_separation[lane];
-    double sign = (double)rows->turn_sign[lane], unit = (double)w->unit;
+    double sign = (double)rows->turn_sign[lane], unit = (double)w->length_scale;
     bool turns = rows->frame_turns[lane] > 0.0f;
     td_joint_frame end[2];
     double angle[2];
@@ -249,8 +250,8 @@ bool td_lock_take_rows(const thud_world *w, td_block *block, int lane, const flo
     td_row_set(&c->row[0], TD_ROW_EQUALITY, f.x, f.y, f.a_u, f.b_u);
     td_row_set(&c->row[1], TD_ROW_EQUALITY, -f.y, f.x, f.a_v, f.b_v);
     td_row_set(&c->row[2], TD_ROW_EQUALITY, 0.0, 0.0, sign, sign);
-    set_equality(w, &c->row[0], impulses[0], f.gap_u, (double)w->unit);
-    set_equality(w, &c->row[1], impulses[1], f.gap_v, (double)w->unit);
+    set_equality(w, &c->row[0], impulses[0], f.gap_u, (double)w->length_scale);
+    set_equality(w, &c->row[1], impulses[1], f.gap_v, (double)w->length_scale);
     set_equality(w, &c->row[2], impulses[2], (double)rows->start_turn_gap[lane], 1.0);
     c->row[0].used = p[0].normal_mass[lane] > 0.0f;
     c->row[1].used = p[1].normal_mass[lane] > 0.0f;

@@ -44,7 +44,7 @@ thud_result thud_joint_set_length(thud_world *w, thud_joint_id id, float length)
         return td_refuse(w, THUD_ERROR_INVALID, "joint set length: the joint is no distance");
     }
     result = td_check_above_0(w, "joint set length: length", (double)length,
-                              (double)(THUD_JOINT_LENGTH_MAX * w->unit));
+                              (double)(THUD_JOINT_LENGTH_MAX * w->length_scale));
     if (result != THUD_OK) {
         return result;
     }

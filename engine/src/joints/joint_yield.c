@@ -178,7 +178,8 @@ static double min_separation(const thud_world *w, const td_lane *at, int k, floa
     float half_thickness =
         td_kind_is_line(shape->kind) ? min_half_extent : td_half_thickness(shape);
     double limit = -(double)(share * td_min_float(min_half_extent, half_thickness));
-    double recovery = RECOVERY_SHARE * (double)(w->def.push_speed * w->unit) * w->def.time_step;
+    double recovery =
+        RECOVERY_SHARE * (double)(w->def.push_speed * w->length_scale) * w->def.time_step;
     return td_min_double(limit, (double)block->point[k].start_separation[at->lane] + recovery);
 }
 
@@ -504,7 +505,7 @@ static void mark_body(thud_world *w, td_awake_slot slot, int mark) {
  * limits the start_separation of point 0 is 0. */
 static bool limit_far_exceeded(const thud_world *w, const td_lane *at, int kind) {
     const td_drive_rows *rows = td_drive_rows_at(at->block);
-    float far = TD_JOINT_CLOSING_SPEED / TD_JOINT_GAP_SHARE * w->unit *
+    float far = TD_JOINT_CLOSING_SPEED / TD_JOINT_GAP_SHARE * w->length_scale *
                 (float)(w->def.time_step / w->substeps);
     return kind != TD_CONSTRAINT_DRIVE_TURN &&
            at->block->point[0].start_separation[at->lane] < -far &&

@@ -31,7 +31,7 @@ static bool settings_equal(const thud_contact_settings *a, const thud_contact_se
 
 /* Whether the settings are in range; the reason is in *why where not. */
 static bool settings_valid(const thud_world *w, td_reason *why, const thud_contact_settings *s) {
-    double max_speed = (double)(THUD_SURFACE_SPEED_MAX * w->unit);
+    double max_speed = (double)(THUD_SURFACE_SPEED_MAX * w->length_scale);
     return td_in(why, "prologue: friction", (double)s->friction, 0.0, (double)THUD_FRICTION_MAX) &&
            td_in(why, "prologue: restitution", (double)s->restitution, 0.0,
                  (double)THUD_PAIR_RESTITUTION_MAX) &&

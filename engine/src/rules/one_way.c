@@ -33,7 +33,7 @@ static void decide_lane(thud_world *w, td_block *block, int lane, const td_rule 
     td_contact *contact = td_contact_at(w, block->constraint[lane]);
     int points = td_form_points(w->kinds[contact->kind]->form);
     if (!(contact->vetoed & TD_HELD)) {
-        float slack = TD_SLOP * w->unit, separation = 3.0e38f, closing = 0.0f;
+        float slack = TD_SLOP * w->length_scale, separation = 3.0e38f, closing = 0.0f;
         for (int k = 0; k < points; k++) {
             const td_point *p = &block->point[k];
             if (p->normal_mass[lane] != 0.0f && p->separation[lane] + w->skin < separation) {

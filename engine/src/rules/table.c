@@ -8,7 +8,7 @@ static bool in_range(float value, float min, float max) {
 
 const char *td_rule_error(const thud_world *w, uint32_t first, uint32_t second,
                           const thud_rule *rule) {
-    float max_speed = THUD_SURFACE_SPEED_MAX * w->unit;
+    float max_speed = THUD_SURFACE_SPEED_MAX * w->length_scale;
     float x = rule->solid_side.x, y = rule->solid_side.y;
     if ((unsigned)rule->kind >= THUD_RULE_KIND_COUNT) {
         return "rule: kind is none";

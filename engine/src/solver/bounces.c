@@ -81,12 +81,12 @@ static void note_borne(const thud_world *w, td_block *block) {
  * TD_IMPACT_DISTANCE, and closes faster than the restitution threshold. Pairs that touch already,
  * as in a heap that is hit, are left to the soft solver, which solves them together. */
 static bool bounces_lossily(const thud_world *w, const lane *l) {
-    float slow = w->def.restitution_threshold * w->unit;
+    float slow = w->def.restitution_threshold * w->length_scale;
     bool apart = true, closes = false;
     for (int k = 0; k < l->points; k++) {
         const td_point *p = &l->block->point[k];
         bool here = p->normal_mass[l->index] > 0.0f;
-        apart &= !here || p->separation[l->index] + w->skin > TD_IMPACT_DISTANCE * w->unit;
+        apart &= !here || p->separation[l->index] + w->skin > TD_IMPACT_DISTANCE * w->length_scale;
         closes |= here && td_history_of(l->block, l->points)[k].normal_velocity[l->index] < -slow;
     }
     return apart && closes;
@@ -100,8 +100,8 @@ static bool bounces_elastically(const thud_world *w, const lane *l) {
     double pull = gravity_of(w, l->block->a[l->index], nx, ny, &max);
     pull = td_max_double(pull - gravity_of(w, l->block->b[l->index], nx, ny, &max), 0.0);
     double rest = (is_borne(w, l) ? TD_BOUNCE_BORNE : FLIGHT_REST) * max * w->def.time_step;
-    double slow = td_min_double(rest, (double)(w->def.restitution_threshold * w->unit));
-    double meets_at = (double)((l->loaded ? TD_SKIN : TD_IMPACT_DISTANCE) * w->unit);
+    double slow = td_min_double(rest, (double)(w->def.restitution_threshold * w->length_scale));
+    double meets_at = (double)((l->loaded ? TD_SKIN : TD_IMPACT_DISTANCE) * w->length_scale);
     bool apart = true, fast = false;
     for (int k = 0; k < l->points; k++) {
         const td_point *p = &l->block->point[k];
@@ -109,7 +109,7 @@ static bool bounces_elastically(const thud_world *w, const lane *l) {
         double distance = (double)(p->separation[l->index] + w->skin);
         double speed2 = closing * closing + 2.0 * pull * td_max_double(distance - meets_at, 0.0);
         bool here = p->normal_mass[l->index] > 0.0f;
-        apart &= !here || distance > -(double)(TD_IMPACT_DISTANCE * w->unit);
+        apart &= !here || distance > -(double)(TD_IMPACT_DISTANCE * w->length_scale);
         fast |= here && speed2 >= slow * slow;
     }
     return apart && fast;
@@ -122,7 +122,7 @@ static void clear_overlap(const thud_world *w, const lane *l) {
         td_point *p = &l->block->point[k];
         float distance = p->start_separation[l->index] + w->skin;
         if (p->start_separation[l->index] < 0.0f &&
-            distance > -OVERLAP_SHARE * TD_IMPACT_DISTANCE * w->unit) {
+            distance > -OVERLAP_SHARE * TD_IMPACT_DISTANCE * w->length_scale) {
             p->separation[l->index] = p->start_separation[l->index] = 0.0f;
         }
     }

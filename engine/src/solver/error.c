@@ -31,7 +31,7 @@ void td_errors_add_tally(thud_world *w, const td_tally *tally) {
 }
 
 float td_overlap_depth_min(const thud_world *w) {
-    return w->def.max_error > 0.0 ? (float)w->def.max_error : TD_SLOP * w->unit;
+    return w->def.max_error > 0.0 ? (float)w->def.max_error : TD_SLOP * w->length_scale;
 }
 
 /* Normal speed of a point; negative where it closes. */

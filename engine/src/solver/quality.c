@@ -44,7 +44,7 @@ static void set_detection(thud_world *w, const thud_detection *detection) {
      * load then, so that a thinner gap is enough. */
     bool direct = w->quality.islands && w->quality.overlap_limit == 0.0f;
     float gap = direct ? TD_IMPACT_DISTANCE : TD_SKIN; /* length scales */
-    float skin = detection->rank >= TD_RANK_BISECT ? gap * w->unit : 0.0f;
+    float skin = detection->rank >= TD_RANK_BISECT ? gap * w->length_scale : 0.0f;
     w->detections[detection->rank] = detection;
     for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         td_body *body = td_body_at(w, i);

@@ -67,9 +67,9 @@ static td_solve_context solve_context(const thud_world *w, float h) {
         .inv_h = 1.0f / h,
         .substeps = (float)w->substeps,
         .time_step = time,
-        .push_speed = w->def.push_speed * w->unit,
-        .joint_closing_speed = TD_JOINT_CLOSING_SPEED * w->unit,
-        .bounce_speed = -w->def.restitution_threshold * w->unit,
+        .push_speed = w->def.push_speed * w->length_scale,
+        .joint_closing_speed = TD_JOINT_CLOSING_SPEED * w->length_scale,
+        .bounce_speed = -w->def.restitution_threshold * w->length_scale,
         .fall = gravity_speed * time,
     };
     c.elastic_speed = td_max_float(c.bounce_speed, -ELASTIC_REST * gravity_speed);
@@ -394,7 +394,7 @@ void td_solve(thud_world *w) {
                    .damping = w->damped ? w->damping.data : NULL,
                    .count = w->body_of.count,
                    .h = h,
-                   .max_speed = w->def.maximum_speed * w->unit},
+                   .max_speed = w->def.maximum_speed * w->length_scale},
         .tally = {.skin = w->skin, .overlap = td_overlap_depth_min(w), .to_fixed = w->to_fixed},
         .tallies = tallies,
         .task = &task,

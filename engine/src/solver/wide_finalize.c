@@ -46,7 +46,7 @@ static void list_lanes(td_array *list, td_awake_slot first, unsigned bits) {
  */
 TD_INLINE void count_idle(thud_world *w, td_awake_slot first, const td_rows *v, f8 max_extent,
                           i8 here) {
-    f8 still = f8_all(TD_SLEEP_SPEED * w->unit), dt = f8_all((float)w->def.time_step);
+    f8 still = f8_all(TD_SLEEP_SPEED * w->length_scale), dt = f8_all((float)w->def.time_step);
     float *at = td_row(&w->idle, first);
     i8 rests = (v->x * v->x + v->y * v->y < still * still) & (f8_abs(v->z) * max_extent < still);
     f8 idle = f8_keep(rests, f8_load(at) + dt);
@@ -219,7 +219,7 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w) {
     f8 zero = f8_all(0.0f), far = f8_all((float)(0x1p50 / w->to_fixed));
     f8 gx = f8_all(w->def.gravity.x), gy = f8_all(w->def.gravity.y);
     d4 kinetic = {0}, gained = {0};
-    float linear = w->def.maximum_speed * w->unit,
+    float linear = w->def.maximum_speed * w->length_scale,
           max_speed[3] = {linear, linear, THUD_ANGULAR_SPEED_MAX};
     int count = w->body_of.count;
     for (td_awake_slot first = {0}; first.at < count; first.at += TD_LANES) {

@@ -15,12 +15,12 @@ thud_body_def thud_default_body_def(void) {
 }
 
 bool td_place_valid(const thud_world *w, double x, double y) {
-    double max = THUD_PLACE_MAX * (double)w->unit;
+    double max = THUD_PLACE_MAX * (double)w->length_scale;
     return x >= -max && x <= max && y >= -max && y <= max;
 }
 
 bool td_in_world(const thud_world *w, td_reason *why, const char *name, double x, double y) {
-    double max = THUD_PLACE_MAX * (double)w->unit;
+    double max = THUD_PLACE_MAX * (double)w->length_scale;
     return td_in(why, name, x, -max, max) && td_in(why, name, y, -max, max);
 }
 

@@ -25,7 +25,7 @@ const char *td_shape_def_error(const thud_world *w, const thud_shape_def *def, t
     if (def->cookie != TD_COOKIE) {
         return "shape_create: the def does not start from thud_default_shape_def()";
     }
-    float max_speed = THUD_SURFACE_SPEED_MAX * w->unit;
+    float max_speed = THUD_SURFACE_SPEED_MAX * w->length_scale;
     bool in =
         td_float_in(why, "shape def: density", def->density, 0.0f, THUD_DENSITY_MAX) &&
         td_float_in(why, "shape def: friction", def->friction, 0.0f, THUD_FRICTION_MAX) &&
@@ -36,11 +36,11 @@ const char *td_shape_def_error(const thud_world *w, const thud_shape_def *def, t
 
 bool td_size_in(const thud_world *w, td_reason *why, const char *name, int body_kind, float size) {
     float max = body_kind == THUD_BODY_STATIC ? THUD_STATIC_SIZE_MAX : THUD_SIZE_MAX;
-    return td_float_in(why, name, size, THUD_SIZE_MIN * w->unit, max * w->unit);
+    return td_float_in(why, name, size, THUD_SIZE_MIN * w->length_scale, max * w->length_scale);
 }
 
 bool td_offset_in(const thud_world *w, td_reason *why, const char *name, thud_vec2 offset) {
-    float max = THUD_SIZE_MAX * w->unit;
+    float max = THUD_SIZE_MAX * w->length_scale;
     return td_float_in(why, name, offset.x, -max, max) &&
            td_float_in(why, name, offset.y, -max, max);
 }

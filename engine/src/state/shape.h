@@ -8,7 +8,7 @@
 
 /* Whether a shape of a body of that kind may have this radius or half extent (caller's unit). */
 static inline bool td_shape_size_valid(const thud_world *w, int body_kind, float size) {
-    float s = size / w->unit,
+    float s = size / w->length_scale,
           max = body_kind == THUD_BODY_STATIC ? THUD_STATIC_SIZE_MAX : THUD_SIZE_MAX;
     return s >= THUD_SIZE_MIN && s <= max;
 }

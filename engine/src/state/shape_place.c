@@ -10,8 +10,8 @@
  * quanta, rounded up. */
 static int32_t margin_of(const thud_world *w, float half_x, float half_y) {
     float extent = td_max_float(half_x, half_y);
-    float more = td_min_float(TD_MARGIN_MORE * w->unit, extent * 0.125f);
-    return (int32_t)((double)(TD_MARGIN * w->unit + more) * w->to_coarse) + 1;
+    float more = td_min_float(TD_MARGIN_MORE * w->length_scale, extent * 0.125f);
+    return (int32_t)((double)(TD_MARGIN * w->length_scale + more) * w->to_coarse) + 1;
 }
 
 /* Sets what follows from the body's centre of mass and the shape's size: see td_shape_settle. */
@@ -110,7 +110,7 @@ td_bounds td_placed_bounds(const thud_world *w, const thud_geometry *p, td_posit
 /* Extends the fat bounds over an expected motion (dx, dy), caller's unit. */
 void td_shape_expect(thud_world *w, int index, float dx, float dy) {
     td_shape_proxy *proxy = td_shape_proxy_at(w, index);
-    float max = EXPECTED_MOTION_MAX * w->unit;
+    float max = EXPECTED_MOTION_MAX * w->length_scale;
     thud_geometry now = td_shape_instance(w, index, proxy->center), then = now;
     then.x = (double)td_max_float(-max, td_min_float(dx, max));
     then.y = (double)td_max_float(-max, td_min_float(dy, max));

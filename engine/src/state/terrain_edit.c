@@ -280,7 +280,7 @@ static thud_result reshape(thud_world *w, thud_shape_id id, td_tool tool, const 
     if (line.kind == THUD_TERRAIN_FLAT) {
         return td_refuse(w, THUD_ERROR_INVALID, range_error);
     }
-    double unit = (double)w->unit, max = THUD_PLACE_MAX * unit;
+    double unit = (double)w->length_scale, max = THUD_PLACE_MAX * unit;
     td_reason why;
     if (!td_in_world(w, &why, "dig or raise: x or y", tool.x, tool.y) ||
         !td_in(&why, "dig or raise: radius", tool.radius, (double)THUD_SIZE_MIN * unit,

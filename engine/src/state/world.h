@@ -48,7 +48,8 @@ struct thud_world {
     /* Collects the events of the step before; null but in steps of one thud_world_advance after the
      * first: advance.c. */
     bool (*gather)(struct thud_world *w);
-    float unit;           /* the length scale L, in the caller's unit */
+    float length_scale;   /* L of base.h, in the caller's unit: of def.length_scale the
+                             greatest power of two that is not above it */
     float quantum;        /* a position quantum, in the caller's unit */
     double to_fixed;      /* position quanta in the caller's unit */
     double to_coarse;     /* bounds quanta in the caller's unit */
