@@ -7,7 +7,7 @@ import { addDialogs } from "./page/dialogs";
 import { Dock } from "./page/dock";
 import { byId, make } from "./page/dom";
 import { readDraft } from "./page/drafts";
-import { Figures } from "./page/figures";
+import { Score } from "./page/score";
 import { addHint } from "./page/hint";
 import { howToPlay, isTouch } from "./page/how";
 import { Hud } from "./page/hud";
@@ -97,7 +97,7 @@ function afterFirstPicture(app: App, loadGallery: () => void): void {
 const reload = { label: "Load the page again", go: () => location.reload() };
 
 async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
-  const figures = new Figures();
+  const score = new Score();
   const pad = new Pad((held) => app.do({ kind: "keys", held }));
   const change = () => layOut(app, stage);
   const dock = new Dock(app, panels(stage), change);
@@ -129,7 +129,7 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   byId("scenes").addEventListener("open", loadGallery);
   addControls(app, stage, dock);
   describeScene(app);
-  listenToScenes(app, { dock, hud, figures, hinted: addHint(app), change });
+  listenToScenes(app, { dock, hud, score, hinted: addHint(app), change });
   app.listen({
     run({ keys }) {
       pad.show(keys);
@@ -249,9 +249,9 @@ function toFirst(app: App): WayOn {
  */
 function listenToScenes(
   app: App,
-  parts: { dock: Dock; hud: Hud; figures: Figures; hinted: boolean; change(): void },
+  parts: { dock: Dock; hud: Hud; score: Score; hinted: boolean; change(): void },
 ): void {
-  const { dock, hud, figures, change } = parts;
+  const { dock, hud, score, change } = parts;
   let { hinted } = parts;
   let announced = "";
   /** A scene has begun of which nothing is told yet; its first frame is there; it speaks itself;
@@ -276,7 +276,7 @@ function listenToScenes(
     run(scene) {
       takeBack();
       hud.reset();
-      figures.reset();
+      score.reset();
       document.querySelector("main")!.removeAttribute("aria-busy");
       const { title } = app;
       byId("scene-title").textContent = title;
@@ -304,7 +304,7 @@ function listenToScenes(
       void leftOut?.then(({ showNotes }) => showNotes(notes));
     },
     frame({ paint }) {
-      if (figures.show(paint)) change();
+      if (score.show(paint)) change();
       framed = true;
       // A scene that has a message of its own says by itself what to do.
       speaks = Boolean(paint?.message);

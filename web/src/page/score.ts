@@ -3,7 +3,7 @@ import type { Paint } from "../scene/scene";
 import { byId, make } from "./dom";
 import { say } from "./messages";
 
-export class Figures {
+export class Score {
   readonly #root = byId("figures");
   readonly #line = byId("message");
   /** Figures and message as shown, as JSON: an equal frame changes no element. */
