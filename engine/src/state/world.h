@@ -58,7 +58,7 @@ struct thud_world {
     const thud_detection *detections[TD_RANK_COUNT]; /* by rank: those that the world or a body ever
                                                         chose; else null */
     float skin; /* distance at which contacts rest, caller's unit: 0, or TD_SKIN or
-                   TD_IMPACT_DISTANCE times unit (solver/quality.c) */
+                   TD_IMPACT_DISTANCE times length_scale (solver/quality.c) */
 
     /* State. */
     uint64_t steps;         /* made so far */
