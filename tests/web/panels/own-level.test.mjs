@@ -78,6 +78,22 @@ for (const browser of BROWSERS)
       await close();
     });
 
+    test("folder_with_too_many_files_says_that_not_all_were_looked_at", LOGIC, async () => {
+      const { page, close } = await visitor.open("?scene=cradle&paused=1");
+      await page.waitForSelector("[data-entry]", { state: "attached" });
+      await page.evaluate(() => {
+        const input = document.querySelector("#level-file");
+        const chosen = new DataTransfer();
+        for (let i = 0; i < 5000; i++) chosen.items.add(new File([""], `${i}.png`));
+        chosen.items.add(new File(["{}"], "late.tmj"));
+        input.files = chosen.files;
+        input.dispatchEvent(new Event("change"));
+      });
+      const told = /no map .* among the first 5,000 files/;
+      await until(() => page.textContent("#notice"), (text) => told.test(text), String(told));
+      await close();
+    });
+
     test("error_over_the_page_goes_when_a_level_that_works_is_dropped", LOGIC, async () => {
       const { page, close } = await visitor.open("?scene=cradle");
       await untilRunning(page);

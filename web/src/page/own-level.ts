@@ -32,7 +32,7 @@ export async function findLevel(brought: readonly Brought[]): Promise<OwnLevel> 
   const found: Found[] = [];
   for (const one of brought) await list(one, found);
   const [map, ...others] = mapsOf(found);
-  if (!map) throw new Error("There is no map of the Tiled editor among these files (.tmx, .tmj).");
+  if (!map) throw new Error(`There is no map of the Tiled editor (.tmx, .tmj) ${amongWhich(found)}.`);
   const files: Record<string, string> = { "own.tmj": await textOf(map) };
   const open = async (path: string) => {
     const one = pick(found, map, path);
@@ -43,6 +43,12 @@ export async function findLevel(brought: readonly Brought[]): Promise<OwnLevel> 
   await readLevel("own", files["own.tmj"], { skip: true, open }).catch((): Level | null => null);
   const nameOf = ({ file }: Found) => file.name.replace(/\.[^.]*$/, "");
   return { name: nameOf(map), files, others: others.map(({ file }) => file.name) };
+}
+
+/** The files among which there is no map, in words. */
+function amongWhich(found: readonly Found[]): string {
+  if (found.length < MOST_FILES) return "among these files";
+  return `among the first ${MOST_FILES.toLocaleString("en")} files: open the map’s own folder`;
 }
 
 /** Appends a file, or all files of a folder and its subfolders, to `found`. */
