@@ -186,6 +186,17 @@ run_part() {
     mv "build/test/$1.ended" "build/test/$1.code"
 }
 
+# longest_tests LOG: the five tests of a log that took longest, in one line: those of ctest, and
+# those of Node.js, whose subtests are left out.
+longest_tests() {
+    awk '
+        /^ *[0-9]+\/[0-9]+ Test +#[0-9]+: .* sec *$/ { print $(NF - 1), $4 }
+        /^(not )?ok [0-9]+ - / { name = $0; sub(/^(not )?ok [0-9]+ - /, "", name) }
+        /^  duration_ms: / && name { print $2 / 1000, name; name = "" }
+    ' "$1" | sort -rn | head -n 5 |
+        awk '{ seconds = $1; sub(/^[^ ]+ /, ""); printf "%s%s (%.0f s)", comma, $0, seconds; comma = ", " }'
+}
+
 # part_ended PART: prints the output of a part, and adds its result to `summary`.
 part_ended() {
     log=build/test/$1.log
@@ -202,9 +213,11 @@ part_ended() {
     seconds=$(($(date +%s) - $(cat "build/test/$1.began")))
     # The last lines of the test runners, ctest and Node.js.
     closing=$(grep -E '^[0-9]+% tests passed|^(#|ℹ) (tests|pass|fail|skipped) [0-9]+' "$log" || :)
+    longest=$(longest_tests "$log")
     summary="$summary
 $1: $verdict, ${seconds} s${closing:+
-$closing}"
+$closing}${longest:+
+longest: $longest}"
 }
 
 # tell_progress PARTS: prints the time and the last line of output of each part that is running.
