@@ -88,6 +88,12 @@ static void check_events(fuzz_session *s) {
     enter_events(s, &s->now.touches, "contact", e.begin, e.begin_count, e.end, e.end_count);
     enter_events(s, &s->now.sensed, "sensing", e.sensor_begin, e.sensor_begin_count, e.sensor_end,
                  e.sensor_end_count);
+    for (int i = 0; i < e.sensor_begin_count; i++) {
+        note_number(s, (double)e.sensor_begin_time[i]);
+    }
+    for (int i = 0; i < e.sensor_end_count; i++) {
+        note_number(s, (double)e.sensor_end_time[i]);
+    }
     note_hits_and_quarantined(s, &e);
 }
 

@@ -298,6 +298,12 @@ static uint64_t mix_events(uint64_t digest, const thud_world *world) {
     digest = mix_pairs(digest, e.end, e.end_count);
     digest = mix_pairs(digest, e.sensor_begin, e.sensor_begin_count);
     digest = mix_pairs(digest, e.sensor_end, e.sensor_end_count);
+    for (int i = 0; i < e.sensor_begin_count; i++) {
+        MIX(e.sensor_begin_time[i]);
+    }
+    for (int i = 0; i < e.sensor_end_count; i++) {
+        MIX(e.sensor_end_time[i]);
+    }
     for (int i = 0; i < e.hit_count; i++) {
         MIX(e.hit[i].shape_a.index1);
         MIX(e.hit[i].shape_b.index1);

@@ -56,6 +56,8 @@ static inline uint64_t digest_of(thud_world *world) {
     mix(&digest, e.end, (size_t)e.end_count * sizeof *e.end);
     mix(&digest, e.sensor_begin, (size_t)e.sensor_begin_count * sizeof *e.sensor_begin);
     mix(&digest, e.sensor_end, (size_t)e.sensor_end_count * sizeof *e.sensor_end);
+    mix(&digest, e.sensor_begin_time, (size_t)e.sensor_begin_count * sizeof *e.sensor_begin_time);
+    mix(&digest, e.sensor_end_time, (size_t)e.sensor_end_count * sizeof *e.sensor_end_time);
     mix(&digest, e.quarantined, (size_t)e.quarantined_count * sizeof *e.quarantined);
     for (int i = 0; i < e.hit_count; i++) {
         MIX(e.hit[i].shape_a);
