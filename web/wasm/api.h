@@ -37,6 +37,10 @@ void api_buffer_push(api_buffer *buffer, const void *item, size_t bytes);
 /* THUD_ERROR_MEMORY where items are missing, else THUD_OK. */
 thud_result api_buffer_result(const api_buffer *buffer);
 
+/* Keeps a message that says why the call is refused, as if thud had logged it. Returns
+ * THUD_ERROR_INVALID. */
+int api_refuse(const char *message);
+
 /* A world def from the world_options in the slots, with this layer's log and clock. */
 thud_world_def api_world_def(void);
 

@@ -154,6 +154,10 @@ int api_body_apply_tyre(thud_world *world, uint32_t index1, uint32_t generation)
     if (result != THUD_OK)
         return result;
 
+    /* Impulses may have added up to infinity, which nothing stops. */
+    if (!isfinite(speed_along(&p, 1.0, 1.0)))
+        return api_refuse("apply tyre: the body's velocity is not finite");
+
     double turned_x = (double)p.state.cosine, turned_y = (double)p.state.sine;
     double x = turned_x * cosine - turned_y * sine, y = turned_y * cosine + turned_x * sine;
     double dt = settings.time_step, grip = s.grip * dt;

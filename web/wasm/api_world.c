@@ -28,6 +28,11 @@ static void keep_message(thud_result result, const char *message, void *context)
     last_message[length] = '\0';
 }
 
+int api_refuse(const char *message) {
+    keep_message(THUD_ERROR_INVALID, message, NULL);
+    return THUD_ERROR_INVALID;
+}
+
 /* The address of the message that says why the last call failed. JavaScript clears it by writing a
  * 0 byte there. */
 char *api_last_message(void) {

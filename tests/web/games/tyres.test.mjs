@@ -152,3 +152,12 @@ test("wrong_tyres_are_refused_and_push_nothing", () => {
   world.destroy(car);
   assert.throws(() => world.applyTyre(car, { at: [0, 0], grip: 1 }), { code: "stale" });
 });
+
+test("tyre_on_a_body_whose_velocity_is_infinite_is_refused", () => {
+  const { world, car } = createCar();
+  for (let i = 0; i < 12; i++) world.applyImpulse(car, [3e38, 0], world.bodyStateOf(car).center);
+  const before = world.velocityOf(car);
+  const roll = () => world.applyTyre(car, { at: [0, 0], brake: 10, grip: 10 });
+  assert.throws(roll, { code: "invalid", message: /apply tyre: the body's velocity is not finite/ });
+  assert.deepEqual(world.velocityOf(car), before);
+});
