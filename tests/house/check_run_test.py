@@ -26,10 +26,10 @@ class RunTest(unittest.TestCase):
             self.assertEqual(done.stdout, "")
             self.assertIn(f"'{words[-1]}', only --full and: {' '.join(PARTS)}", done.stderr)
 
-    def test_full_without_native_is_refused(self):
-        done = run("--full", "page")
+    def test_full_without_native_and_page_is_refused(self):
+        done = run("--full", "wasm")
         self.assertEqual(done.returncode, 1, done)
-        self.assertIn("--full belongs to the part native", done.stderr)
+        self.assertIn("--full belongs to the parts native and page", done.stderr)
 
 
 if __name__ == "__main__":
