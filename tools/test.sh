@@ -26,8 +26,8 @@ Builds and tests everything, or only the parts that are named:
               (tests/CMakeLists.txt), the tests of clang's release build, those of the memory
               sanitizer, and those of threads and the kept inputs of ./run fuzz under the thread
               sanitizer, and measures anew what the generated pages in docs/ say, more than an
-              hour; belongs to native. In the part page it runs in Firefox, too, what the page's own
-              code decides
+              hour; all this in the part native. In the part page, tests of what the page's own code
+              decides run in Firefox, too, and not in Chromium alone
 
 Two lanes run side by side: wasm, page and baseline, of which the page often waits, and all others,
 which give way to them. What a part prints is in build/test/PART.log and shown as it ends.

@@ -97,7 +97,8 @@ typedef struct pushed {
     thud_body_state state;
 } pushed;
 
-/* The speed of the point along a unit vector, length/s. */
+/* The velocity of the point times the vector (x, y), length/s: the speed along it where it is a unit
+ * vector. */
 static double speed_along(const pushed *p, double x, double y) {
     thud_vec2 v = {0};
     (void)thud_body_get_velocity_at(p->world, p->body, p->point, &v);
@@ -154,7 +155,8 @@ int api_body_apply_tyre(thud_world *world, uint32_t index1, uint32_t generation)
     if (result != THUD_OK)
         return result;
 
-    /* Impulses may have added up to infinity, which nothing stops. */
+    /* Earlier impulses may have made the velocity infinite; the tyre's impulse would then not be a
+     * number. The sum of x and y is finite only if both are. */
     if (!isfinite(speed_along(&p, 1.0, 1.0)))
         return api_refuse("apply tyre: the body's velocity is not finite");
 

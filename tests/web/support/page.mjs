@@ -70,6 +70,8 @@ export function openVisitor({ webgl = false, browser: name = "chromium" } = {}) 
       if (!contexts.has(browser)) contexts.set(browser, contextsOf(browser, server.url, PATIENCE));
       const kind = prepare || name === "firefox" ? "own" : "shared";
       const { context, giveBack } = await contexts.get(browser)[kind](options);
+      const close = () => (left.delete(close) ? giveBack() : undefined);
+      left.add(close);
       const page = await context.newPage();
       const errors = [];
       page.on("pageerror", (error) => errors.push(error.message));
@@ -81,8 +83,6 @@ export function openVisitor({ webgl = false, browser: name = "chromium" } = {}) 
           errors.push(`request to ${request.url()}`);
       });
       await prepare?.(page);
-      const close = () => (left.delete(close) ? giveBack() : undefined);
-      left.add(close);
       await page.goto(server.url + search);
       return { page, errors, close };
     },

@@ -100,7 +100,8 @@ export class WorldFields extends WorldForces {
    * from above: the tyre drives, brakes, and resists motion across its rolling direction, but never
    * reverses a motion. Thrust and brake take their part of its grip first. Returns the speed at
    * which it then slides across its rolling direction, length/s: close to 0 while it grips.
-   * @throws {ThudError} "invalid", "stale".
+   * @throws {ThudError} "invalid", also where impulses have made the body's velocity infinite;
+   * "stale".
    * @example world.applyTyre(car, { at: [1, 0.5], steer: 0.3, thrust: 20, grip: 40 })
    */
   applyTyre(body: BodyRef, tyre: Tyre): number {
