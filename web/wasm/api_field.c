@@ -97,8 +97,8 @@ typedef struct pushed {
     thud_body_state state;
 } pushed;
 
-/* The velocity of the point times the vector (x, y), length/s: the speed along it where it is a unit
- * vector. */
+/* The velocity of the point times the vector (x, y), length/s: the speed along it where it is a
+ * unit vector. */
 static double speed_along(const pushed *p, double x, double y) {
     thud_vec2 v = {0};
     (void)thud_body_get_velocity_at(p->world, p->body, p->point, &v);
