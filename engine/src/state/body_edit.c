@@ -29,7 +29,8 @@ static void set_velocity(thud_world *w, td_body_index index, const double v[4]) 
     td_body_mark(w, index, TD_CHANGE_WAKE);
 }
 
-/* An impulse (v[0], v[1]) at the point (v[2], v[3]) of the world. */
+/* An impulse (v[0], v[1]) at the point (v[2], v[3]) of the world. Its moment is a double, since a
+ * moment that is infinite as a float would make NaN of the spin of a body that cannot turn. */
 static void add_impulse(thud_world *w, td_body_index index, const double v[4]) {
     td_body *body = td_body_at(w, index);
     const td_pose *pose = td_pose_at(w, index);
@@ -39,7 +40,7 @@ static void add_impulse(thud_world *w, td_body_index index, const double v[4]) {
     float y = (float)(point.y - pose->center.y) * w->quantum;
     velocity[0] += body->inv_mass * (float)v[0];
     velocity[1] += body->inv_mass * (float)v[1];
-    velocity[2] += body->inv_inertia * (x * (float)v[1] - y * (float)v[0]);
+    velocity[2] += (float)(body->inv_inertia * (x * v[1] - y * v[0]));
     td_body_mark(w, index, TD_CHANGE_WAKE);
 }
 

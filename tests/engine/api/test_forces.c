@@ -42,6 +42,23 @@ static void forces_turn_by_their_arm_for_one_step(void **state) {
     }
 }
 
+/* A great impulse has a moment that no float holds; a body that cannot turn takes none of it. */
+static void great_impulse_leaves_a_body_that_cannot_turn_without_spin(void **state) {
+    (void)state;
+    for (int q = 0; q < QUALITIES; q++) {
+        thud_world_def def = weightless();
+        def.quality = qualities[q];
+        thud_world *world = make_world(def);
+        thud_body_id box = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
+        add_shape(world, box, 0.5f, 0.5f, true, NULL);
+        OK(thud_body_apply_impulse(world, box, (thud_vec2){0, 3e38f}, (thud_pos){1e6, 0}));
+        assert_true(get(world, box).angular_velocity == 0);
+        OK(thud_world_step(world));
+        assert_true(!get(world, box).quarantined && get(world, box).velocity.y > 0);
+        thud_world_destroy(world);
+    }
+}
+
 static void sleeping_bodies_wake_and_disabled_ones_forget_forces(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -265,6 +282,7 @@ static void single_values_are_those_of_the_whole(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(forces_turn_by_their_arm_for_one_step),
+        cmocka_unit_test(great_impulse_leaves_a_body_that_cannot_turn_without_spin),
         cmocka_unit_test(sleeping_bodies_wake_and_disabled_ones_forget_forces),
         cmocka_unit_test(targets_are_reached_in_one_step),
         cmocka_unit_test(pushes_inside_callbacks_act_through_the_next_step),

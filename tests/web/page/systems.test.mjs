@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { DESKTOP, near, openVisitor, PHONE, stepBy } from "../support/page.mjs";
-import { overlay, untilOverlay, untilStep, untilStill } from "../support/wait.mjs";
+import { overlay, until, untilOverlay, untilStep, untilStill } from "../support/wait.mjs";
 
 const SIZES = [["desktop", DESKTOP], ["phone", PHONE]];
 
@@ -35,6 +35,11 @@ function coloured(page, [red, green, blue]) {
     },
     [red, green, blue],
   );
+}
+
+/** Waits until the overlay has more than `least` pixels close to a colour. */
+function untilColoured(page, colour, least, what) {
+  return until(() => coloured(page, colour), ({ count }) => count > least, what);
 }
 
 const SUM = [124, 245, 196];
@@ -139,8 +144,7 @@ for (const [size, options] of SIZES)
     const { page, errors, close } = await visitor.open(search, { ...options, colorScheme: "dark" });
     await stepBy(page, 1);
     await untilStill(page);
-    const apart = await coloured(page, SUM);
-    assert.ok(apart.count > 1000, `${apart.count} pixels of the sums`);
+    await untilColoured(page, SUM, 1000, "pixels of the sums");
     assert.equal((await coloured(page, OVERLAPPING)).count, 0);
     // The view is 17 m high and centred at (0.4, 0), or as wide as the moving bodies; the first
     // shape of the upper pair is at (-0.8, 4), the second at (2.3, 6).
@@ -163,8 +167,7 @@ for (const [size, options] of SIZES)
     await page.waitForSelector("#overlay[data-mode=pull]");
     await page.mouse.move(...to, { steps: 5 });
     await stepBy(page, 90);
-    const over = await coloured(page, OVERLAPPING);
-    assert.ok(over.count > 500, `${over.count} pixels of the sum tell it`);
+    const over = await untilColoured(page, OVERLAPPING, 500, "pixels of the sum that tells it");
     await page.mouse.up();
     near(over.x, to[0], 60, "the sum's middle");
     assert.deepEqual(errors, []);
