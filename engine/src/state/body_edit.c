@@ -29,8 +29,8 @@ static void set_velocity(thud_world *w, td_body_index index, const double v[4]) 
     td_body_mark(w, index, TD_CHANGE_WAKE);
 }
 
-/* An impulse (v[0], v[1]) at the point (v[2], v[3]) of the world. Its moment is a double, since a
- * moment that is infinite as a float would make NaN of the spin of a body that cannot turn. */
+/* An impulse (v[0], v[1]) at the point (v[2], v[3]) of the world. Its moment is a double: as
+ * a float it may be infinite, and a body that cannot turn would multiply it by 0, which is NaN. */
 static void add_impulse(thud_world *w, td_body_index index, const double v[4]) {
     td_body *body = td_body_at(w, index);
     const td_pose *pose = td_pose_at(w, index);
