@@ -57,7 +57,8 @@ export class Editor {
     const extensions = [
       this.#setup,
       EditorState.readOnly.of(readOnly),
-      EditorView.contentAttributes.of({ "aria-label": label }),
+      // tabindex says outright that Tab reaches the text, and with it the region that scrolls.
+      EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0" }),
     ];
     this.#states.set(path, EditorState.create({ doc: text, extensions }));
     if (path === this.#shown) this.#view.setState(this.#states.get(path)!);
