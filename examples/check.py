@@ -7,26 +7,26 @@ import sys
 SAYS = {
     "embed": "the ball rests at y = 0.50\n",
     "callbacks": "the skater glides at 3.00\n"
-    "the jumper fell from 2.5 and rose to 4.7\n"
+    "the jumper fell from 2.5 and rose to 4.6\n"
     "the climber stands at 0.50\n"
     "the parcel rides at 2.00 and collected 1 coin\n"
     "the loudest thud: 17\n",
     "brick_breaker": "0 bricks and 5 lives left after 97.5 s, score 400\n"
     "hash 90dcbe4902922b84\n",
-    "car": "place 1: car 3 after 31.80 s\n"
-    "place 2: car 2 after 32.47 s\n"
+    "car": "place 1: car 3 after 31.88 s\n"
+    "place 2: car 2 after 32.55 s\n"
     "place 3: car 1 after 33.32 s\n"
-    "hash 8cbc73fd3844de11\n",
+    "hash 85671ff00fca0f4f\n",
     "platformer": "8 of 8 coins in 14.25 s; the crate is at 4.60\n"
-    "hash 21fb8160407b5347\n",
-    "pool": "11 to 4 balls in 42 shots, 0 and 2 fouls\n"
-    "hash 8bb074e64117a16d\n",
-    "rollback": "3 to 2 rounds in 1037 steps\n"
-    "483 steps played again\n"
-    "420 steps played again\n"
+    "hash aacf65774d76a258\n",
+    "pool": "11 to 4 balls in 22 shots, 0 and 0 fouls\n"
+    "hash 0f09ab1cd2766e18\n",
+    "rollback": "1 to 3 rounds in 847 steps\n"
+    "363 steps played again\n"
+    "388 steps played again\n"
     "0 unlike, hash ee89e7b947148309\n",
-    "save_load": "0 crates left after 1101 steps, hash c9eff3242090acb7\n"
-    "0 crates left after 1101 steps, hash c9eff3242090acb7\n",
+    "save_load": "0 crates left after 1037 steps, hash 17eb95ae567ff213\n"
+    "0 crates left after 1037 steps, hash 17eb95ae567ff213\n",
 }
 
 name, program = sys.argv[1:]

@@ -67,7 +67,7 @@ static void fill(scene *s, int size) {
     scene_add_body(s, SCENE_STATIC, 0, 0);
     scene_add_flat(s, 0);
     add_engine(s, -22);
-    add_tower(s, 21.5, size);
+    add_tower(s, 17.6, size);
     s->camera_x = 2;
     s->camera_y = 11;
     s->camera_height = 38;

@@ -323,7 +323,7 @@ static void elastic_bodies_keep_their_energy(trial *t) {
 const guarantee guarantees_of_rest[] = {
     GUARANTEE_EXCEPT(edits_wake_who_touches, {SLEEPING, BIT(0), "nothing sleeps"}),
     GUARANTEE_EXCEPT(elastic_bodies_keep_their_energy,
-                     {DETECTION, ALL_BUT(SWEPT), "only swept bodies fly exact parabolas"}),
+                     {DETECTION, ALL_BUT(SWEPT), "only swept bodies bounce where they meet"}),
     GUARANTEE(error_tells_the_energy_change),
     GUARANTEE(error_tells_the_overlap),
     GUARANTEE(falling_gains_no_energy),

@@ -193,8 +193,8 @@ static void trebuchet_throws_as_at_shorter_time_steps(void **state) {
     }
 }
 
-/* How many bricks move depends on the step in which the sling breaks more than on anything that an
- * engine gets right or wrong: at a quarter of the time step the stone flies past them. */
+/* Where the stone comes down depends on the step in which the sling breaks: from 16 to 20 length
+ * scales at 1/960 to 1/60 s. The tower stands where all of them meet it. */
 static void trebuchet_hits_the_tower(void **state) {
     (void)state;
     for (int q = 0; q < FIRM; q++) {
@@ -209,7 +209,7 @@ static void trebuchet_hits_the_tower(void **state) {
         for (int i = t.scene.body_count - 40; i < t.scene.body_count; i++)
             hit += moved(&t, i) > 0.5;
         assert_int_equal(broken, 1);
-        assert_true(hit > (firm[q] == &thud_quality_exact ? 0 : 5));
+        assert_true(hit > 5);
         close_stage(&t);
     }
 }

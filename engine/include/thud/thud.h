@@ -141,10 +141,12 @@ THUD_NODISCARD THUD_API thud_result thud_world_create(const thud_world_def *def,
  * the world the call does nothing either, and the log hook is told THUD_ERROR_LOCKED. */
 THUD_API void thud_world_destroy(thud_world *world);
 
-/* Runs one step of time_step seconds. On THUD_ERROR_MEMORY no body has moved and no event is
- * reported, but edits have taken effect, and bodies that the step was to wake may be awake. A step
- * that is run again ends with the same results, bit for bit, and the same events. THUD_ERROR_NULL;
- * THUD_ERROR_LOCKED inside a callback. */
+/* Runs one step of time_step seconds. A body without contacts and joints follows the exact path of
+ * its acceleration and damping, at every quality, to the rounding of its velocity to a float. On
+ * THUD_ERROR_MEMORY no body has moved and no event is reported, but edits have taken effect, and
+ * bodies that the step was to wake may be awake. A step that is run again ends with the same
+ * results, bit for bit, and the same events. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback.
+ */
 THUD_API thud_result thud_world_step(thud_world *world);
 
 /* Advances the world by `elapsed` seconds, in [0, THUD_ADVANCE_MAX]: runs the whole steps that fit
@@ -225,8 +227,8 @@ typedef struct thud_body_def {
     float angular_velocity; /* rad/s; default 0; must be 0 for static bodies. A step clamps it to
                                |.| <= THUD_ANGULAR_SPEED_MAX */
     float gravity_scale;    /* factor of the world's gravity, finite; default 1 */
-    float linear_damping;   /* 1/s, >= 0; default 0. A substep of h seconds divides the velocity by
-                               1 + h * damping */
+    float linear_damping;   /* 1/s, >= 0; default 0. What is left of a velocity after t seconds is
+                               exp(-damping * t) of it */
     float angular_damping;  /* 1/s, >= 0; default 0; the same of the angular velocity */
     bool fixed_rotation;    /* no torque turns the body; default false */
     bool may_sleep;         /* default true */

@@ -74,9 +74,9 @@ extern THUD_API const thud_detection thud_detection_bisect;
  * with overlap in a gas, 6.7 times in a heap (docs/catalogue.md).
  *
  * Bisection takes the motion of a step as straight, while gravity g bends it by up to
- * g * time_step^2 / 8. Swept bodies in free flight follow exact parabolas, and elastic ones
- * (restitution 1) keep their energy. In a world that chooses bisect or swept, contacts rest 0.004
- * length scales apart, so that shapes that a load presses together do not overlap. */
+ * g * time_step^2 / 8. Swept bodies in free flight meet others on their exact parabola, and elastic
+ * ones (restitution 1) keep their energy. In a world that chooses bisect or swept, contacts rest
+ * 0.004 length scales apart, so that shapes that a load presses together do not overlap. */
 extern THUD_API const thud_detection thud_detection_swept;
 
 THUD_API const char *thud_detection_name(const thud_detection *detection); /* "" for null */

@@ -3,12 +3,14 @@
  * not use this header does not link it.
  *
  * A force acts through the whole next step, in all substeps alike, and changes the velocity by
- * force * time_step / mass. A force applied between two calls of thud_world_advance acts over the
- * `elapsed` of the second, and changes the velocity by force * elapsed / mass. An impulse changes
- * the velocity at once; inside a callback it becomes the force through the next step with the same
- * effect. Both wake the body, and the bodies that it touches, if it sleeps. A disabled body keeps
- * the velocity that an impulse gave it, and drops forces. A static or kinematic body is refused, by
- * THUD_ERROR_INVALID.
+ * force * time_step / mass. A force that depends on the place, as a planet's or a spring's, is best
+ * that of the place in the middle of the step, position + velocity * time_step / 2: an orbit then
+ * keeps its energy, while the force of the place before the step adds energy in each. A force
+ * applied between two calls of thud_world_advance acts over the `elapsed` of the second, and
+ * changes the velocity by force * elapsed / mass. An impulse changes the velocity at once; inside a
+ * callback it becomes the force through the next step with the same effect. Both wake the body, and
+ * the bodies that it touches, if it sleeps. A disabled body keeps the velocity that an impulse gave
+ * it, and drops forces. A static or kinematic body is refused, by THUD_ERROR_INVALID.
  *
  * All return THUD_ERROR_NULL for a null world, THUD_ERROR_STALE, THUD_ERROR_INVALID for a value
  * that is not finite, a force or impulse beyond THUD_FORCE_MAX, or a place beyond THUD_PLACE_MAX

@@ -382,15 +382,18 @@ enum { TD_BOUNCE_PASSES = 64 };
 /* Of the solver's passes: constants of the step, then the state of the present pass. */
 typedef struct td_solve_context {
     float (*velocity)[4]; /* by awake slot: x, y, turn, inverse mass */
-    float (*delta)[4];    /* by awake slot: motion since the start of the step: x, y, angle */
+    float (*delta)[4];    /* by awake slot: motion since the start of the step: x, y, angle; 1 where
+                             a pair with restitution closes or parts faster than what rests */
     const float (*substep_gain)[4]; /* by awake slot: velocity gained by forces in a substep */
     float inv_h;                    /* 1 / h: substeps per second */
     float substeps;                 /* number of substeps of the step */
-    float time_step;                /* s */
     float push_speed;               /* greatest speed at which overlap is corrected, length/s */
     float joint_closing_speed;      /* TD_JOINT_CLOSING_SPEED, length/s */
     float bounce_speed;  /* <= 0, length/s: a pair bounces if its normal velocity is below this */
     float elastic_speed; /* the same for pairs with a restitution of 1 or more */
+    /* s: a pair bounces in this step if it meets within this time, which is a step and a substep:
+     * what would meet in the substep after the step, the last relax pass would stop. */
+    float bounce_time;
     float fall; /* gravity times time_step^2, length: a pair bounces in this step only if its
                    separation would be below this at the end */
     /* Softness of contacts between moving bodies [0], and with a static body [1]: solver/solve.c.

@@ -16,10 +16,10 @@ static td_awake_slot moving_slot(const td_body *body) {
     return body->kind == THUD_BODY_DYNAMIC && body->awake.at > 0 ? body->awake : (td_awake_slot){0};
 }
 
-/* Sets or clears the colour of a bin at a body. Slot 0, the bin of sleeping lanes and the overflow
- * colour have none. */
+/* Sets or clears the colour of a bin at a body. Slot 0 and the bin of sleeping lanes have none. The
+ * overflow colour, which a body may have many times, stays until the body sleeps. */
 static void mark_colour(thud_world *w, td_awake_slot slot, int bin, bool taken) {
-    if (slot.at > 0 && bin != TD_SLEEPING && bin % TD_COLOURS != TD_OVERFLOW) {
+    if (slot.at > 0 && bin != TD_SLEEPING && (taken || bin % TD_COLOURS != TD_OVERFLOW)) {
         td_colours *colours = td_colours_at(w, slot);
         uint64_t *mask = bin < TD_COLOURS ? &colours->with_moving : &colours->with_static;
         uint64_t bit = 1ull << (bin % TD_COLOURS);

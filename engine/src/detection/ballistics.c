@@ -10,6 +10,8 @@
 #include "constraint/constraint.h"
 #include "detection/trajectory.h"
 
+#include <float.h>
+
 /* A body is in free flight while contacts change its velocity by at most this share of what
  * gravity and forces add in a step. Chosen, 1/16: with 0 contacts that only brush a body would put
  * it on the polygon of the substeps. At half and twice of it the impacts in the scenes platformer
@@ -30,7 +32,9 @@ void td_ballistics_save_velocities(thud_world *w) {
 /* Whether gravity and forces alone changed the body, but for the speed `share` (length/s), at its
  * centre and, by the turn, at its max_extent. With n substeps of semi-implicit Euler, v1 = v0 +
  * gain, and motion / dt is v1 - gain (n - 1) / (2 n), which lies between v1 - gain / 2 (n without
- * bound) and v1 (n = 1). `rounding` allows two units of single precision (2^-23 each) a substep. */
+ * bound) and v1 (n = 1). `rounding` allows two units of single precision (2^-23 each) a substep.
+ * Impulses may have made the velocity before infinite; the solver clamps it, and the path is no
+ * parabola. */
 static bool gained_only_gravity(const thud_world *w, td_awake_slot slot, double share) {
     const td_trajectory *f = td_trajectory_at(w, slot);
     const float *velocity = td_row(&w->velocity, slot), *delta = td_row(&w->delta, slot);
@@ -42,7 +46,7 @@ static bool gained_only_gravity(const thud_world *w, td_awake_slot slot, double 
         double rounding = 0x1p-22 * n * (td_abs(f->motion[k]) + td_abs(gain));
         double tolerance = rounding + (k < 2 ? share : share / (double)td_row(&w->reach, slot)[1]);
         double deviation = (double)delta[k] / w->def.time_step - (v1 - 0.25 * gain);
-        free = td_abs(v1 - f->motion[k] - gain) <= tolerance &&
+        free = tolerance < (double)FLT_MAX && td_abs(v1 - f->motion[k] - gain) <= tolerance &&
                td_abs(deviation) <= 0.25 * td_abs(gain) + tolerance;
     }
     return free;
@@ -63,6 +67,15 @@ static void set_parabola(thud_world *w, td_awake_slot slot, bool touched) {
         }
         f->fall[axis] = gain * dt;
         td_row(&w->delta, slot)[axis] = (float)((double)*velocity * dt - 0.5 * f->fall[axis]);
+    }
+}
+
+/* The solver has moved the body on its exact path: the fall is what it gained, with damping too. */
+static void set_fall(const thud_world *w, td_awake_slot slot) {
+    td_trajectory *f = td_trajectory_at(w, slot);
+    const float *velocity = td_row(&w->velocity, slot);
+    for (int axis = 0; axis < 2; axis++) {
+        f->fall[axis] = ((double)velocity[axis] - f->motion[axis]) * w->def.time_step;
     }
 }
 
@@ -92,7 +105,12 @@ void td_ballistics_set_parabolas(thud_world *w) {
         /* A gain above the maximum speed is clamped by the substeps, and there is no parabola. */
         f->free = gain <= (double)(w->def.maximum_speed * w->length_scale) &&
                   gained_only_gravity(w, slot, FREE_SHARE_MAX * gain) && !is_joined(w, body);
-        if (f->free && gain > 0.0) {
+        if (!f->free || gain == 0.0) {
+            continue;
+        }
+        if (td_is_unconstrained(w, slot)) {
+            set_fall(w, slot);
+        } else {
             set_parabola(w, slot, !gained_only_gravity(w, slot, 0.0));
         }
     }

@@ -6,6 +6,7 @@
  * without constraints ends the step with the same velocity as under the soft solver. */
 #include "direct/elimination_order.h"
 #include "direct/island_step.h"
+#include "solver/damping.h"
 
 #include <string.h>
 
@@ -59,16 +60,18 @@ static void take_body(td_island_work *work, int i) {
     const td_body *body = td_body_at(w, td_body_of(w, slot));
     const float *before = td_at(&w->islands.island_start_velocity, work->island->first_body + i);
     const float *substep_gain = td_row(&w->substep_gain, slot);
-    double h = work->time / w->substeps;
-    double linear = 1.0 / (1.0 + h * (double)body->linear_damping);
-    double angular = 1.0 / (1.0 + h * (double)body->angular_damping);
+    float h = (float)(work->time / w->substeps);
+    td_damping linear = td_damping_of(h * body->linear_damping);
+    td_damping angular = td_damping_of(h * body->angular_damping);
     td_direct_body *b = &work->problem.bodies[i];
     *b = (td_direct_body){.inverse_mass = (double)body->inv_mass,
                           .inverse_inertia = (double)body->inv_inertia};
     for (int k = 0; k < 3; k++) {
         double after = b->velocity[k] = b->before[k] = (double)before[k];
         for (int n = 0; n < w->substeps; n++) {
-            after = after * (k < 2 ? linear : angular) + (double)substep_gain[k];
+            const td_damping *damping = k < 2 ? &linear : &angular;
+            after =
+                after * (1.0 - (double)damping->lost) + (double)(damping->gained * substep_gain[k]);
         }
         b->free[k] = 0.5 * (b->before[k] + after);
     }

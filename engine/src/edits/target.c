@@ -1,13 +1,14 @@
 /* target.c: thud_body_set_target, the velocity by which a kinematic body reaches a pose at the end
  * of the next step:
  *
- *     velocity = (target - pose) / T,   T = h * sum_{i=1..n} q^i,   q = 1 / (1 + h * damping)
+ *     velocity = (target - pose) / T,   T = h * sum_{i=1..n} q^i,   q = exp(-h * damping)
  *
  * n: substeps; h = time_step / n: length of a substep; q: the factor by which damping scales the
- * velocity at the start of each substep (wide_motion.c). Without damping T = time_step. */
+ * velocity at the start of each substep (damping.h). Without damping T = time_step. */
 #include "thud/thud_forces.h"
 
 #include "base/rotation.h"
+#include "solver/damping.h"
 #include "solver/motion.h"
 #include "state/body.h"
 #include "state/handles.h"
@@ -15,9 +16,9 @@
 /* T of the head of this file, s. */
 static double damped_time(const thud_world *w, float damping) {
     float h = (float)w->def.time_step / (float)w->substeps;
-    double share = 1.0, sum = 0.0;
+    double kept = 1.0 - (double)td_damping_of(h * damping).lost, share = 1.0, sum = 0.0;
     for (int i = 0; i < w->substeps; i++) {
-        share *= (double)(1.0f / (1.0f + h * damping));
+        share *= kept;
         sum += share;
     }
     return sum * (double)h;

@@ -1,6 +1,7 @@
 /* motion.h: the passes over all awake bodies, eight at a time: integration of velocities and
- * positions in each substep (semi-implicit Euler), and the end of the step. Arrays are by awake
- * slot; slot 0 is a dummy that stands for all static bodies. */
+ * positions in each substep, and the end of the step. What constraints act on moves by
+ * semi-implicit Euler, and what none acts on by the exact path of its acceleration and damping
+ * (damping.h). Arrays are by awake slot; slot 0 is a dummy that stands for all static bodies. */
 #ifndef TD_MOTION_H
 #define TD_MOTION_H
 
@@ -12,22 +13,34 @@
 
 typedef struct td_motion_context {
     float (*velocity)[4];           /* x, y, turn, and the inverse mass */
-    float (*delta)[4];              /* motion since the start of the step: x, y, turn */
+    float (*delta)[4];              /* motion since the start of the step: x, y, turn; and, until
+                                       positions of the last substep, a mark of the bounce passes
+                                       (td_solve_context) */
     float (*start)[4];              /* velocity at the start of the substep */
     const float (*substep_gain)[4]; /* velocity that gravity and forces add in a substep */
     const float (*damping)[2];      /* null where no body is damped */
+    const uint64_t (*colours)[2];   /* the body's td_colours: none where it is free */
     int count;                      /* awake slots, with the dummy */
-    float h;                        /* length of a substep, s */
-    float max_speed;                /* length/s */
+    int substeps;
+    float h;         /* length of a substep, s */
+    float max_speed; /* length/s */
+    bool bouncy;     /* a pair has restitution, so that delta may have marks */
 } td_motion_context;
 
-/* v = v / (1 + h damping) + gain, where the gain is `substep_gain` in the first substep. In later
- * substeps it is the whole change of velocity in the substep before, forces and constraints
- * together: as anchors are fixed within a step, that is the warm start of all constraints, at the
- * price of two vector operations a body instead of a pass over the constraints. */
-typedef void td_integrate_velocity_fn(const td_motion_context *context, bool first);
-/* delta += h v */
-typedef void td_integrate_position_fn(const td_motion_context *context);
+/* The velocities of the first substep, start + gain: start is the damped velocity, and gain that of
+ * gravity and forces. A free body gets the velocity of the end of the whole step at once. Later
+ * passes add that velocity times h to its delta in each substep, and change it no more; so delta
+ * begins with the difference between the way of its exact path and that sum. */
+typedef void td_begin_motion_fn(const td_motion_context *context);
+/* The velocities of a later substep, of which the gain is the whole change of velocity in the
+ * substep before, forces and constraints together: as anchors are fixed within a step, that is the
+ * warm start of all constraints, at the price of two vector operations a body instead of a pass
+ * over the constraints. */
+typedef void td_integrate_velocity_fn(const td_motion_context *context);
+/* delta += h v. In the last substep the bodies that a bounce pass has marked, and whose constraints
+ * all the same did nothing in this step, are moved on to the exact path: what flies up from a
+ * bounce would else lose energy while it is near what it met. */
+typedef void td_integrate_position_fn(const td_motion_context *context, bool last);
 struct thud_world;
 
 /* wide_finalize.c: adds motions to poses, and updates shapes and bounds. Fills scratch.odd,

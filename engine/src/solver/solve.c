@@ -1,8 +1,8 @@
 /* solve.c: the soft solver's order of passes: bounces, then the substeps, by one or more workers.
  *
  * The method is "soft step" (Catto, "Solver2D", 2024): each substep of length h
- *     1. integrates velocities (td_integrate_velocity, which also carries the impulses over; in the
- *        first substep the warm start does),
+ *     1. integrates velocities (in the first substep td_begin_motion, then the warm start; in later
+ *        ones td_integrate_velocity, which also carries the impulses over),
  *     2. solves contacts as soft constraints, with a bias that corrects overlaps,
  *     3. integrates positions,
  *     4. relaxes: solves again without bias.
@@ -66,7 +66,7 @@ static td_solve_context solve_context(const thud_world *w, float h) {
         .substep_gain = w->substep_gain.data,
         .inv_h = 1.0f / h,
         .substeps = (float)w->substeps,
-        .time_step = time,
+        .bounce_time = time + h,
         .push_speed = w->def.push_speed * w->length_scale,
         .joint_closing_speed = TD_JOINT_CLOSING_SPEED * w->length_scale,
         .bounce_speed = -w->def.restitution_threshold * w->length_scale,
@@ -245,6 +245,7 @@ static td_motion_context part_of(const solving *s, int chunk) {
     part.start += first;
     part.substep_gain += first;
     part.damping = m->damping ? m->damping + first : NULL;
+    part.colours += first;
     part.count = td_min_int(m->count - first, size);
     return part;
 }
@@ -254,20 +255,19 @@ static td_motion_context part_of(const solving *s, int chunk) {
 static void first_velocities(void *work, int chunk) {
     const solving *s = work;
     td_motion_context part = part_of(s, chunk);
-    memset(part.delta, 0, (size_t)part.count * sizeof *part.delta);
-    TD_PICK_WIDE(s->w, td_integrate_velocity)(&part, true);
+    TD_PICK_WIDE(s->w, td_begin_motion)(&part);
 }
 
 static void velocities(void *work, int chunk) {
     const solving *s = work;
     td_motion_context part = part_of(s, chunk);
-    TD_PICK_WIDE(s->w, td_integrate_velocity)(&part, false);
+    TD_PICK_WIDE(s->w, td_integrate_velocity)(&part);
 }
 
 static void positions(void *work, int chunk) {
     const solving *s = work;
     td_motion_context part = part_of(s, chunk);
-    TD_PICK_WIDE(s->w, td_integrate_position)(&part);
+    TD_PICK_WIDE(s->w, td_integrate_position)(&part, s->contacts.last);
 }
 
 /* Runs bounce passes until one finds no pair that bounces, at most TD_BOUNCE_PASSES. Returns
@@ -358,8 +358,8 @@ static void run_passes(void *argument) {
             brace(s);
         }
         walk(s, SOLVE);
-        td_worker_walk(&s->worker, bodies, positions, s);
         s->contacts.last = i == last;
+        td_worker_walk(&s->worker, bodies, positions, s);
         walk(s, RELAX);
         s->relaxed = true;
         if (has_torn_joint(s) && s->w->joint_hooks->wide_open(s->w) && brace(s)) {
@@ -392,7 +392,10 @@ void td_solve(thud_world *w) {
                    .start = w->start.data,
                    .substep_gain = w->substep_gain.data,
                    .damping = w->damped ? w->damping.data : NULL,
+                   .bouncy = w->bouncy > 0,
+                   .colours = w->colours.data,
                    .count = w->body_of.count,
+                   .substeps = w->substeps,
                    .h = h,
                    .max_speed = w->def.maximum_speed * w->length_scale},
         .tally = {.skin = w->skin, .overlap = td_overlap_depth_min(w), .to_fixed = w->to_fixed},

@@ -1,12 +1,13 @@
 /* wide_bounce.h: restitution by Newton's impact law, v_after = -e v_before along the normal,
  * over blocks of one or two points.
  *
- * Before the substeps, a point that closes faster than a threshold and will touch within the step
- * gets its impulse at once, one contact after the other (sequential impacts), so that no pair gains
- * energy. Passes are repeated while an impact makes another contact close, so that a row of balls
- * hands on what hits it. The soft solver then finds separating contacts. Where it has stopped a
- * pair all the same, as a body on ground without restitution, a last pass after the substeps
- * (TD_BOUNCE_LAST) gives the pair its speed back, with no more energy than the pair had. */
+ * Before the substeps, a point that closes faster than a threshold and will touch within the step,
+ * or the substep after it, gets its impulse at once, one contact after the other (sequential
+ * impacts), so that no pair gains energy. Passes are repeated while an impact makes another contact
+ * close, so that a row of balls hands on what hits it. The soft solver then finds separating
+ * contacts. Where it has stopped a pair all the same, as a body on ground without restitution, a
+ * last pass after the substeps (TD_BOUNCE_LAST) gives the pair its speed back, with no more energy
+ * than the pair had. */
 #ifndef TD_WIDE_BOUNCE_H
 #define TD_WIDE_BOUNCE_H
 
@@ -75,11 +76,24 @@ TD_INLINE f8 impact_friction(const td_solve_context *c, td_block *block, int poi
     return f8_clamp(-block->tangent_mass * slip, -bound, bound);
 }
 
+/* Marks the moving bodies of the lanes in `bits`: td_solve_context.delta. */
+TD_INLINE void mark_flights(const td_solve_context *c, const td_block *block, unsigned bits) {
+    for (; bits; bits &= bits - 1) {
+        int lane = __builtin_ctz(bits);
+        for (int k = 0; k < 2; k++) {
+            td_awake_slot slot = td_slot_of_side(k ? block->b[lane] : block->a[lane]);
+            if (slot.at > 0 && c->velocity[slot.at][3] > 0.0f) {
+                c->delta[slot.at][3] = 1.0f;
+            }
+        }
+    }
+}
+
 /* One bounce pass over blocks. Static bodies are read as slot 0, which is at rest and has an
  * inverse mass of 0. */
 TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_context *c,
                              int points) {
-    f8 zero = f8_all(0.0f), one = f8_all(1.0f), half = f8_all(0.5f);
+    f8 zero = f8_all(0.0f), one = f8_all(1.0f);
     bool last = c->bounce == TD_BOUNCE_LAST, any = false;
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
@@ -96,13 +110,11 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
                 history[k].total = zero;
             }
         }
-        sides v = read_sides(c->velocity, block, a_static),
-              g = read_sides(c->substep_gain, block, a_static);
+        sides v = read_sides(c->velocity, block, a_static);
         f8 closing = centres_along(&v, false, block->nx, block->ny);
-        f8 falling = centres_along(&g, false, block->nx, block->ny);
         f8 e = block->restitution, speed[2], target[2], lacks[2];
         f8 slow = f8_pick(e < one, f8_all(c->bounce_speed), f8_all(c->elastic_speed));
-        i8 bounced = surface->energy >= zero, hit[2], hits = bounced ^ bounced;
+        i8 bounced = surface->energy >= zero, hit[2], hits = bounced ^ bounced, fast = hits;
         f8 share =
             f8_pick(bounced, f8_min(e, one), e); /* a restitution above 1 adds energy once a step */
         for (int k = 0; k < points; k++) {
@@ -112,19 +124,20 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
                 target[k] = -e * history[k].normal_velocity;
                 hit[k] = bounced & (speed[k] < target[k]);
             } else {
-                /* A substep adds gravity to velocities before it moves bodies, so that velocities
-                 * are half a substep of gravity behind the parabola. Without this term an impact
-                 * loses that much speed. */
-                f8 behind = half * at_point(falling, &g, false, ARMS_ALL, p);
-                target[k] = -share * (speed[k] + behind) - behind;
-                hit[k] = (speed[k] < slow) & (e > zero) &
-                         (p->start_separation + speed[k] * f8_all(c->time_step) < f8_all(c->fall));
+                target[k] = -share * speed[k];
+                hit[k] =
+                    (speed[k] < slow) & (e > zero) &
+                    (p->start_separation + speed[k] * f8_all(c->bounce_time) < f8_all(c->fall));
             }
             lacks[k] = speed[k] - target[k];
+            fast |= (e > zero) & (f8_abs(speed[k]) > -slow);
             hits |= hit[k];
         }
         if (!last && i8_bits(bounced | hits)) {
             surface->energy = f8_pick(bounced | hits, energy_of(block, &v), surface->energy);
+        }
+        if (c->bounce == TD_BOUNCE_FIRST) {
+            mark_flights(c, block, i8_bits(fast));
         }
         if (!i8_bits(hits)) {
             continue;
@@ -139,6 +152,7 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
             if (points == 2) {
                 gain += change.normal[1] * (speed[1] + target[1]);
             }
+            sides g = read_sides(c->substep_gain, block, a_static);
             sides before = {without_forces(v.a, g.a, substeps), without_forces(v.b, g.b, substeps)};
             f8 room = f8_max(surface->energy - energy_of(block, &before), zero);
             f8 part = f8_pick(gain > room, room / gain, one);

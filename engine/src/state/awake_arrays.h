@@ -19,9 +19,9 @@ enum {
 
 /* Name, element, and whether it is state. */
 #define TD_AWAKE_ARRAYS(X)                                                                        \
-    X(velocity, float[4], TD_STATE)     /* x, y, turn; inverse mass */                            \
-    X(delta, float[4], TD_STATE)        /* motion of the last step: x, y, angle */                \
-    X(start, float[4], TD_REBUILT)      /* velocity at the start of a substep, damped */          \
+    X(velocity, float[4], TD_STATE) /* x, y, turn; inverse mass */                                \
+    X(delta, float[4], TD_STATE)    /* motion of the last step: x, y, angle; 0 between steps */   \
+    X(start, float[4], TD_REBUILT)  /* velocity at the start of a substep, damped */              \
     X(substep_gain, float[4], TD_STATE) /* velocity that forces add in a substep */               \
     X(damping, float[2], TD_STATE)      /* linear, angular */                                     \
     X(idle, float, TD_STATE)            /* time at rest, s */                                     \

@@ -26,6 +26,7 @@ TD_DECLARE_WIDE(td_sweep_fn, td_grid_sweep);
 TD_DECLARE_WIDE(td_sweep_fn, td_sorted_axis_sweep);
 TD_DECLARE_WIDE(td_find_fn, td_grid_find);
 TD_DECLARE_WIDE(td_find_fn, td_sorted_axis_find);
+TD_DECLARE_WIDE(td_begin_motion_fn, td_begin_motion);
 TD_DECLARE_WIDE(td_integrate_velocity_fn, td_integrate_velocity);
 TD_DECLARE_WIDE(td_integrate_position_fn, td_integrate_position);
 TD_DECLARE_WIDE(td_tally_fn, td_tally_points);

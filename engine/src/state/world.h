@@ -194,6 +194,13 @@ static inline td_colours *td_colours_at(const thud_world *w, td_awake_slot slot)
     return TD_AT(td_colours, &w->colours, slot.at);
 }
 
+/* Whether no constraint has a lane at the body, so that the solver moves it on its exact path
+ * (motion.h). A dynamic body alone: kinematic ones never have a colour. */
+static inline bool td_is_unconstrained(const thud_world *w, td_awake_slot slot) {
+    const td_colours *colours = td_colours_at(w, slot);
+    return !(colours->with_moving | colours->with_static);
+}
+
 /* An element of an array of awake_arrays.h that consists of one, two or four floats. */
 static inline float *td_row(const td_array *rows, td_awake_slot slot) {
     return td_at(rows, slot.at);

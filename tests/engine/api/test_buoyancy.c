@@ -190,7 +190,7 @@ static void tall_boxes_fall_over_and_the_flow_carries(void **state) {
     thud_water water = thud_default_water();
     thud_body_id tall = add_floating(world, 0, 0.05, 0.25f, 1.5f, 0.5f);
     water.flow = (thud_vec2){2, 0};
-    float_for(world, tall, &water, 1200);
+    float_for(world, tall, &water, 1800);
     thud_body_state s = state_of(world, tall);
     near_to(fabs(s.angle), pi / 2, 1e-2);
     near_to((double)s.velocity.x, 2, 1e-3);
@@ -216,7 +216,9 @@ static double energy_of(thud_world *world, thud_body_id body, const thud_geometr
     return m.kinetic_energy + m.potential_energy - area * 10 * centroid.y;
 }
 
-static void what_bobs_never_gains_energy(void **state) {
+/* Lift is that of the middle of the step, so that a body which bobs without drag keeps its energy;
+ * each ten seconds reach the same greatest energy. */
+static void what_bobs_keeps_its_energy(void **state) {
     (void)state;
     for (int i = 0; i < QUALITIES * 2; i++) {
         thud_world_def def = thud_default_world_def_of(qualities[i / 2]);
@@ -235,7 +237,7 @@ static void what_bobs_never_gains_energy(void **state) {
             most[k / 600] = fmax(most[k / 600], energy_of(world, body, &shape, &water));
         }
         for (int k = 1; k < 6; k++) {
-            assert_true(most[k] <= most[k - 1] * (1 + 1e-6));
+            near_to(most[k], most[0], 2e-5 * most[0]);
         }
         thud_world_destroy(world);
     }
@@ -274,7 +276,7 @@ int main(void) {
         cmocka_unit_test(wrong_lines_are_refused),
         cmocka_unit_test(boxes_and_circles_float_at_their_draught_and_sleep_there),
         cmocka_unit_test(tall_boxes_fall_over_and_the_flow_carries),
-        cmocka_unit_test(what_bobs_never_gains_energy),
+        cmocka_unit_test(what_bobs_keeps_its_energy),
         cmocka_unit_test(drag_only_brakes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -68,13 +68,13 @@ static void belt_of_a_prologue_carries_and_stops(void **state) {
     }
 }
 
-/* The greatest speed in m/s at which a body leaves the floor after a fall of 5 m under 10 m/s^2,
- * from its velocity and height in any step after. */
-static double bounce(const thud_detection *detection, int kind, float restitution) {
+/* The greatest speed in m/s at which a body leaves the floor after a fall from a height under
+ * 10 m/s^2, from its velocity and height in any step after. */
+static double bounce(const thud_detection *detection, int kind, float restitution, double height) {
     wish w = {{0.6f, restitution, 0}, true, 0};
     thud_world *world = make_world_with(detection, wish_for, &w, true);
     add_floor(world, NULL);
-    thud_body_id ball = add_kind(world, kind, 0, 5.5, NULL);
+    thud_body_id ball = add_kind(world, kind, 0, 0.5 + height, NULL);
     double fastest = 0;
     for (int i = 0; i < 90; i++) {
         run(world, 1);
@@ -90,10 +90,14 @@ static void trampoline_of_a_prologue_bounces_as_high_as_it_says(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
         for (int kind = 0; kind < 3; kind++) {
-            near_to(bounce(detections[d], kind, 0), 0, 0.3);
-            near_to(bounce(detections[d], kind, 0.5f), 5, 0.05);
-            near_to(bounce(detections[d], kind, 1), 10, 0.05);
-            near_to(bounce(detections[d], kind, 1.5f), 15, 0.05);
+            /* Without restitution the soft solver returns up to 0.42 at some heights, which is
+             * nothing that this test is about. */
+            for (int i = 0; i < 20; i++) {
+                near_to(bounce(detections[d], kind, 0, 4.8 + 0.02 * i), 0, 0.45);
+            }
+            near_to(bounce(detections[d], kind, 0.5f, 5), 5, 0.005);
+            near_to(bounce(detections[d], kind, 1, 5), 10, 0.005);
+            near_to(bounce(detections[d], kind, 1.5f, 5), 15, 0.005);
         }
     }
 }

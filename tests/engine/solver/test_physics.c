@@ -1,21 +1,6 @@
-/* test_physics.c: motion of simple scenes against analytic answers: parabola, restitution,
+/* test_physics.c: motion of simple scenes against analytic answers: restitution,
  * friction, rolling, elastic collision, columns. */
 #include "engine_support.h"
-
-static void projectile_follows_the_parabola_to_first_order(void **state) {
-    (void)state;
-    thud_world *world = make_world(thud_default_world_def());
-    thud_body_id ball = add_ball(world, 0, 0, 0.5f);
-    OK(thud_body_set_velocity(world, ball, (thud_vec2){3, 20}, 0));
-    run(world, 120);
-    thud_body_state s = state_of(world, ball);
-    /* Semi-implicit Euler with substeps of h is g t h / 2 below v t - g t^2 / 2. */
-    double t = 2.0, h = 1.0 / 240.0;
-    near_to(s.position.x, 3 * t, 1e-4);
-    near_to(s.position.y, 20 * t - 5 * t * t - 10 * t * h / 2, 1e-3);
-    near_to((double)s.velocity.y, 20 - 10 * t, 1e-3);
-    thud_world_destroy(world);
-}
 
 static void ball_bounces_by_its_restitution(void **state) {
     (void)state;
@@ -149,7 +134,6 @@ static void column_solved_directly_does_not_sink(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(projectile_follows_the_parabola_to_first_order),
         cmocka_unit_test(ball_bounces_by_its_restitution),
         cmocka_unit_test(box_holds_below_and_slides_above_the_angle_of_friction),
         cmocka_unit_test(disc_rolls_at_two_thirds_of_g_sin),

@@ -200,8 +200,8 @@ export interface BodyOptions {
   /** The factor of the world's gravity: a body with 0 floats. Default 1. */
   gravityScale?: number;
   /**
-   * The damping of its velocity, 1/s, 0 or more: a substep of h seconds divides the velocity by
-   * 1 + h * damping. Default 0.
+   * The damping of its velocity, 1/s, 0 or more: what is left of a velocity after t seconds is
+   * exp(-damping * t) of it. Default 0.
    */
   linearDamping?: number;
   /** The damping of its angular velocity, 1/s, 0 or more. Default 0. */

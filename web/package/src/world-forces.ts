@@ -25,7 +25,9 @@ export class WorldForces extends WorldEdits {
   /**
    * Applies a force, mass times length/s², to a dynamic body at a place in the world, through the
    * next step, or through the time of the next `advance`. Its torque is computed from the present
-   * pose.
+   * pose. A force that depends on the place, as a planet's or a spring's, is best that of the place in
+   * the middle of the step, position + velocity × time step / 2: an orbit then keeps its energy, while
+   * the force of the place before the step adds energy in each.
    * @throws {ThudError} "invalid", also for a body that is not dynamic; "stale".
    * @example world.applyForce(rocket, [0, 20], nozzle)
    */

@@ -23,7 +23,7 @@ export default function ({ createWorld, grid, size }) {
   const [halfWidth, halfHeight, columns] = [0.5, 0.4, 4];
   for (let i = 0; i < size; i++) {
     const row = Math.floor(i / columns);
-    const x = 21.5 + 2 * halfWidth * (i % columns) + (row % 2 ? 0.5 * halfWidth : 0);
+    const x = 17.6 + 2 * halfWidth * (i % columns) + (row % 2 ? 0.5 * halfWidth : 0);
     const y = halfHeight + 2 * halfHeight * row;
     parts.box([x, y], halfWidth, halfHeight, { density: 20, friction: 0.7 });
   }
