@@ -16,11 +16,11 @@ SAYS = {
     "car": "place 1: car 3 after 31.88 s\n"
     "place 2: car 2 after 32.55 s\n"
     "place 3: car 1 after 33.32 s\n"
-    "hash 85671ff00fca0f4f\n",
+    "hash 27276733f07fb3ad\n",
     "platformer": "8 of 8 coins in 14.25 s; the crate is at 4.60\n"
     "hash aacf65774d76a258\n",
-    "pool": "11 to 4 balls in 22 shots, 0 and 0 fouls\n"
-    "hash 0f09ab1cd2766e18\n",
+    "pool": "6 to 9 balls in 37 shots, 0 and 1 fouls\n"
+    "hash b89e26239d1a3998\n",
     "rollback": "1 to 3 rounds in 847 steps\n"
     "363 steps played again\n"
     "388 steps played again\n"

@@ -20,7 +20,8 @@ import tradeoff_figures as figures
 import tradeoff_picture as picture
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-QUALITIES = ["draft", "default", "high", "exact", "soft 4", "soft 8", "soft 16", "default swept"]
+QUALITIES = ["draft", "default", "high", "exact", "soft 4", "soft 8", "soft 16", "default swept",
+             "high swept"]
 SUBSTEPS = ["1", "2", "4", "8", "16", "8 stiff", "16 stiff"]
 ITERATIONS = ["10", "40", "160"]
 JOINTS = ["chain", "bridge", "ragdolls", "cars"]

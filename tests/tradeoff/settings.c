@@ -1,6 +1,7 @@
 /* settings.c: the settings that are compared. thud runs at each of its qualities with everything
- * else at its default; with the soft solver alone at several numbers of substeps; and at quality
- * default with swept detection, the setting for worlds in which impacts alone matter.
+ * else at its default; with the soft solver alone at several numbers of substeps; and at qualities
+ * default and high with swept detection (draft is the same as default then, and exact is swept by
+ * itself).
  *
  * Chipmunk 7 runs with its default of 10 iterations and with more.
  *
@@ -56,6 +57,10 @@ const setting SETTINGS[] = {
      "default swept",
      "thud swept",
      {.quality = &thud_quality_default, .detection = &thud_detection_swept}},
+    {&engine_thud,
+     "high swept",
+     "thud swept",
+     {.quality = &thud_quality_high, .detection = &thud_detection_swept}},
 #ifdef THUD_BOX2D_BUILD
     BOX2D(1, "", 30),
     BOX2D(2, "", 30),

@@ -13,7 +13,7 @@ COLOURS = {"thud": "#00734d", "thud soft": "#3fae86", "thud swept": "#00734d", "
 SIGNS = {"thud": "circle", "thud soft": "circle", "thud swept": "ring", "box2d": "square",
          "box2d stiff": "triangle", "chipmunk": "square"}
 KEY_WORDS = {"thud": "thud: draft, default, high, exact", "thud soft": "soft 4, 8, 16",
-             "thud swept": "default swept",
+             "thud swept": "swept: default, high",
              "box2d": "Box2D v3.2: 1, 2, 4, 8, 16 substeps", "box2d stiff": "8, 16 stiffer", "chipmunk": "Chipmunk: 10, 40, 160 iterations, of joints"}
 INK, GREY, PALE = "#202020", "#6b6b6b", "#e4e4e4"
 # Pixels.

@@ -35,7 +35,8 @@ typedef struct thud_quality {
     const thud_island_solver *islands; /* null: the soft solver solves all islands */
     float overlap_limit; /* >= 0: an island in which a contact would overlap under its load by more
                         than this share of the smaller body's size is solved by `islands`; 0: every
-                        island is */
+                        island is. In a world that chooses bisect or swept every island without
+                        joints is (thud_detection_swept) */
     int island_limit;    /* bodies, 1 .. THUD_ISLAND_LIMIT_MAX: larger islands are left to the soft
                             solver */
     int64_t

@@ -3,6 +3,7 @@
  * that passes through within the step is not found. */
 #include "detection/detection.h"
 #include "detection/sensing.h"
+#include "thud/thud_quality.h"
 
 /* Bisection ends when the interval is this share of the rest of the step: 20 distance tests a
  * pair. Chosen: at a speed of 100 length scales/s and 60 steps/s it is 1.6e-6 length scales of
@@ -44,4 +45,5 @@ const thud_detection thud_detection_bisect = {.name = "bisect",
                                               .rank = TD_RANK_BISECT,
                                               .stage = &td_stage_impacts,
                                               .time_of_impact = time_of_impact,
+                                              .islands = &thud_islands_direct,
                                               .sensing = &td_sensing_on_ways};

@@ -2,6 +2,7 @@
  * motion, found by conservative advancement (geometry/toi.c). */
 #include "detection/detection.h"
 #include "detection/sensing.h"
+#include "thud/thud_quality.h"
 
 /* See td_time_of_impact_fn. */
 static bool time_of_impact(const td_approach *p, double *time) {
@@ -19,4 +20,5 @@ const thud_detection thud_detection_swept = {.name = "swept",
                                              .rank = TD_RANK_SWEPT,
                                              .stage = &td_stage_impacts,
                                              .time_of_impact = time_of_impact,
+                                             .islands = &thud_islands_direct,
                                              .sensing = &td_sensing_on_ways};

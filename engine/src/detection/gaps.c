@@ -133,9 +133,29 @@ void td_gaps_find_open(thud_world *w) {
     }
 }
 
+/* The speed of a body's outermost points by its spin, length/s. */
+static double rim_speed(const thud_world *w, td_awake_slot slot) {
+    return td_abs((double)td_row(&w->velocity, slot)[2]) * (double)td_row(&w->reach, slot)[1];
+}
+
+/* Whether two bodies that touch rest on each other: no point of the one moves against the other by
+ * the impact distance in a step. Slot 0 is a body at rest. */
+static bool rests(const thud_world *w, td_awake_slot a, td_awake_slot b) {
+    const float *v = td_row(&w->velocity, a), *u = td_row(&w->velocity, b);
+    double x = (double)(u[0] - v[0]), y = (double)(u[1] - v[1]);
+    double speed = __builtin_sqrt(x * x + y * y) + rim_speed(w, a) + rim_speed(w, b);
+    return speed * w->def.time_step < (double)(TD_IMPACT_DISTANCE * w->length_scale);
+}
+
+/* The awake slot of a body, or 0 where it is static or sleeps. */
+static td_awake_slot slot_of(const thud_world *w, td_body_index body) {
+    td_awake_slot slot = td_body_at(w, body)->awake;
+    return slot.at > 0 ? slot : (td_awake_slot){0};
+}
+
 bool td_gap_is_left_to_solver(const thud_world *w, const td_constraint *contact) {
-    return td_is_tied(w, td_body_at(w, contact->body[0])->awake) ||
-           td_is_tied(w, td_body_at(w, contact->body[1])->awake);
+    td_awake_slot a = slot_of(w, contact->body[0]), b = slot_of(w, contact->body[1]);
+    return td_is_tied(w, a) || td_is_tied(w, b) || rests(w, a, b);
 }
 
 bool td_gap_was_found_open(const thud_world *w, const td_constraint *contact) {

@@ -20,8 +20,10 @@ void td_gaps_find_open(thud_world *w);
  * found it apart, or it is left to the solver. */
 bool td_gap_was_found_open(const thud_world *w, const td_constraint *contact);
 
-/* Whether joints tie a body of the touching contact to others. Such a contact is left to the
- * solver, which knows the load on the joints. */
+/* Whether a touching contact is left to the solver and to td_gaps_project: joints tie one of its
+ * bodies to others, so that the solver knows the load on them, or the bodies rest on each other. If
+ * each bit by which a load presses resting bodies together were an impact, every body of a stack
+ * would give way to the first neighbour that it meets, and the stack would fall. */
 bool td_gap_is_left_to_solver(const thud_world *w, const td_constraint *contact);
 /* Whether both trajectories, from `now` to the end of the step, surely bring the shapes of a
  * touching contact no nearer than a collision begins (COLLISION_DISTANCE, TD_LOAD_CLOSING_MAX).

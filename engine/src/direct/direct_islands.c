@@ -12,6 +12,7 @@
 
 #include "constraint/constraint.h"
 #include "constraint/lanes.h"
+#include "detection/detection.h"
 #include "direct/elimination_order.h"
 
 #include <string.h>
@@ -64,15 +65,21 @@ static bool reserve_lists(thud_world *w) {
 enum {
     TOO_MANY = -1, /* its island has more bodies than quality.island_limit */
     ALONE = -2,    /* it has no constraints */
-    COOLING = -3   /* its island is in the cooldown */
+    COOLING = -3,  /* its island is in the cooldown */
+    SOFT = -4      /* its island has joints, and none of its bodies is marked */
 };
+
+/* Whether every island without joints is direct: under `bisect` and `swept` (quality.c). */
+static bool holds_stacks(const thud_world *w) {
+    return w->quality.detection->islands != NULL;
+}
 
 /* Whether a body begins an island: it is marked, or every island is direct, and it is in none yet.
  */
 static bool is_seed(const thud_world *w, td_awake_slot slot) {
     int direct_steps = *td_direct_steps_at(w, slot);
     return direct_steps <= TD_DIRECT_COOLDOWN &&
-           (direct_steps > 0 || w->quality.overlap_limit == 0.0f) &&
+           (direct_steps > 0 || w->quality.overlap_limit == 0.0f || holds_stacks(w)) &&
            *td_island_local_at(w, slot) == 0 && td_inv_mass_of(w, slot) > 0.0f;
 }
 
@@ -176,6 +183,27 @@ static bool cools_down(const thud_world *w, const td_island *island) {
     return 2 * cooling > island->bodies;
 }
 
+/* Whether a body has joints, be they at their limits or not. */
+static bool has_joints(const thud_world *w, td_awake_slot slot) {
+    int e = td_body_at(w, td_body_of(w, slot))->first_constraint;
+    while (e != TD_NONE && td_constraint_at(w, td_edge_constraint(e))->kind < TD_PAIR_COUNT) {
+        e = td_next_edge(w, e);
+    }
+    return e != TD_NONE;
+}
+
+/* Whether an island is direct: one of its bodies is marked, or every island is direct that is of
+ * its kind: at overlap_limit 0 all, under `bisect` and `swept` those without joints. */
+static bool is_wanted(const thud_world *w, const td_island *island) {
+    bool marked = w->quality.overlap_limit == 0.0f, jointed = false;
+    for (int i = 0; i < island->bodies && !marked; i++) {
+        td_awake_slot slot = td_slot_in(&w->islands.slots, island->first_body + i);
+        marked = *td_direct_steps_at(w, slot) > 0;
+        jointed |= w->joints.live > 0 && has_joints(w, slot);
+    }
+    return marked || !jointed;
+}
+
 void td_islands_list_from(thud_world *w, td_awake_slot seed) {
     td_islands *s = &w->islands;
     td_island island = {.first_body = s->slots.count, .first_constraint = s->constraints.count};
@@ -186,17 +214,28 @@ void td_islands_list_from(thud_world *w, td_awake_slot seed) {
     }
     island.constraints = s->constraints.count - island.first_constraint;
     bool cooling = cools_down(w, &island);
-    if (whole && island.constraints && !cooling) {
+    bool wanted = whole && is_wanted(w, &island);
+    if (wanted && island.constraints && !cooling) {
         TD_PUSH(td_island, &s->island) = island;
         return;
     }
     for (int i = island.first_body; i < s->slots.count; i++) {
         *td_island_local_at(w, td_slot_in(&s->slots, i)) = !whole    ? TOO_MANY
                                                            : cooling ? COOLING
-                                                                     : ALONE;
+                                                           : wanted  ? ALONE
+                                                                     : SOFT;
     }
     s->slots.count = island.first_body;
     s->constraints.count = island.first_constraint;
+}
+
+/* Lets the bodies of soft islands be in none again, so that a joint that is overloaded in this step
+ * may make theirs direct (overloaded_joints.c). */
+static void forget_soft(thud_world *w) {
+    for (td_awake_slot slot = {1}; slot.at < w->islands.local.count && holds_stacks(w); slot.at++) {
+        int *local = td_island_local_at(w, slot);
+        *local = *local == SOFT ? 0 : *local;
+    }
 }
 
 bool td_islands_find(thud_world *w) {
@@ -204,7 +243,8 @@ bool td_islands_find(thud_world *w) {
     int slots = w->body_of.count;
     s->island.count = s->slots.count = s->constraints.count = 0;
     s->local.count = 0;
-    if (w->quality.overlap_limit > 0.0f && !any_direct(w) && !w->joints.live) {
+    bool everywhere = w->quality.overlap_limit == 0.0f || holds_stacks(w);
+    if (!everywhere && !any_direct(w) && !w->joints.live) {
         return true;
     }
     if (!reserve_lists(w)) {
@@ -217,6 +257,7 @@ bool td_islands_find(thud_world *w) {
             td_islands_list_from(w, slot);
         }
     }
+    forget_soft(w);
     return td_islands_order(w);
 }
 

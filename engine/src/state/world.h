@@ -53,11 +53,11 @@ struct thud_world {
     float quantum;        /* a position quantum, in the caller's unit */
     double to_fixed;      /* position quanta in the caller's unit */
     double to_coarse;     /* bounds quanta in the caller's unit */
-    thud_quality quality; /* that of the def, with what the def sets itself */
+    thud_quality quality; /* in force: that of the def, with what the def and the detection set */
     int substeps;         /* of the next step */
     const thud_detection *detections[TD_RANK_COUNT]; /* by rank: those that the world or a body ever
                                                         chose; else null */
-    float skin; /* distance at which contacts rest, caller's unit: 0, or TD_SKIN or
+    float skin; /* distance at which soft contacts rest, caller's unit: 0, or TD_SKIN or
                    TD_IMPACT_DISTANCE times length_scale (solver/quality.c) */
 
     /* State. */

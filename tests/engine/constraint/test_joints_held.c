@@ -243,6 +243,17 @@ static thud_world *swinging(const thud_quality *quality, const thud_detection *d
     return world;
 }
 
+/* A quality as it is under `bisect` and `swept`: draft has an island solver and four substeps
+ * there. */
+static thud_quality in_order_of_time(const thud_quality *quality) {
+    thud_quality q = *quality;
+    if (!q.islands) {
+        q.islands = &thud_islands_direct;
+        q.substeps = 4;
+    }
+    return q;
+}
+
 /* Where no body is stopped, detections give the same motion as `overlap`. The velocity that joints
  * add in a step may be less than a sixteenth of that of gravity, and must not be neglected. */
 static void detections_that_stop_nobody_leave_what_swings_alone(void **state) {
@@ -250,8 +261,11 @@ static void detections_that_stop_nobody_leave_what_swings_alone(void **state) {
     for (int i = 0; i < 3 * QUALITIES; i++) {
         thud_body_id bar[BARS], other[BARS];
         const thud_quality *quality = qualities[i % QUALITIES];
-        thud_world *world = swinging(quality, &thud_detection_overlap, bar);
-        thud_world *twin = swinging(quality, detections[i / QUALITIES], other);
+        const thud_detection *detection = detections[i / QUALITIES];
+        thud_quality alike =
+            detection == &thud_detection_continuous ? *quality : in_order_of_time(quality);
+        thud_world *world = swinging(&alike, &thud_detection_overlap, bar);
+        thud_world *twin = swinging(quality, detection, other);
         for (int step = 0; step < 40; step++) {
             run(world, 1);
             run(twin, 1);

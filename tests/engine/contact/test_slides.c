@@ -141,12 +141,16 @@ static track run_slide(const slide *s, bool whole) {
 
 /* Bounds of the difference in height and of the relative loss of speed. A soft contact gives way a
  * little where the body passes to the next piece, and friction depends on it, more so where the
- * ground itself moves, and where pieces lie on pieces. */
+ * ground itself moves, and where pieces lie on pieces. Under bisect and swept contacts are solved
+ * directly, and keep any gap up to 0.003 at draft and default, so that the height may differ by as
+ * much as load presses a contact together in a step. */
 static void limits_of(const slide *s, double *hop, double *loss) {
     bool draft = s->quality == &thud_quality_draft,
          moves = s->floor >= STILL_RAFT && s->floor < LINES;
-    bool soft = draft || s->quality == &thud_quality_default;
-    *hop = !soft ? 1e-4 : (draft ? 6e-4 : 1e-4) * (moves ? 3 : 1);
+    bool cheap = draft || s->quality == &thud_quality_default;
+    bool direct = s->detection == &thud_detection_bisect || s->detection == &thud_detection_swept;
+    bool soft = cheap && !direct;
+    *hop = cheap && direct ? 2e-4 : !soft ? 1e-4 : (draft ? 6e-4 : 1e-4) * (moves ? 3 : 1);
     *loss = !soft || s->friction == 0 ? 1e-3 : draft ? 0.02 : 0.01;
     if (s->mover == THREE_OBBS && s->quality != &thud_quality_exact) {
         *hop = 2.5e-3;
