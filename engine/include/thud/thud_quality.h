@@ -46,7 +46,7 @@ typedef struct thud_quality {
                         step needs one factorisation, of 6 operations a body in a column and 140 in
                         a pyramid of 500 bodies; in motion it needs many, of the same size. Whole
                         steps at quality high (docs/tradeoff.md): at rest a column of boxes takes
-                        0.8 µs a body, a pyramid 2.8 µs. An island of joints alone may use eight
+                        1.1 µs a body, a pyramid 4.0 µs. An island of joints alone may use eight
                         times the rest of the budget. Whatever the budget is, islands with joints
                         together use a bounded part of a frame, which is larger in worlds of over a
                         thousand bodies, and each island may use at least its bodies' share of this

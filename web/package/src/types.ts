@@ -68,7 +68,7 @@ export const QUALITIES = ["draft", "default", "high", "exact"] as const;
  * - "default": 4 substeps; islands in which contacts would overlap too much under their load are
  *   solved directly (all their contacts as one system of equations), within a budget of work.
  * - "high": 8 substeps, and every island is solved directly, within a budget. A column of 30 at
- *   rest takes 6 times the default's time, a pyramid 19 times, and they do not sink.
+ *   rest takes 6 times the default's time, a pyramid 15 times, and they do not sink.
  * - "exact": 16 substeps, every island is solved directly without a budget, and bodies are swept
  *   from impact to impact. The time of a step has no bound.
  */
