@@ -279,6 +279,22 @@ struct closest_features {
     double overlaps, distance, normal[2], point_a[2], point_b[2];
 };
 
+/* One of the points at which two shapes touch or nearly do. */
+struct touching_point {
+    double distance, normal[2], point_a[2], point_b[2];
+};
+
+/* The first `count` of both are set. */
+struct touching_points {
+    double count;
+    struct touching_point first, second;
+};
+
+/* Segments of a line; first > last: none. */
+struct segments {
+    double first, last;
+};
+
 /* `bisectable`: the motions are so short that bisection cannot have missed a collision. */
 struct meeting {
     double found, time, min_distance, min_distance_time, bisectable;
@@ -338,6 +354,8 @@ union api_slots {
     struct minkowski_sum minkowski_sum;
     struct geometry_pair geometry_pair;
     struct closest_features closest_features;
+    struct touching_points touching_points;
+    struct segments segments;
     struct meeting meeting;
     struct crossing crossing;
     struct volume volume;

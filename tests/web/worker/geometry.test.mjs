@@ -1,4 +1,7 @@
-/** Tests the package's geometry of two shapes without a world, and the scene that shows it. */
+/**
+ * Tests the package's geometry without a world, of two shapes and of a terrain line, and the scene
+ * that shows it.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { buildScene, openSession } from "../../../web/tools/scenes.mjs";
@@ -74,6 +77,108 @@ test("volumes_hold_their_shape_and_overlap_by_their_own_form", () => {
   const often = (exact) => geometry.overlapOften(engine, ...bounds("aabb"), exact, 7);
   assert.deepEqual([often(false), often(true)], [7, 7]);
   assert.equal(geometry.overlapOften(engine, turned, other, true, 7), 0);
+});
+
+test("boxes_face_to_face_touch_at_two_points_and_circles_at_one", () => {
+  const two = geometry.contacts(engine, box(0, 0), box(0.5, 2), 0.1);
+  assert.deepEqual(two.map(({ pointA: [x] }) => x).sort((a, b) => a - b), [-0.5, 1]);
+  for (const { distance, normal } of two) {
+    near(distance, 0);
+    near(normal[1], 1);
+  }
+  const [point, ...more] = geometry.contacts(engine, circle(0, 0), circle(2.05, 0), 0.1);
+  assert.deepEqual(more, []);
+  near(point.distance, 0.05);
+  near(point.pointB[0] - point.pointA[0], 0.05);
+  assert.deepEqual(geometry.contacts(engine, circle(0, 0), circle(2.5, 0), 0.1), []);
+});
+
+test("ray_meets_the_near_side_of_a_shape_and_none_from_inside", () => {
+  const found = geometry.castRay(engine, circle(5, 0), [0, 0], [8, 0]);
+  near(found.fraction, 0.5);
+  assert.deepEqual(found.normal, [-1, 0]);
+  assert.equal(geometry.castRay(engine, circle(5, 0), [5, 0], [8, 0]), null);
+  assert.equal(geometry.castRay(engine, circle(5, 3), [0, 0], [8, 0]), null);
+  assert.throws(() => geometry.castRay(engine, circle(5, 0), [0, NaN], [8, 0]), { code: "invalid" });
+});
+
+test("volumes_fit_motions_points_and_each_other", () => {
+  const flown = geometry.volumeAroundMotion(engine, "aabb", circle(0, 0), { way: [4, 2] });
+  near(flown.center[0], 2, 1e-9);
+  near(flown.halfWidth, 3, 1e-9);
+  near(flown.halfHeight, 2, 1e-9);
+  const corners = [[0, 0], [2, 0], [2, 2], [1, 1], [0, 2]];
+  const round = geometry.volumeAroundPoints(engine, "circle", corners);
+  near(round.radius, Math.SQRT2, 1e-9);
+  for (const point of corners) assert.ok(geometry.volumeContainsPoint(engine, round, point));
+  assert.equal(geometry.volumeContainsPoint(engine, round, [3, 1]), false);
+  const both = geometry.mergeVolumes(engine, "circle", circle(0, 0), circle(6, 0));
+  near(both.radius, 4, 1e-9);
+  assert.equal(geometry.volumeContains(engine, both, circle(6, 0)), true);
+  assert.equal(geometry.volumeContains(engine, both, circle(8, 0)), false);
+  const hill = { kind: "irregular", points: [[-4, 0], [0, 3], [4, 0]] };
+  const around = geometry.volumeAroundTerrain(engine, "aabb", hill, -2, 9);
+  near(around.center[0], 1, 1e-9);
+  near(around.halfHeight, 1.5, 1e-9);
+  assert.throws(() => geometry.volumeAroundPoints(engine, "circle", []), { code: "invalid" });
+});
+
+test("line_without_a_world_has_height_weights_texture_and_feet", () => {
+  const hill = { kind: "irregular", points: [[-4, 0], [0, 3], [4, 0]] };
+  const at = geometry.terrainAt(engine, hill, 1);
+  near(at.height, 2.25);
+  assert.equal(at.segment, 1);
+  near(at.weights[0], 0.75);
+  near(at.normal[0], 0.6);
+  // Texture coordinates go on without a step across the vertex at 0.
+  const uv = [[0, 0], [1, 10], [5, 20]];
+  const texture = (x) => geometry.textureAt(engine, hill, x, uv);
+  assert.deepEqual(texture(-2), [0.5, 5]);
+  assert.deepEqual(texture(2), [3, 15]);
+  for (const side of [-1e-9, 0, 1e-9]) near(texture(side)[0], 1, 1e-8);
+  const foot = geometry.footOn(engine, hill, 0, 4);
+  near(foot.height, 3);
+  near(foot.normal[1], 1);
+  assert.deepEqual(geometry.segmentsOf(engine, hill, -1, 1), [0, 1]);
+  assert.equal(geometry.segmentsOf(engine, hill, 5, 6), null);
+  const flat = { kind: "flat", slope: 0.5 };
+  near(geometry.terrainAt(engine, flat, 4).height, 2);
+  const steps = { kind: "uniform", x0: 0, spacing: 2, heights: [0, 4, 0] };
+  near(geometry.terrainAt(engine, steps, 1.5).height, 3);
+});
+
+test("shapes_meet_a_line_without_a_world_as_they_meet_each_other", () => {
+  const floor = { kind: "uniform", x0: -10, spacing: 20, heights: [0, 0] };
+  const ball = circle(0, 3);
+  near(geometry.closestOnTerrain(engine, floor, ball).distance, 2);
+  near(geometry.timeOfImpactOnTerrain(engine, floor, ball, { way: [0, -4] }), 0.5);
+  near(geometry.timeOfCollisionOnTerrain(engine, floor, ball, { way: [0, -4] }, 1e-9), 0.5, 1e-8);
+  assert.equal(geometry.timeOfImpactOnTerrain(engine, floor, ball, { way: [9, 0] }), null);
+  const standing = geometry.contactsOnTerrain(engine, floor, box(0, 1), 0.1);
+  assert.deepEqual(standing.map(({ pointB: [x] }) => x).sort((a, b) => a - b), [-1, 1]);
+  const valley = { kind: "irregular", points: [[-4, 4], [0, 0], [4, 4]] };
+  const resting = geometry.contactsOnTerrain(engine, valley, circle(0, Math.SQRT2), 0.01);
+  assert.equal(resting.length, 2, "both slopes");
+  const ray = geometry.castRayOnTerrain(engine, valley, [2, 6], [0, -8]);
+  near(ray.fraction, 0.5);
+  assert.equal(geometry.castRayOnTerrain(engine, valley, [2, 1], [0, 8]), null);
+  assert.equal(geometry.closestOnTerrain(engine, floor, circle(0, 0.5)).overlaps, true);
+});
+
+test("calls_on_a_line_refuse_what_is_no_line", () => {
+  const at = (line, x = 0) => () => geometry.terrainAt(engine, line, x);
+  const wrong = [
+    at({ kind: "irregular", points: [[0, 0]] }),
+    at({ kind: "irregular", points: [[0, 0], [0, 1]] }),
+    at({ kind: "uniform", x0: 0, spacing: 0, heights: [0, 1] }),
+    at({ kind: "uniform", x0: 0, spacing: 1 }),
+    at({ kind: "flat", slope: NaN }),
+    at({ kind: "hill" }),
+    at({ kind: "uniform", x0: 0, spacing: 1, heights: [0, 1] }, 5),
+    () => geometry.textureAt(engine, { kind: "flat" }, 0.5, [[0, 0]]),
+  ];
+  for (const call of wrong) assert.throws(call, { code: "invalid" });
+  assert.throws(at({ kind: "irregular", points: [[0, 0]] }), /terrainAt: a line has two or more/);
 });
 
 test("geometry_refuses_what_is_no_shape", () => {

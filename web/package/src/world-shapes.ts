@@ -3,7 +3,6 @@
  * terrain change the line at once; the next step wakes the bodies that touch a changed part.
  * thud.h and thud_terrain.h describe them in full.
  */
-import { checkOptions } from "./checks/names.js";
 import { explained, shown } from "./checks/hook.js";
 import { ThudError } from "./error.js";
 import {
@@ -14,8 +13,9 @@ import {
   ShapeStateAt,
   TerrainAt,
 } from "./generated/slots.js";
-import { bodyAt, FORMS, indexOf, rowsOf, shapeAt, vecAt, writeOptions, xOf } from "./numbers.js";
+import { bodyAt, FORMS, rowsOf, shapeAt, vecAt, writeOptions, xOf } from "./numbers.js";
 import { generationOf, index1Of, Kind } from "./plain/handles.js";
+import { TERRAIN_KINDS, withLine } from "./terrain-line.js";
 import {
   type BodyRef,
   type BoxOptions,
@@ -33,14 +33,6 @@ import {
   type Vec2,
 } from "./types.js";
 import { WorldLists } from "./world-lists.js";
-
-const TERRAIN_KINDS = ["flat", "uniform", "irregular"] as const;
-/** The options of each kind of terrain. */
-const TERRAINS = {
-  flat: ["kind", "slope"],
-  uniform: ["kind", "x0", "spacing", "heights"],
-  irregular: ["kind", "points"],
-} as const;
 
 /** The options of each kind of shape beside those of all shapes (SHAPE_OPTIONS). */
 const SOLIDS = {
@@ -115,38 +107,20 @@ export class WorldShapes extends WorldLists {
     terrain: Terrain,
     options: ShapeOptions & { kind?: "terrain" } = {},
   ): ShapeId {
-    const kind = indexOf(TERRAIN_KINDS, terrain.kind, "createTerrain: kind");
-    checkOptions("createTerrain", terrain, TERRAINS[terrain.kind]);
-    const create = (points: number, count: number, slope: number, x0: number, spacing: number) => {
+    return withLine(this.engine, "createTerrain", terrain, (...line) => {
       const { exports, slots } = this.engine;
       exports.api_shape_defaults();
       writeOptions("createTerrain", slots, options, SHAPE_OPTIONS, FORMS.terrain);
       if ((options.kind ?? "terrain") !== "terrain")
         throw new ThudError("invalid", `createTerrain: its kind is ${shown(options.kind)}`);
       try {
-        this.on(Kind.body, "api_terrain_create", body, kind, slope, x0, spacing, points, count);
+        this.on(Kind.body, "api_terrain_create", body, ...line);
       } catch (refused) {
         throw explained(refused, "createTerrain", { ...options, terrain }, this.lengthScale);
       }
       this.shapesRevision++;
       return shapeAt(slots, HandleAt.index1);
-    };
-    if (terrain.kind === "flat") return create(0, 0, terrain.slope ?? 0, 0, 0);
-    const uniform = terrain.kind === "uniform";
-    if (typeof (uniform ? terrain.heights : terrain.points)?.length !== "number")
-      throw new ThudError("invalid", `createTerrain: ${uniform ? "heights" : "points"} must be a list`);
-    const count = uniform ? terrain.heights.length : terrain.points.length;
-    const fillPoints = (doubles: Float64Array) => {
-      for (let i = 0; i < count; i++) {
-        doubles[2 * i] = uniform ? terrain.x0 + i * terrain.spacing : terrain.points[i][0];
-        doubles[2 * i + 1] = uniform ? terrain.heights[i] : terrain.points[i][1];
-      }
-    };
-    return this.engine.withDoubles(2 * count, fillPoints, (points) =>
-      uniform
-        ? create(points, count, 0, terrain.x0, terrain.spacing)
-        : create(points, count, 0, 0, 0),
-    );
+    });
   }
 
   /**

@@ -1,6 +1,6 @@
 /**
- * "thud/geometry": geometry of two shapes without a world: distances, times of impact of moving
- * shapes, Minkowski sums and bounding volumes. Every call throws a ThudError "invalid" for sizes
+ * "thud/geometry": geometry without a world: distances, contact points, times of impact of moving
+ * shapes, Minkowski sums, bounding volumes, and terrain lines. Every call throws a ThudError "invalid" for sizes
  * that are not above 0, numbers that are not finite, and coordinates and sizes above 10¹⁵.
  *
  *     import { closest } from "thud/geometry";
@@ -8,4 +8,5 @@
  */
 export { type MinkowskiSum, minkowskiSum } from "../minkowski.js";
 export * from "./passing.js";
+export * from "./terrain.js";
 export * from "./volumes.js";

@@ -35,10 +35,15 @@ export function putPair(
   motionA: Motion = STILL,
   motionB: Motion = STILL,
 ): void {
-  putShape(engine, a, GeometryPairAt.a);
+  putMoving(engine, a, motionA);
   putShape(engine, b, GeometryPairAt.b);
-  engine.slots.set([...motionA.way, motionA.turn ?? 0], GeometryPairAt.motionA);
   engine.slots.set([...motionB.way, motionB.turn ?? 0], GeometryPairAt.motionB);
+}
+
+/** Writes one shape and its motion to the slots of `geometry_pair`. */
+export function putMoving(engine: Engine, shape: PlacedShape, motion: Motion = STILL): void {
+  putShape(engine, shape, GeometryPairAt.a);
+  engine.slots.set([...motion.way, motion.turn ?? 0], GeometryPairAt.motionA);
 }
 
 /** Throws "invalid" unless the result is 0. `name`: the call, for the message. */

@@ -1,38 +1,59 @@
 /** Distances of two shapes, and times at which moving shapes meet or pass each other. */
 import type { Engine } from "../engine.js";
-import { ClosestFeaturesAt, CrossingAt, MeetingAt } from "../generated/slots.js";
-import { vecAt } from "../numbers.js";
+import { MeetingAt } from "../generated/slots.js";
 import type { Vec2 } from "../types.js";
-import { checkGeometry, type Motion, type PlacedShape, putPair } from "./pair.js";
+import { checkGeometry, type Motion, type PlacedShape, putMoving, putPair } from "./pair.js";
+import {
+  type ClosestPoints,
+  closestNow,
+  contactsNow,
+  type Crossing,
+  crossingNow,
+  meetingNow,
+  type TouchingPoint,
+} from "./results.js";
 
 export type { Motion, PlacedShape } from "./pair.js";
+export type { ClosestPoints, Crossing, TouchingPoint } from "./results.js";
 
-/** The closest points of two shapes. */
-export interface ClosestPoints {
-  /** Whether the shapes share a point; touching counts. */
-  overlaps: boolean;
-  /** The distance between the surfaces, a length; negative: the penetration depth. */
-  distance: number;
-  /** Unit vector, from a to b. */
-  normal: Vec2;
-  /** The closest point on a's surface. pointB - pointA is the distance times the normal. */
-  pointA: Vec2;
-  /** The closest point on b's surface. */
-  pointB: Vec2;
-}
+/** Where a point enters a Minkowski sum, by the fraction of the relative motion. */
+export type SumCrossing = Crossing;
 
 /** The closest points of two shapes, and whether they overlap. */
 export function closest(engine: Engine, a: PlacedShape, b: PlacedShape): ClosestPoints {
   putPair(engine, a, b);
   checkGeometry("closest", engine.exports.api_geometry_closest());
-  const s = engine.slots;
-  return {
-    overlaps: s[ClosestFeaturesAt.overlaps] !== 0,
-    distance: s[ClosestFeaturesAt.distance],
-    normal: vecAt(s, ClosestFeaturesAt.normal),
-    pointA: vecAt(s, ClosestFeaturesAt.pointA),
-    pointB: vecAt(s, ClosestFeaturesAt.pointB),
-  };
+  return closestNow(engine);
+}
+
+/**
+ * The points at which two shapes are within the distance `margin`, 0 to 10¹⁵, of each other: none,
+ * one, or two where faces of boxes lie on each other. The first is that of `closest`.
+ */
+export function contacts(
+  engine: Engine,
+  a: PlacedShape,
+  b: PlacedShape,
+  margin: number,
+): TouchingPoint[] {
+  putPair(engine, a, b);
+  checkGeometry("contacts", engine.exports.api_geometry_contacts(margin));
+  return contactsNow(engine);
+}
+
+/**
+ * Where a ray from `from` along `way` meets a shape; null where it does not. A ray that starts
+ * inside meets nothing.
+ */
+export function castRay(
+  engine: Engine,
+  shape: PlacedShape,
+  from: Vec2,
+  way: Vec2,
+): Crossing | null {
+  putMoving(engine, shape);
+  checkGeometry("castRay", engine.exports.api_geometry_cast_ray(...from, ...way));
+  return crossingNow(engine);
 }
 
 /**
@@ -50,8 +71,7 @@ export function timeOfImpact(
 ): number | null {
   putPair(engine, a, b, motionA, motionB);
   checkGeometry("timeOfImpact", engine.exports.api_geometry_time_of_impact(target));
-  const s = engine.slots;
-  return s[MeetingAt.found] === 0 ? null : s[MeetingAt.time];
+  return meetingNow(engine);
 }
 
 /** The collision of two moving shapes. */
@@ -80,10 +100,9 @@ export function timeOfCollision(
 ): Collision {
   putPair(engine, a, b, motionA, motionB);
   checkGeometry("timeOfCollision", engine.exports.api_geometry_time_of_collision(tolerance));
-  const s = engine.slots;
   return {
-    time: s[MeetingAt.found] === 0 ? null : s[MeetingAt.time],
-    bisectable: s[MeetingAt.bisectable] !== 0,
+    time: meetingNow(engine),
+    bisectable: engine.slots[MeetingAt.bisectable] !== 0,
   };
 }
 
@@ -112,18 +131,10 @@ export function approach(
   checkGeometry("approach", engine.exports.api_geometry_approach());
   const s = engine.slots;
   return {
-    time: s[MeetingAt.found] === 0 ? null : s[MeetingAt.time],
+    time: meetingNow(engine),
     minDistance: s[MeetingAt.minDistance],
     minDistanceTime: s[MeetingAt.minDistanceTime],
   };
-}
-
-/** Where a point enters a Minkowski sum. */
-export interface SumCrossing {
-  /** The fraction of the relative motion, 0 to 1. */
-  fraction: number;
-  /** Unit normal of the sum's surface, outward. */
-  normal: Vec2;
 }
 
 /**
@@ -140,7 +151,5 @@ export function minkowskiCast(
 ): SumCrossing | null {
   putPair(engine, a, b, motionA, motionB);
   checkGeometry("minkowskiCast", engine.exports.api_minkowski_cast());
-  const s = engine.slots;
-  if (s[CrossingAt.found] === 0) return null;
-  return { fraction: s[CrossingAt.fraction], normal: vecAt(s, CrossingAt.normal) };
+  return crossingNow(engine);
 }
