@@ -78,15 +78,16 @@ extern THUD_API const thud_detection thud_detection_bisect;
  * ones (restitution 1) keep their energy.
  *
  * In a world that chooses bisect or swept, every island without joints is solved directly, within
- * the quality's island_limit and island_work; draft, which has no island solver, takes that of
- * default and four substeps. What stands under continuous stands here too: columns of 30 and 100
- * boxes, which sink by 0.21 and 0.56 m at default, lose no height, and boxes and discs on slopes
- * stay within 1e-4 m of their path (0.043 and 0.035 m). Larger islands are left to the soft solver.
- * Their contacts rest 0.003 length scales apart, at high and exact 0.001, so that shapes that a
- * load presses together do not overlap; under a higher load they do: in a pit of a thousand bodies
- * by 0.02 m in the mean of a step, under continuous by 0.05 m. Swept is no gain in large heaps that
- * collapse, where a step takes ten times as long as under continuous, and where joints tie the
- * bodies. docs/tradeoff.md has the figures. */
+ * the quality's island_limit and island_work; a quality without an island solver, as draft,
+ * gets one and takes four substeps or more, unless its island_limit is 1. What stands under
+ * continuous stands here too: columns of 30 and 100 boxes, which sink by 0.21 and 0.56 m at
+ * default, lose no height, and boxes and discs on slopes stay within 1e-4 m of their path (0.043
+ * and 0.035 m). Larger islands are left to the soft solver. Their contacts rest 0.003 length scales
+ * apart, at high and exact 0.001, so that shapes that a load presses together do not overlap; under
+ * a higher load they do: in a pit of a thousand bodies by 0.02 m in the mean of a step, under
+ * continuous by 0.05 m. Swept is no gain in large heaps that collapse, where a step takes ten times
+ * as long as under continuous, and where joints tie the bodies. docs/tradeoff.md has the figures.
+ */
 extern THUD_API const thud_detection thud_detection_swept;
 
 THUD_API const char *thud_detection_name(const thud_detection *detection); /* "" for null */

@@ -32,7 +32,7 @@ typedef struct thud_quality {
     float contact_damping;             /* damping ratio of the contact springs, [0,
                                           THUD_CONTACT_DAMPING_MAX] */
     const thud_detection *detection;   /* not null */
-    const thud_island_solver *islands; /* null: the soft solver solves all islands */
+    const thud_island_solver *islands; /* null: the soft solver (thud_detection_swept) */
     float overlap_limit; /* >= 0: an island in which a contact would overlap under its load by more
                         than this share of the smaller body's size is solved by `islands`; 0: every
                         island is. In a world that chooses bisect or swept every island without

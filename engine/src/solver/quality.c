@@ -84,19 +84,20 @@ int td_substeps_asked(const thud_world *w) {
     return w->def.substeps ? w->def.substeps : w->quality.substeps;
 }
 
-/* Least substeps of a quality under `bisect` and `swept`: those of the quality default. With the
- * two of draft, islands that are too large for the direct solver give way by more than the skin, 5
- * mm in a pyramid of 30 rows of 1 m. */
+/* Least substeps of a quality that gets its island solver from the detection, as draft: those of
+ * default. With two, islands that are too large for the direct solver give way by more than the
+ * skin, 5 mm in a pyramid of 30 rows of 1 m. */
 enum { SUBSTEPS_MIN = 4 };
 
 /* `bisect` and `swept` let nothing overlap. What a soft contact gives way under a load is pushed
  * apart again without friction (gaps.c), which makes a column fall that stands under `continuous`.
- * So islands of contacts are solved directly, within the quality's limits; those with joints, whose
- * contacts are left to the solver, only where the quality asks for it. */
-static void solve_stacks_directly(thud_quality *q) {
-    if (q->detection->islands) {
+ * So these detections bring an island solver, which solves islands of contacts directly within the
+ * quality's limits; those with joints, whose contacts are left to the solver, only where the
+ * quality asks for it. An island_limit of 1 keeps the soft solver. */
+static void take_island_solver(thud_quality *q) {
+    if (q->detection->islands && !q->islands && q->island_limit > 1) {
+        q->islands = q->detection->islands;
         q->substeps = td_max_int(q->substeps, SUBSTEPS_MIN);
-        q->islands = q->islands ? q->islands : q->detection->islands;
     }
 }
 
@@ -121,7 +122,7 @@ void td_quality_apply(thud_world *w, const thud_quality *quality) {
     if (w->def.detection) {
         w->quality.detection = w->def.detection;
     }
-    solve_stacks_directly(&w->quality);
+    take_island_solver(&w->quality);
     /* In a world with joints the direct solver is the one that knows joints: joint_hooks.h. */
     if (w->joint_hooks && w->quality.islands) {
         w->quality.islands = w->joint_hooks->islands;

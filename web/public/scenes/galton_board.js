@@ -46,14 +46,18 @@ export default function ({ createWorld, random, seed, size }) {
     spawn: [0, top + 1],
     state,
     update({ step }) {
-      for (const { a } of world.events().sensorBegin)
-        if (binOf.has(a.index)) state.counts[binOf.get(a.index)]++;
+      for (const { a, b } of world.events().sensorBegin)
+        if (binOf.has(a.index)) {
+          state.counts[binOf.get(a.index)]++;
+          world.setMaySleep(world.shapeStateOf(b).body, true);
+        }
       if (step % STEPS_PER_BALL > 0 || step >= size * STEPS_PER_BALL) return;
       // By the step, so that the same ball comes again when time has been turned back.
       const chance = random(seed * size + step);
       const ball = world.createBody({
         kind: "dynamic",
         position: [chance(-0.1, 0.1), top + 1],
+        maySleep: false, // until it is in a bin: one that balances on a peg would stay there
         linearDamping: 3, // as in honey: a fast ball would jump from peg to peg
       });
       world.createCircle(ball, { radius: 0.16, ...MATERIAL });

@@ -41,7 +41,7 @@ export type TouchingPoint = Omit<ClosestPoints, "overlaps">;
 /** Reads the slots of `touching_points`. */
 export function contactsNow({ slots: s }: Engine): TouchingPoint[] {
   return [TouchingPointsAt.first, TouchingPointsAt.second]
-    .slice(0, s[TouchingPointsAt.count])
+    .filter((_, number) => number < s[TouchingPointsAt.count])
     .map((at) => ({
       distance: s[at + TouchingPointAt.distance],
       normal: vecAt(s, at + TouchingPointAt.normal),
