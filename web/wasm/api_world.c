@@ -69,8 +69,10 @@ static const thud_quality *changed_quality(double number, const struct quality_o
         quality.contact_damping = (float)changes->contact_damping;
     if (changes->detection >= 0.0)
         quality.detection = api_detection(changes->detection);
-    if (changes->islands == 0.0)
-        quality.islands = NULL, quality.island_limit = 1; /* also under bisect and swept */
+    if (changes->islands == 0.0) {
+        quality.islands = NULL;
+        quality.island_limit = 1; /* else bisect and swept bring an island solver */
+    }
     if (changes->islands == 1.0 && quality.islands == NULL) {
         quality.islands = thud_quality_default.islands;
         quality.overlap_limit = thud_quality_default.overlap_limit;

@@ -66,8 +66,9 @@ struct thud_detection {
     int rank; /* TD_RANK_...; in a pair of moving bodies the higher rank decides */
     const td_detection_stage *stage;      /* null: it has the contacts of the narrowphase only */
     td_time_of_impact_fn *time_of_impact; /* for td_stage_impacts; null in other stages */
-    /* Solves the islands of a world with this detection, where its quality has no island solver;
-     * null: the soft solver is enough (td_quality_apply). */
+    /* Null, or the island solver that a world with this detection has where its quality has none
+     * (td_quality_apply). With one, every island without joints is solved directly
+     * (direct/direct_islands.c). */
     const struct thud_island_solver *islands;
     const struct td_sensing *sensing; /* null: sensors go by poses at the end of the step only */
 };

@@ -11,11 +11,16 @@ static const thud_detection *const detections[] = {&thud_detection_overlap,
 static const double time_steps[] = {1.0 / 30, 1.0 / 60, 1.0 / 240};
 enum { DETECTIONS = 4, TIME_STEPS = 3, SETTINGS = QUALITIES * DETECTIONS * TIME_STEPS };
 
+/* The time step of setting i, s. */
+static double step_of(int i) {
+    return time_steps[i / QUALITIES / DETECTIONS];
+}
+
 /* A world of setting i under a gravity of 10, with one body in it. */
 static thud_world *fly(int i, thud_body_id *body) {
     thud_world_def def = thud_default_world_def_of(qualities[i % QUALITIES]);
     def.detection = detections[i / QUALITIES % DETECTIONS];
-    def.time_step = time_steps[i / QUALITIES / DETECTIONS];
+    def.time_step = step_of(i);
     thud_world *world = make_world(def);
     *body = add_box(world, 0, 0, 0.5f, 0.3f);
     return world;
@@ -29,7 +34,7 @@ static void flight_follows_the_parabola(void **state) {
         for (int thrown = 0; thrown < 2; thrown++) {
             thud_body_id body;
             thud_world *world = fly(i, &body);
-            double step = time_steps[i / QUALITIES / DETECTIONS], vx = 3 * thrown, vy = 8 * thrown;
+            double step = step_of(i), vx = 3 * thrown, vy = 8 * thrown;
             OK(thud_body_set_velocity(world, body, (thud_vec2){(float)vx, (float)vy}, 2));
             for (int k = 1; k * step < 2.001; k++) {
                 double t = k * step, tolerance = step < 0.01 ? 4e-5 : 1e-5;
@@ -53,7 +58,7 @@ static void flight_under_a_force_is_a_parabola_too(void **state) {
         thud_world *world = fly(i, &body);
         thud_body_state s = state_of(world, body);
         double mass = (double)s.mass, inertia = (double)s.inertia;
-        double step = time_steps[i / QUALITIES / DETECTIONS], t = 0;
+        double step = step_of(i), t = 0;
         for (int k = 1; k * step < 1.001; k++) {
             OK(thud_body_apply_center_force(world, body, (thud_vec2){(float)(6 * mass), 0}));
             OK(thud_body_apply_torque(world, body, (float)(2 * inertia)));
@@ -76,7 +81,7 @@ static void damped_flight_follows_its_closed_form(void **state) {
         for (int k = 0; k < 5; k++) {
             thud_body_id body;
             thud_world *world = fly(i, &body);
-            double c = dampings[k], step = time_steps[i / QUALITIES / DETECTIONS];
+            double c = dampings[k], step = step_of(i);
             OK(thud_body_set_damping(world, body, (float)c, (float)c));
             OK(thud_body_set_velocity(world, body, (thud_vec2){3, 8}, 2));
             int steps = (int)(1 / step + 0.5);
@@ -103,7 +108,7 @@ static void strong_damping_leaves_the_speed_that_gravity_holds(void **state) {
         thud_body_id body;
         thud_world *world = fly(i, &body);
         OK(thud_body_set_damping(world, body, 2000, 2000));
-        double step = time_steps[i / QUALITIES / DETECTIONS];
+        double step = step_of(i);
         OK(thud_world_set_sleeping(world, false));
         run(world, 100);
         double before = state_of(world, body).position.y;
@@ -121,7 +126,7 @@ static void orbit_keeps_its_energy(void **state) {
     for (int i = 0; i < SETTINGS; i++) {
         thud_body_id body;
         thud_world *world = fly(i, &body);
-        double step = time_steps[i / QUALITIES / DETECTIONS], worst = 0;
+        double step = step_of(i), worst = 0;
         double mass = (double)state_of(world, body).mass;
         OK(thud_world_set_gravity(world, (thud_vec2){0, 0}));
         OK(thud_body_set_transform(world, body, (thud_pos){5, 0}, 0));

@@ -6,7 +6,7 @@
 import { messageOf, RESULT_CODES, ThudError } from "./error.js";
 import { RestFile, type RestSource } from "./rest.js";
 import { CallbackTable } from "./rules/callbacks.js";
-import type { WorldOptions } from "./types.js";
+import type { Vec2, WorldOptions } from "./types.js";
 import { World } from "./world.js";
 
 /** A compiled module, its bytes, a response of fetch, or a URL; in Node.js also a path. */
@@ -156,6 +156,15 @@ export class Engine {
     } finally {
       this.exports.free(address);
     }
+  }
+
+  /** The same with x and y of each of a list of points; `use` also gets their number. */
+  withPoints<T>(points: ArrayLike<Vec2>, use: (at: number, count: number) => T): T {
+    const count = points.length;
+    const fill = (doubles: Float64Array) => {
+      for (let i = 0; i < count; i++) doubles.set(points[i], 2 * i);
+    };
+    return this.withDoubles(2 * count, fill, (at) => use(at, count));
   }
 
   private memoryGrew(): void {

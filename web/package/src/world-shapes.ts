@@ -218,12 +218,8 @@ export class WorldShapes extends WorldLists {
    * callback; "memory".
    */
   replaceRange(shape: ShapeRef, x0: number, x1: number, points: ArrayLike<Vec2>): void {
-    const { length } = points;
-    const fillPoints = (doubles: Float64Array) => {
-      for (let i = 0; i < length; i++) doubles.set(points[i], 2 * i);
-    };
-    this.engine.withDoubles(2 * length, fillPoints, (address) =>
-      this.on(Kind.shape, "api_shape_replace_range", shape, x0, x1, address, length),
+    this.engine.withPoints(points, (at, count) =>
+      this.on(Kind.shape, "api_shape_replace_range", shape, x0, x1, at, count),
     );
     this.terrainsRevision++;
   }

@@ -41,12 +41,8 @@ export function textureAt(
   x: number,
   vertices: ArrayLike<Vec2>,
 ): Vec2 {
-  const { length } = vertices;
-  const fill = (doubles: Float64Array) => {
-    for (let i = 0; i < length; i++) doubles.set(vertices[i], 2 * i);
-  };
   onLine(engine, "textureAt", line, () =>
-    engine.withDoubles(2 * length, fill, (at) => engine.exports.api_line_texture(x, at, length)),
+    engine.withPoints(vertices, (at, count) => engine.exports.api_line_texture(x, at, count)),
   );
   return vecAt(engine.slots, PlaceAt.at);
 }

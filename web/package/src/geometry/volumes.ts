@@ -49,12 +49,10 @@ export function volumeAroundPoints(
   points: ArrayLike<Vec2>,
 ): PlacedShape {
   const number = indexOf(SHAPE_KINDS, kind, "volume kind");
-  const { length } = points;
-  const fill = (doubles: Float64Array) => {
-    for (let i = 0; i < length; i++) doubles.set(points[i], 2 * i);
-  };
-  const around = (at: number) => engine.exports.api_volume_around_points(number, at, length);
-  checkGeometry("volumeAroundPoints", engine.withDoubles(2 * length, fill, around));
+  const result = engine.withPoints(points, (at, count) =>
+    engine.exports.api_volume_around_points(number, at, count),
+  );
+  checkGeometry("volumeAroundPoints", result);
   return volumeNow(engine, kind);
 }
 
