@@ -190,7 +190,7 @@ def end_labels(case, places, bounds):
     for name in figures.CURVES:
         points = [p for p in case["points"] if p["curve"] == name]
         for p in points[:1] + points[1:][-1:]:
-            words = "swept" if name == "thud swept" else p["setting"]
+            words = p["setting"].replace("default swept", "swept")
             lx, ly = room.place(*places[id(p)], words)
             parts.append(text(lx, ly, words, SMALL_LABEL, colour=COLOURS[name], halo=True))
     return parts
