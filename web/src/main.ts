@@ -1,5 +1,4 @@
 /** The page: puts its parts together and starts the first scene. */
-import { keepOffline } from "./offline/register";
 import { App } from "./page/app";
 import { addControls } from "./page/controls";
 import { describeScene } from "./page/describe";
@@ -86,12 +85,15 @@ function afterFirstPicture(app: App, loadGallery: () => void): void {
     .ask("complete", {})
     .catch((error) => fail("A part of the engine is missing", messageOf(error), [], reload))
     .finally(loadGallery);
-  void keepOffline((update) => {
-    const button = make("button", {}, "Reload");
-    button.addEventListener("click", update);
-    notice("A new version of this page is ready. ", 60);
-    byId("notice").append(button);
-  });
+  // Without it the page works, but not without a network.
+  import("./offline/register").then(({ keepOffline }) => keepOffline(offerUpdate), () => {});
+}
+
+function offerUpdate(update: () => void): void {
+  const button = make("button", {}, "Reload");
+  button.addEventListener("click", update);
+  notice("A new version of this page is ready. ", 60);
+  byId("notice").append(button);
 }
 
 const reload = { label: "Load the page again", go: () => location.reload() };

@@ -2,6 +2,8 @@
  * The gallery: the dialog that lists all scenes with picture and description, searches them, and
  * opens levels from files. Imported after the first picture, or when the dialog is opened.
  */
+import "../style/gallery.css";
+import "../style/print.css";
 import { ABOUTS } from "../scene/abouts";
 import { GROUPS, type SceneEntry, SCENES, thumbnailFile } from "../scene/registry";
 import type { App } from "./app";
