@@ -1,5 +1,6 @@
 /* wide_motion.c: integration of velocities and positions; see motion.h. Two bodies share a vector
- * of eight floats; what only some bodies need is done for one of them, coordinate by coordinate. */
+ * of eight floats; what only damped bodies need is done for one of them, coordinate by coordinate.
+ */
 #include "solver/motion.h"
 
 #include "base/simd.h"
@@ -22,13 +23,6 @@ TD_INLINE f8 clamp_velocity(const td_motion_context *c, f8 v) {
     float s = c->max_speed, t = THUD_ANGULAR_SPEED_MAX, m = 3.0e38f;
     f8 max = {s, s, t, m, s, s, t, m};
     return f8_min(max, f8_max(-max, v));
-}
-
-/* The same of coordinate k. */
-static float clamp_coordinate(const td_motion_context *c, int k, float v) {
-    float max = k < 2 ? c->max_speed : THUD_ANGULAR_SPEED_MAX;
-    float low = -max > v ? -max : v;
-    return max < low ? max : low;
 }
 
 /* Whether no constraint can change the body's velocity in this step. Kinematic bodies have no
@@ -61,22 +55,35 @@ static void set_damping(body_damping *d, const td_motion_context *c, int i) {
     }
 }
 
-/* Begins the motion of a body that is free or damped: td_begin_motion_fn. Its start is the velocity
- * before the step. */
-static void begin_alone(const td_motion_context *c, int i, body_damping *d) {
-    bool free = is_free(c, i);
-    float substeps = free ? (float)c->substeps : 1.0f;
-    set_damping(d, c, i);
-    for (int k = 0; k < 3; k++) {
-        const td_damping *of = &d->of[k == 2];
-        float v = c->start[i][k], from = v - v * of->lost;
-        float to = clamp_coordinate(c, k, from + c->substep_gain[i][k] * substeps * of->gained);
-        c->velocity[i][k] = to;
-        c->start[i][k] = free ? to : from;
-        if (free) {
-            c->delta[i][k] = (v * of->gained + (to - from) * of->gain_share - to) * d->time;
+/* A value for all coordinates of the first body of a vector, and one for those of the second. The
+ * fourth places hold no coordinates, and get `rest`. */
+TD_INLINE f8 of_two(float first, float second, float rest) {
+    return (f8){first, first, first, rest, second, second, second, rest};
+}
+
+/* Begins the motion of two bodies, of which one is free or damped: td_begin_motion_fn. `start` is
+ * their velocity before the step, `free` says which of them is free. */
+TD_INLINE void begin_pair(const td_motion_context *c, int i, f8 start, const bool free[2],
+                          body_damping *substep, body_damping *step) {
+    f8 lost = f8_all(0.0f), gained = f8_all(1.0f), share = f8_all(0.5f);
+    for (int k = 0; k < 2 && c->damping; k++) {
+        body_damping *d = free[k] ? step : substep;
+        set_damping(d, c, i + k);
+        for (int j = 0; j < 3; j++) {
+            lost[4 * k + j] = d->of[j == 2].lost;
+            gained[4 * k + j] = d->of[j == 2].gained;
+            share[4 * k + j] = d->of[j == 2].gain_share;
         }
     }
+    float n = (float)c->substeps;
+    f8 substeps = of_two(free[0] ? n : 1.0f, free[1] ? n : 1.0f, 1.0f);
+    i8 is_free_lane = of_two(free[0], free[1], 0.0f) > f8_all(0.0f);
+    f8 from = start - start * lost;
+    f8 to = clamp_velocity(c, from + load(c->substep_gain, i) * substeps * gained);
+    f8 way = (start * gained + (to - from) * share - to) * f8_all(step->time);
+    store(c->velocity, i, to);
+    store(c->start, i, f8_pick(is_free_lane, to, from));
+    store(c->delta, i, f8_pick(is_free_lane, way, load((const float(*)[4])c->delta, i)));
 }
 
 td_begin_motion_fn TD_WIDE(td_begin_motion);
@@ -86,14 +93,14 @@ void TD_WIDE(td_begin_motion)(const td_motion_context *c) {
     for (int i = 0; i < c->count; i += 2) {
         /* A caller may have set any velocity. */
         f8 v = clamp_velocity(c, load((const float(*)[4])c->velocity, i));
-        store(c->start, i, v);
-        store(c->velocity, i, clamp_velocity(c, v + load(c->substep_gain, i)));
         /* Motions of the step before are finite, and marks are 0 or 1. */
         store(c->delta, i, c->bouncy ? load((const float(*)[4])c->delta, i) * mark : f8_all(0.0f));
-        for (int k = i; k < i + 2; k++) {
-            if (c->damping || is_free(c, k)) {
-                begin_alone(c, k, is_free(c, k) ? &step : &substep);
-            }
+        bool free[2] = {is_free(c, i), is_free(c, i + 1)};
+        if (c->damping || free[0] || free[1]) {
+            begin_pair(c, i, v, free, &substep, &step);
+        } else {
+            store(c->start, i, v);
+            store(c->velocity, i, clamp_velocity(c, v + load(c->substep_gain, i)));
         }
     }
 }
