@@ -57,6 +57,7 @@ typedef struct td_direct_body {
     double moved[3];                      /* motion since the start of the step */
     /* The rest is for islands with joints, which divide a step into parts: island_step_joints.c. */
     double stiff;               /* added to the moment of inertia: geometric stiffness of joints */
+    double turned;              /* rate of turning in the iteration before, rad/s */
     double own_inverse_inertia; /* inverse_inertia without that */
     double gain[3];             /* velocity that gravity, forces and damping add in one part */
     bool sweeps;                /* the body's rotation moves an anchor or the axis of a joint */

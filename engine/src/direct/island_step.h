@@ -20,6 +20,7 @@ typedef struct td_island_work {
     double correction_speed; /* greatest speed at which a row corrects an overlap or a gap,
                                 length/s; infinite: motions and impulses are not checked */
     int joints;              /* number of constraints that are no contacts */
+    double unbalanced;       /* greatest unbalanced_speed of island_step_joints.c, length/s */
     double turn_max; /* greatest rotation in the step for which contacts' arms are good, rad */
 } td_island_work;
 

@@ -149,8 +149,8 @@ static bool is_soft(const thud_quality *quality) {
 
 /* The known misses: `bisect` and `swept` leave contacts that tied bodies have as a step begins to
  * the solver; in one world, whose loop is pressed against the floor, 14.6 times the exchanged
- * energy is gained at exact, and in another 1.9 times at draft and default. Of 800 worlds some 28
- * gain more than 5 % at default, whatever the detection, but none of the others of these few. */
+ * energy is gained at exact, and in another 1.9 times at draft and default. Of 800 worlds at
+ * default 23 gain more than 5 %: 19 of them begin with a body that overlaps the floor by much. */
 static bool is_known(const thud_quality *quality, const thud_detection *detection, bool meets_floor,
                      int seed) {
     int known = is_soft(quality) ? 13 : quality == &thud_quality_exact ? 33 : -1;
@@ -196,6 +196,19 @@ static void mechanisms_on_a_floor_gain_no_energy(void **state) {
     }
 }
 
+/* Mechanisms whose redundant joints press against each other. Their impulses grew from step to
+ * step, until geometric stiffness held the bodies against gravity and contacts: these gained 0.2 to
+ * 16 times the exchanged energy (island_step_joints.c, unbalanced_speed). */
+static void redundant_joints_gain_no_energy(void **state) {
+    (void)state;
+    static const int seeds[] = {122, 396, 412, 505, 605, 686};
+    for (size_t i = 0; i < sizeof seeds / sizeof *seeds; i++) {
+        mechanism m = make_one(seeds[i], &thud_quality_default, &thud_detection_overlap, true);
+        assert_true(worst_of(&m).gain < 0.05);
+        thud_world_destroy(m.world);
+    }
+}
+
 /* Hash of a world with so many mechanisms that workers share the blocks; in many of them joints are
  * open and are corrected after the relax pass. */
 static uint64_t hash_of_many(const thud_quality *quality, pool *threads) {
@@ -229,6 +242,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(free_mechanisms_gain_no_energy),
         cmocka_unit_test(mechanisms_on_a_floor_gain_no_energy),
+        cmocka_unit_test(redundant_joints_gain_no_energy),
         cmocka_unit_test(torn_mechanisms_move_alike_with_any_number_of_workers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
