@@ -102,7 +102,8 @@ THUD_API thud_result thud_world_set_category_epilogue(thud_world *world, uint32_
 
 /* ---- a prologue that decides the response ---- */
 
-/* The velocities of a body right after a collision. */
+/* The velocities of a body right after a collision. Each component is clamped to the maximum speed
+ * of the world, or THUD_ANGULAR_SPEED_MAX. */
 typedef struct thud_velocities {
     thud_vec2 velocity;     /* of the centre of mass, length/s */
     float angular_velocity; /* rad/s; 0 is taken where the body's rotation is fixed */

@@ -107,8 +107,8 @@ static void resolve(thud_world *w, td_impact *resolved) {
             before[side][k] = (double)velocity[k] - fall;
             if (d->given[side]) {
                 double now = (double)d->velocity[side][k];
-                double ends = td_clamp(now + fall, -(double)FLT_MAX, (double)FLT_MAX);
-                velocity[k] = (float)ends;
+                double max = td_speed_max(w, k);
+                velocity[k] = (float)td_clamp(now + fall, -max, max);
                 f->motion[k] = f->held ? 0.0 : td_motion_held(w, k, now * w->def.time_step);
             }
         }
@@ -146,10 +146,13 @@ static thud_result set_side(const thud_world *w, td_decision *d, int side,
     if (body->kind != THUD_BODY_DYNAMIC) {
         return td_refuse(w, THUD_ERROR_INVALID, "decide: the body is not dynamic");
     }
+    float turn = body->inv_inertia == 0.0f ? 0.0f : v->angular_velocity;
+    const float given[3] = {v->velocity.x, v->velocity.y, turn};
     d->given[side] = true;
-    d->velocity[side][0] = v->velocity.x;
-    d->velocity[side][1] = v->velocity.y;
-    d->velocity[side][2] = body->inv_inertia == 0.0f ? 0.0f : v->angular_velocity;
+    for (int k = 0; k < 3; k++) {
+        double max = td_speed_max(w, k);
+        d->velocity[side][k] = (float)td_clamp((double)given[k], -max, max);
+    }
     return td_check_finite(w, "decide: velocity or angular_velocity", v->velocity.x, v->velocity.y,
                            v->angular_velocity);
 }

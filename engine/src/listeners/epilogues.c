@@ -42,8 +42,8 @@ static bool wants(const thud_world *w, int shape_a, int shape_b) {
            ((a->filter.category | b->filter.category) & o->any);
 }
 
-/* Calls the epilogues of one side of a contact: of its body, then of the categories of its shape.
- */
+/* Calls the epilogues of one side of a contact: of its body, then of the categories of its shape. A
+ * callback of this step may have destroyed the body. */
 static void tell_side(thud_world *w, const thud_contact *seen, int side) {
     const td_objects *o = objects_of(w);
     const td_shape *shape = td_shape_at(w, (int)(side ? seen->shape_b : seen->shape_a).index1 - 1);
@@ -58,7 +58,7 @@ static void tell_side(thud_world *w, const thud_contact *seen, int side) {
     }
     for (int i = 0; category & o->any && i < o->categories.count; i++) {
         td_object_epilogue all = *epilogue_at(&o->categories, i);
-        if (all.categories & category) {
+        if (all.categories & category && thud_body_is_valid(w, body)) {
             all.call(w, seen, side, all.context);
         }
     }
