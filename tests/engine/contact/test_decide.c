@@ -138,6 +138,26 @@ static void a_ball_leaves_at_the_velocities_that_are_decided(void **state) {
     }
 }
 
+/* The energy of a step that follows an edit has what is decided in it, and not the edit. */
+static void the_energy_of_an_edit_is_not_decided(void **state) {
+    (void)state;
+    for (int d = 0; d < DETECTIONS; d++) {
+        law l = {.after = {{0, 7}, 0}};
+        thud_world *world = make_world(def_of(d, 1));
+        listen(world, 0, &l);
+        thud_body_id ball = drop(world, 0.5, 0);
+        run(world, 1);
+        OK(thud_body_set_velocity(world, ball, (thud_vec2){0, -1}, 0));
+        run(world, 1);
+        thud_step_error e = thud_step_error_of(world);
+        double mass = (double)state_of(world, ball).mass;
+        assert_int_equal(l.decided, 1);
+        near_to(e.energy_decided, 0.5 * mass * (49 - 1), 1e-4);
+        near_to(e.energy_change, 0.5 * mass * (49 - 1), 1e-4);
+        thud_world_destroy(world);
+    }
+}
+
 /* Within a step of `swept` the rest of the way is travelled at the decided velocity. */
 static void the_rest_of_the_step_is_travelled_at_it(void **state) {
     (void)state;
@@ -224,22 +244,30 @@ static void both_bodies_of_a_pair_can_be_decided(void **state) {
     }
 }
 
-/* A kicked ball meets its neighbour with the decided velocity: both together have its momentum. */
+/* A kicked ball meets its neighbour with the decided velocity, later or in the same step: both
+ * together have its momentum. */
 static void other_contacts_meet_the_decided_velocity(void **state) {
     (void)state;
-    for (int i = 0; i < DETECTIONS * QUALITIES; i++) {
+    for (int i = 0; i < DETECTIONS * QUALITIES * 2; i++) {
         law l = {.after = {{0, 6}, 0}};
-        thud_world *world = make_world(def_of(i % DETECTIONS, i / DETECTIONS));
+        thud_world *world = make_world(def_of(i % DETECTIONS, i / DETECTIONS % QUALITIES));
+        bool touches = i / DETECTIONS / QUALITIES;
         thud_shape_def lively = thud_default_shape_def();
         lively.restitution = 1;
-        thud_body_id ball = drop(world, 0.55, 4);
+        thud_body_id ball = drop(world, touches ? 0.5 : 0.55, 4);
         OK(thud_body_set_velocity(world, ball, (thud_vec2){0, -4}, 0));
-        thud_body_id above = add_body(world, THUD_BODY_DYNAMIC, 0, 1.6, 0);
+        thud_body_id above = add_body(world, THUD_BODY_DYNAMIC, 0, touches ? 1.501 : 1.6, 0);
         add_shape(world, above, 0.5f, 0, false, &lively);
         listen(world, 0, &l);
+        double hardest = 0; /* hit between the two */
         for (int k = 0; k < 30; k++) {
             run(world, 1);
+            thud_events events = thud_events_of(world);
+            for (int h = 0; h < events.hit_count; h++) {
+                hardest = fmax(hardest, (double)events.hit[h].speed);
+            }
         }
+        near_to(hardest, 6, 1e-3);
         double sum = (double)(state_of(world, ball).velocity.y + state_of(world, above).velocity.y);
         near_to(sum, 6, 1e-3);
         near_to((double)state_of(world, above).velocity.y, 6, 0.05); /* the cradle's exchange */
@@ -512,6 +540,7 @@ static void a_decision_out_of_memory_changes_nothing(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ball_leaves_at_the_velocities_that_are_decided),
+        cmocka_unit_test(the_energy_of_an_edit_is_not_decided),
         cmocka_unit_test(the_rest_of_the_step_is_travelled_at_it),
         cmocka_unit_test(gravity_acts_on_a_decided_velocity),
         cmocka_unit_test(a_portal_passes_and_turns_the_velocity),
