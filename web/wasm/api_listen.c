@@ -1,7 +1,7 @@
-/* api_listen.c: callbacks into JavaScript: listeners, called once a step for all contacts, epilogues
- * of bodies and categories, called for one contact, and the pair filter. JavaScript finds its
- * functions by the address of the world (rules/callbacks.ts), and that of an object by the number of
- * the body or the categories, which is the context. */
+/* api_listen.c: callbacks into JavaScript: listeners, called once a step for all contacts,
+ * epilogues of bodies and categories, called for one contact, and the pair filter. JavaScript finds
+ * its functions by the address of the world (rules/callbacks.ts), and that of an object by the
+ * number of the body or the categories, which is the context. */
 #include "api.h"
 
 #include <stdlib.h>
@@ -24,8 +24,8 @@ extern int thud_filtered(const thud_world *world, uint32_t index_a, uint32_t gen
  * Chosen: 16 rows take 2,560 bytes of stack. */
 enum { PIECE = 16 };
 
-/* The contacts whose rows a prologue has, by which it names them: api_contact_decide. None outside of
- * prologues. */
+/* The contacts whose rows a prologue has, by which it names them: api_contact_decide. None outside
+ * of prologues. */
 static struct {
     const thud_world *world;
     const thud_contact *contacts;

@@ -4,6 +4,7 @@
  * bodies as they were, and are then given to the bodies. */
 #include "constraint/lanes.h"
 #include "contact/contact.h"
+#include "detection/collide.h"
 #include "listeners/listeners.h"
 #include "solver/error.h"
 #include "state/handles.h"

@@ -4,7 +4,9 @@
 #ifndef TD_DECISIONS_H
 #define TD_DECISIONS_H
 
-#include "detection/collide.h"
+#include "state/world.h"
+
+struct td_impact; /* detection/collide.h */
 
 /* A decided collision. By side: 0 is the body of seen.shape_a, 1 that of seen.shape_b. */
 typedef struct td_decision {
@@ -22,7 +24,7 @@ typedef struct td_decisions {
     void (*apply)(thud_world *w);
     /* Gives the bodies of `impact` their velocities, whose trajectories stand at the time of the
      * impact, and sets the impulses of *resolved. */
-    void (*resolve)(thud_world *w, td_impact *resolved);
+    void (*resolve)(thud_world *w, struct td_impact *resolved);
 } td_decisions;
 
 #endif
