@@ -273,6 +273,7 @@ const LACKING = {
   crane: ["greatest forces of springs of a slider (along)"],
   crates: ["rules between kinds"],
   flags: ["wind"],
+  lab_callbacks: ["listeners of contacts"],
   meetings: ["rules between kinds"],
   planks: ["rules between kinds"],
   playground: ["gears"],
