@@ -18,7 +18,7 @@ async function played(values, ends) {
   assert.ok(steps < 2000, "it comes to an end");
   const { readings, figures, message } = scene.paint();
   const row = (control, name) => readings[control].find(([label]) => label === name)[1];
-  const velocity = (name) => row("answer", name).replace(" m/s", "").split(", ").map(Number);
+  const velocity = (name) => row("asks", name).replace(" m/s", "").split(", ").map(Number);
   return { session, scene, message, row, velocity, counts: figures.map(({ value }) => Number(value)) };
 }
 
@@ -42,7 +42,7 @@ test("kicker_gives_the_speed_that_is_set_and_says_what_energy_it_decided", async
     near(after[0], before[0], 0.01);
     const { mass } = scene.world.bodyStateOf(scene.world.bodies()[1]);
     const decided = 0.5 * mass * (speed ** 2 - before[1] ** 2);
-    near(parseFloat(row("answer", "Energy that was decided")), decided, 0.05 * Math.abs(decided) + 0.1);
+    near(parseFloat(row("asks", "Energy that was decided")), decided, 0.05 * Math.abs(decided) + 0.1);
     near(parseFloat(row("toWorld", "Impulse that it was told")), mass * (speed - before[1]), 0.1);
     // A slow ball is asked about again while it parts; then nothing is decided.
     const [asked] = counts;
@@ -59,7 +59,7 @@ test("surface_that_the_prologue_sets_bounces_by_its_restitution", async () => {
     const [before, after] = [velocity("Velocity before"), velocity("Velocity after")];
     near(after[1] / -before[1], restitution, 0.03);
     near(after[0], 2, 0.01);
-    assert.equal(row("answer", "Energy that was decided"), "0.00 J");
+    assert.equal(row("asks", "Energy that was decided"), "0.00 J");
     scene.world.close();
   }
 });
@@ -84,6 +84,16 @@ test("portal_turns_the_velocity_and_leads_elsewhere", async () => {
     near(scene.world.positionOf(scene.world.bodies()[1])[0], -3.5, 0.5);
     scene.world.close();
   }
+});
+
+test("without_a_prologue_the_surfaces_decide_and_the_epilogues_are_told", async () => {
+  const told = ({ state }) => state.fall.ball > 20;
+  const { scene, counts, message } = await played({ asks: false, answer: "veto" }, told);
+  assert.deepEqual(counts.slice(0, 2), [0, 0]);
+  assert.ok(counts.slice(2).every((count) => count === scene.state.fall.ball));
+  near(scene.world.positionOf(scene.world.bodies()[1])[1], RADIUS, 0.01);
+  assert.match(message, /Nobody is asked/);
+  scene.world.close();
 });
 
 test("only_what_is_ticked_is_told", async () => {

@@ -22,9 +22,10 @@ const ANSWERS = [
 const slider = (name, label, least, most, step, group) => (
   { kind: "slider", name, label, least, most, step, group }
 );
-const check = (name, label, about) => ({ kind: "check", name, label, about, group: "Epilogues" });
+const check = (name, label, about, group = "Epilogues") => ({ kind: "check", name, label, about, group });
 const CONTROLS = [
-  { kind: "choice", name: "answer", label: "The prologue answers", options: ANSWERS, group: "Prologue" },
+  check("asks", "It is asked", "One function, called about each contact before it is solved.", "Prologue"),
+  { kind: "choice", name: "answer", label: "Its answer", options: ANSWERS, group: "Prologue" },
   slider("friction", "Friction", 0, 2, 0.1, "Of the surface"),
   slider("restitution", "Restitution", 0, 1.5, 0.1, "Of the surface"),
   slider("speed", "Speed, m/s", 0, 16, 0.5, "Of the kicker"),
@@ -32,7 +33,7 @@ const CONTROLS = [
   check("toWorld", "The world’s", "One function for all contacts of the world, called first."),
   check("toBall", "The ball’s", "A function of this body alone: it is called for its own contacts."),
   check("toPads", "The pads’", "A function for all shapes of one category: pads."),
-  slider("slow", "Slower by, near the pad", 1, 32, 1, "Time"),
+  slider("slow", "Slower by", 1, 32, 1, "Time near the pad"),
 ];
 
 const [PAD, BALL] = [2, 4]; // categories
@@ -58,13 +59,13 @@ export default function ({ createWorld, grid }) {
 
   const scene = {
     world,
-    view: { x: 0, y: 2.2, height: 8.4, width: 9.5 },
+    view: { x: 0, y: 2.4, height: 9, width: 9.5, tall: { x: 0, y: 3, height: 10, width: 8.6 } },
     spawn: [2, 6],
     keys: { fire: "drop again" },
     controls: CONTROLS,
     state: {
       ...{ answer: "kicker", friction: 0, restitution: 1, speed: 9, turn: 90, slow: 12 },
-      ...{ toWorld: true, toBall: true, toPads: true },
+      ...{ asks: true, toWorld: true, toBall: true, toPads: true },
       ...{ time: 0, wasDown: false, isAsked: false, trail: [], fall: nothing() },
     },
     update({ held }) {
@@ -94,11 +95,14 @@ export default function ({ createWorld, grid }) {
   const state = () => scene.state;
 
   /** Sets the listeners that are ticked. */
-  function listen({ toWorld, toBall, toPads }) {
-    const now = `${toWorld} ${toBall} ${toPads}`;
+  function listen({ asks, toWorld, toBall, toPads }) {
+    const now = `${asks} ${toWorld} ${toBall} ${toPads}`;
     if (now === heard) return;
     heard = now;
-    world.setListeners({ prologue, epilogue: toWorld ? toldWorld : undefined });
+    world.setListeners({
+      prologue: asks ? prologue : undefined,
+      epilogue: toWorld ? toldWorld : undefined,
+    });
     world.setBodyEpilogue(ball, toBall ? () => state().fall.ball++ : null);
     world.setCategoryEpilogue(PAD, toPads ? () => state().fall.pads++ : null);
   }

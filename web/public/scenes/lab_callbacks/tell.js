@@ -14,7 +14,7 @@ export function tell(state) {
       { label: "pads", value: `${fall.pads}` },
     ],
     readings: {
-      answer: [
+      asks: [
         ["Asked", times(fall.asked)],
         ["Answered otherwise", times(fall.answered)],
         ["Velocity before", speed(fall.before)],
@@ -42,6 +42,7 @@ const WORDS = {
 /** Without counts, which change in every step: it is said aloud. */
 function message(state) {
   const { fall, answer } = state;
+  if (!state.asks) return "Nobody is asked: the two collide as their surfaces say.";
   if (fall.asked === 0) return "The ball falls. The prologue is asked once the two are about to touch.";
   const told = [["the world", fall.world], ["the ball", fall.ball], ["the pads", fall.pads]];
   const names = told.filter(([, count]) => count > 0).map(([name]) => name);
