@@ -64,7 +64,7 @@ export default function ({ createWorld, grid }) {
     keys: { fire: "drop again" },
     controls: CONTROLS,
     state: {
-      ...{ answer: "kicker", friction: 0, restitution: 1, speed: 9, turn: 90, slow: 12 },
+      ...{ answer: "kicker", friction: 0, restitution: 1, speed: 11, turn: 90, slow: 12 },
       ...{ asks: true, toWorld: true, toBall: true, toPads: true },
       ...{ time: 0, wasDown: false, isAsked: false, trail: [], fall: nothing() },
     },

@@ -6,7 +6,8 @@ const SCALE = 0.17; // metres of an arrow for each m/s
 
 export function paintAll({ answer, trail, fall }, { position: [x, y], radius, exit, near }) {
   const marks = [];
-  if (trail.length > 1) marks.push(line(trail, "soft", { width: 2, dashed: true }));
+  for (const piece of piecesOf(trail))
+    if (piece.length > 1) marks.push(line(piece, "soft", { width: 2, dashed: true }));
   if (answer === "portal") {
     marks.push({ kind: "circle", x: exit[0], y: exit[1], radius: 0.7, ink: "accent" });
     marks.push(text([exit[0], exit[1] + 1], "leads here", "accent"));
@@ -14,6 +15,17 @@ export function paintAll({ answer, trail, fall }, { position: [x, y], radius, ex
   if (near) marks.push({ kind: "circle", x, y, radius: radius + 0.08, ink: "gold" });
   if (fall.at) paintContact(marks, fall);
   return { marks };
+}
+
+/** The way, cut where the ball jumped: at the portal. */
+function piecesOf(trail) {
+  const pieces = [[]];
+  trail.forEach((place, i) => {
+    const [x, y] = trail[i - 1] ?? place;
+    if (Math.abs(place[0] - x) + Math.abs(place[1] - y) > 1) pieces.push([]);
+    pieces.at(-1).push(place);
+  });
+  return pieces;
 }
 
 function paintContact(marks, { at, before, after }) {
