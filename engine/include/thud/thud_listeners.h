@@ -113,8 +113,8 @@ typedef struct thud_velocities {
  * of friction and restitution: a pinball's kicker, a bat, a portal that passes the body on with its
  * velocity turned. `contact` is the pointer that the prologue was given, or points to one of the
  * list of prologue_all. Null for `a` or `b`: the velocities of that body do not change. A body
- * whose velocities are given must be dynamic, and wakes; those of static and kinematic bodies can
- * not be decided.
+ * whose velocities are given must be dynamic, and wakes; those of static and kinematic bodies
+ * cannot be decided.
  *
  * A decided pair has no other effect in this step, as if it were vetoed, whatever the prologue
  * returns: neither the substeps nor direct islands solve it, and no detection stops its bodies at

@@ -129,9 +129,12 @@ static bool is_vetoed(thud_world *w, int number, const td_toi_candidate *e,
         return false;
     }
     *settings = td_surface_of_pair(w, e->shape[0], e->shape[1]);
-    bool veto = !td_surface_meet(w, seen, settings);
-    *decided = w->asks && w->decisions && w->decisions->has_impact;
-    veto |= *decided;
+    if (w->decisions) {
+        w->decisions->has_impact = false; /* that of an impact before */
+    }
+    bool meets = td_surface_meet(w, seen, settings);
+    *decided = w->decisions && w->decisions->has_impact;
+    bool veto = !meets || *decided;
     if (veto && number < w->constraints.count) {
         td_contact_at(w, number)->vetoed = TD_VETOED;
     } else if (veto) {

@@ -51,9 +51,6 @@ static bool run_prologue_for_impact(thud_world *w, const thud_contact *seen,
     const thud_listeners *calls = &w->listeners->calls;
     thud_contact_answer answer = {*settings, true};
     w->listeners->asked = (td_question){.contacts = seen, .count = 1, .impact = true};
-    if (w->decisions) {
-        w->decisions->has_impact = false;
-    }
     if (calls->prologue) {
         answer.collide = calls->prologue(w, seen, &answer.settings, calls->context);
     } else {
@@ -239,8 +236,8 @@ static bool is_passing(const thud_world *w, const td_block *block, int index) {
  * shapes, so that no pointer into their arrays is kept across calls. */
 TD_INLINE int visit(thud_world *w, visit_purpose purpose) {
     td_see_fn *see = &TD_PICK_WIDE(w, td_see_block);
-    bool whole = purpose >= TELL && w->listeners->tells_objects;
-    unsigned without = whole ? 0 : w->listeners->calls.without;
+    /* Objects are told all parts; a decided contact is told as the prologue was given it. */
+    unsigned without = w->listeners->tells_objects ? 0 : w->listeners->calls.without;
     td_seeing how = {.solved = purpose >= TELL,
                      .places = purpose != TAKE_ANSWERS && !(without & THUD_CONTACT_POINT),
                      .skin = w->skin,

@@ -5,6 +5,7 @@
 #include "hostile_memory.h"
 
 #include <thud/thud_joint.h>
+#include <thud/thud_rules.h>
 #include <thud/thud_snapshot.h>
 #include <thud/thud_testing.h>
 
@@ -404,6 +405,35 @@ static void a_restored_world_decides_the_same(void **state) {
     }
 }
 
+/* What was decided of one collision within the step says nothing of the next one, which a one-way
+ * rule lets pass unasked. */
+static void a_decision_is_not_taken_for_another_collision(void **state) {
+    (void)state;
+    for (int detection = 2; detection < DETECTIONS; detection++) {
+        law l = {.after = {{0, 6}, 0}};
+        thud_world *world = make_world(def_of(detection, 1));
+        thud_rule one_way = thud_default_rule();
+        one_way.kind = THUD_RULE_ONE_WAY;
+        OK(thud_world_set_rule(world, 2, 4, &one_way));
+        thud_shape_def shelf = thud_default_shape_def(), rising = shelf;
+        shelf.filter.category = 2;
+        rising.filter.category = 4;
+        drop(world, 0.8, 60); /* it meets the floor after 0.3 of the step */
+        thud_body_id platform = add_body(world, THUD_BODY_STATIC, 10, 5, 0);
+        add_shape(world, platform, 2, 0.1f, true, &shelf);
+        thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 10, 3.8, 0);
+        add_shape(world, ball, 0.5f, 0, false, &rising);
+        OK(thud_body_set_velocity(world, ball, (thud_vec2){0, 60}, 0)); /* after 0.6 of it */
+        listen(world, 0, &l);
+        run(world, 1);
+        assert_int_equal(l.decided, 1);
+        assert_int_equal(l.told, 1);
+        assert_int_equal(thud_stats_of(world).impacts, 1);
+        assert_true(state_of(world, ball).velocity.y == 60);
+        thud_world_destroy(world);
+    }
+}
+
 /* ---- refused ---- */
 
 static void what_is_refused_leaves_the_pair_to_the_solver(void **state) {
@@ -550,6 +580,7 @@ int main(void) {
         cmocka_unit_test(decided_bodies_wake),
         cmocka_unit_test(both_forms_decide_the_same),
         cmocka_unit_test(a_restored_world_decides_the_same),
+        cmocka_unit_test(a_decision_is_not_taken_for_another_collision),
         cmocka_unit_test(what_is_refused_leaves_the_pair_to_the_solver),
         cmocka_unit_test(only_a_prologue_decides_and_only_what_it_is_asked_about),
         cmocka_unit_test(the_last_decision_for_a_contact_holds),

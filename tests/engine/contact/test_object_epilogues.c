@@ -290,6 +290,37 @@ static void a_body_destroyed_in_a_callback_is_not_told(void **state) {
     thud_world_destroy(world);
 }
 
+static bool kicks(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
+                  void *context) {
+    (void)settings;
+    (void)context;
+    thud_velocities up = {{0, 5}, 0};
+    OK(thud_contact_decide(world, contact, NULL, &up));
+    return true;
+}
+
+/* Of a decided contact, too, an object is told all parts, also those that the world's listeners do
+ * without. */
+static void decided_contacts_are_told_with_all_parts(void **state) {
+    (void)state;
+    for (int d = 0; d < DETECTIONS; d++) {
+        thud_world_def def = thud_default_world_def();
+        def.detection = detections[d];
+        thud_world *world = make_world(def);
+        thud_body_id floor = add_floor(world, NULL), ball = add_ball(world, 0.25, 0.5, 0.5f);
+        OK(thud_world_set_listeners(world, &(thud_listeners){.prologue = kicks,
+                                                             .without = THUD_CONTACT_BODIES |
+                                                                        THUD_CONTACT_POINT}));
+        OK(thud_body_set_epilogue(world, ball, of_object, &one));
+        told_are(world, 1, (int[]){1});
+        assert_int_equal(calls[0].seen.body_a.index1, floor.index1);
+        assert_true(thud_body_is_valid(world, calls[0].seen.body_b));
+        near_to(calls[0].seen.point.x, 0.25, 0.01);
+        assert_true(calls[0].seen.normal_impulse > 0);
+        thud_world_destroy(world);
+    }
+}
+
 /* A sensor has no contacts, a sleeping body is not told, and no body wakes by an epilogue. */
 static void sensors_and_sleepers_are_not_told(void **state) {
     (void)state;
@@ -398,6 +429,7 @@ int main(void) {
         cmocka_unit_test(epilogues_are_replaced_and_removed),
         cmocka_unit_test(a_destroyed_body_takes_its_epilogue_along),
         cmocka_unit_test(a_body_destroyed_in_a_callback_is_not_told),
+        cmocka_unit_test(decided_contacts_are_told_with_all_parts),
         cmocka_unit_test(sensors_and_sleepers_are_not_told),
         cmocka_unit_test(snapshots_leave_epilogues_alone),
         cmocka_unit_test(refused_calls_change_nothing),
