@@ -76,6 +76,22 @@ export const EDIT_CALLS = {
     const without = [[], ["point"], ["bodies"]][s.below(3)];
     s.world.setListeners(s.below(3) === 0 ? null : { prologue, epilogue() {}, without });
   },
+  decide: (s) => {
+    const side = () => s.options({ velocity: s.vector(), angularVelocity: s.number(-9, 9) });
+    s.after = null;
+    const [row, response] = [s.number(-1, 3), s.pick([{ a: side() }, { b: side() }, { a: side(), b: side() }])];
+    // Outside of a prologue it is refused.
+    if (s.below(4) === 0) s.world.decide(row, response);
+    s.world.setListeners({ prologue: (rows, count) => count > 0 && s.world.decide(s.below(count), response) });
+  },
+  setBodyEpilogue: (s) => {
+    s.after = null;
+    s.world.setBodyEpilogue(s.body(), s.below(3) === 0 ? null : (row, side) => row[side]);
+  },
+  setCategoryEpilogue: (s) => {
+    s.after = null;
+    s.world.setCategoryEpilogue(s.below(5), s.below(3) === 0 ? null : (row, side) => row[side]);
+  },
   setPairFilter: (s) => {
     s.after = null;
     const kept = s.below(5);

@@ -128,6 +128,8 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(linkage),
     PLAYS(joint_at),
     PLAYS(log),
+    PLAYS(object_epilogues),
+    PLAYS(decide),
 };
 
 void session_play(fuzz_session *s) {

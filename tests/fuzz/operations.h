@@ -26,7 +26,7 @@ extern uint64_t operations_played[OPERATION_BYTES];
 fuzz_operation play_step, play_advance, play_advance_with, play_log, play_settings, play_qualities,
     play_reading, play_names;
 fuzz_operation play_poses, play_drawing, play_refused_worlds, play_nulls, play_limit;
-fuzz_operation play_listeners;
+fuzz_operation play_listeners, play_object_epilogues, play_decide;
 /* operations_bodies.c */
 /* Adds a body to the session's table; if the table is full, destroys the one that it replaces. */
 void session_keep_body(fuzz_session *s, thud_body_id made);

@@ -107,6 +107,45 @@ void play_listeners(fuzz_session *s) {
     }
 }
 
+/* The epilogue of a body or of categories, set or removed. No snapshot has those of bodies, so that
+ * a session that goes on in other worlds sets none. The session keeps the categories of one. */
+void play_object_epilogues(fuzz_session *s) {
+    unsigned byte = next_byte(&s->bytes);
+    thud_object_epilogue_fn *epilogue = byte & 1 ? session_object_epilogue : NULL;
+    if (byte & 2) {
+        thud_body_id body = pick_body(s);
+        epilogue = s->twin == TWIN_SNAPSHOT ? NULL : epilogue;
+        TRY(s, thud_body_set_epilogue(s->world, body, epilogue, s));
+        return;
+    }
+    uint32_t categories = s->told_categories ? s->told_categories : byte >> 4;
+    TRY(s, thud_world_set_category_epilogue(s->world, categories, epilogue, s));
+    thud_result expected = !categories ? THUD_ERROR_INVALID
+                           : s->depth  ? THUD_ERROR_LOCKED
+                                       : THUD_OK;
+    if (s->result != expected) {
+        fuzz_fail(s, "epilogue of categories: %s", thud_result_text(s->result));
+    }
+    if (s->result == THUD_OK) {
+        s->told_categories = epilogue ? categories : 0;
+    }
+}
+
+/* Velocities after the collision that a prologue is called about, or, outside of it, of a contact
+ * that nobody is asked about, which is refused. */
+void play_decide(fuzz_session *s) {
+    static const thud_contact nobody;
+    unsigned byte = next_byte(&s->bytes);
+    thud_velocities a = {.velocity = pick_velocity(s)}, b = {.velocity = pick_velocity(s)};
+    a.angular_velocity = next_float(&s->bytes, -8, 0.0625);
+    b.angular_velocity = next_float(&s->bytes, -8, 0.0625);
+    const thud_contact *contact = s->question ? s->question : &nobody;
+    TRY(s, thud_contact_decide(s->world, contact, byte & 1 ? &a : NULL, byte & 2 ? &b : NULL));
+    if (s->result == THUD_OK && (!s->question || !(byte & 3))) {
+        fuzz_fail(s, "decided what nobody was asked about");
+    }
+}
+
 void play_qualities(fuzz_session *s) {
     unsigned byte = next_byte(&s->bytes);
     thud_quality quality = *pick_quality(s, byte);

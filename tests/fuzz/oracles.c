@@ -225,6 +225,7 @@ static void check_errors_and_measures(fuzz_session *s) {
     note_number(s, e.penetration_mean);
     note_number(s, e.residual);
     note_number(s, e.energy_change);
+    note_number(s, e.energy_decided);
     note_bits(s, (uint64_t)e.overlaps);
     thud_measure m = thud_measure_of(s->world);
     name_call(s, "thud_measure_of");

@@ -61,7 +61,10 @@ bool session_prologue(thud_world *world, const thud_contact *contact,
         settings->restitution = next_float(&one, 0, 0.03);
         settings->surface_speed = next_float(&one, -8, 0.125) * (float)s->unit;
     }
+    const thud_contact *outer = s->question;
+    s->question = contact;
     session_ask(s);
+    s->question = outer;
     s->calls[s->depth].text = text;
     return byte % 16 != 2;
 }
@@ -73,6 +76,16 @@ void session_epilogue(thud_world *world, const thud_contact *contact, void *cont
     note_contact(s, contact);
     session_ask(s);
     s->calls[s->depth].text = text;
+}
+
+void session_object_epilogue(thud_world *world, const thud_contact *contact, int side,
+                             void *context) {
+    thud_body_id body = side ? contact->body_b : contact->body_a;
+    if (!thud_body_is_valid(world, body)) {
+        fuzz_fail(context, "an epilogue of body %u, which is gone", body.index1);
+    }
+    note_bits(context, (uint64_t)side);
+    session_epilogue(world, contact, context);
 }
 
 void session_prologue_all(thud_world *world, const thud_contact *contacts,

@@ -140,6 +140,10 @@ static void make_world(fuzz_session *s, thud_world **out) {
     }
     COUNTED(thud_world_use_joints(*out));
     COUNTED(thud_world_set_listeners(*out, &s->listeners));
+    if (s->told_categories) {
+        COUNTED(
+            thud_world_set_category_epilogue(*out, s->told_categories, session_object_epilogue, s));
+    }
     COUNTED(thud_world_use_rules(*out));
     session_take_filter(s, *out);
 }

@@ -79,6 +79,7 @@ typedef struct fuzz_session {
     thud_world *world, *other; /* `other` is used for handles of another world only */
     thud_world_def def;
     thud_listeners listeners; /* the world's listeners, which worlds that replace it get too */
+    uint32_t told_categories; /* those of the epilogue of categories, or 0; the same */
     bool filters;             /* the world has the pair filter; the same */
     twin_kind twin;
     bool second, closing;
@@ -97,10 +98,11 @@ typedef struct fuzz_session {
 
     fuzz_bytes bytes;
     uint8_t script[SESSION_SCRIPT];
-    int mood;             /* one in so many callbacks makes calls; 0: none */
-    int depth;            /* nested callbacks; 0: outside of them */
-    unsigned asked;       /* callbacks so far */
-    int destroyed_inside; /* bodies and shapes destroyed in callbacks since the last step */
+    int mood;                     /* one in so many callbacks makes calls; 0: none */
+    int depth;                    /* nested callbacks; 0: outside of them */
+    const thud_contact *question; /* that a prologue is called about; null outside of it */
+    unsigned asked;               /* callbacks so far */
+    int destroyed_inside;         /* bodies and shapes destroyed in callbacks since the last step */
 
     session_call calls[SESSION_DEPTH]; /* by depth */
     thud_result result;                /* of the last call */
@@ -151,6 +153,7 @@ void session_take_filter(fuzz_session *s, thud_world *world);
 thud_filter_fn session_filter;
 thud_prologue_fn session_prologue;
 thud_epilogue_fn session_epilogue;
+thud_object_epilogue_fn session_object_epilogue;
 thud_prologue_all_fn session_prologue_all;
 thud_epilogue_all_fn session_epilogue_all;
 thud_overlap_fn session_overlap;

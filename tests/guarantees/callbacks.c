@@ -1,5 +1,6 @@
 /* callbacks.c: guarantees of the prologue and the epilogue (pre-solve and post-solve callbacks):
- * which pairs they are called for, vetoes, surface settings, and edits made inside of them. */
+ * which pairs they are called for, vetoes, surface settings, decided velocities, epilogues of
+ * objects, and edits made inside of them. */
 #include "guarantee.h"
 #include "yard.h"
 
@@ -269,6 +270,103 @@ static void surfaces_are_what_a_prologue_sets(trial *t) {
     }
 }
 
+/* ---- velocities that a prologue decides ---- */
+
+typedef struct portal {
+    trial *t;
+    thud_velocities after;
+    int decided, told;
+} portal;
+
+/* A prologue that decides the velocities of what comes down on the wall, side a. */
+static bool pass_on(thud_world *world, const thud_contact *contact, thud_contact_settings *wanted,
+                    void *context) {
+    portal *s = context;
+    thud_body_state body;
+    (void)wanted;
+    DO(s->t, thud_body_get_state(world, contact->body_b, &body));
+    if (body.velocity.y < 0) {
+        DO(s->t, thud_contact_decide(world, contact, NULL, &s->after));
+        REFUSED(s->t, thud_contact_decide(world, contact, &s->after, NULL), THUD_ERROR_INVALID);
+        s->decided++;
+    }
+    return true;
+}
+
+/* An epilogue that counts the pairs that were given an impulse. */
+static void note_passing(thud_world *world, const thud_contact *contact, void *context) {
+    (void)world;
+    ((portal *)context)->told += contact->normal_impulse > 0;
+}
+
+/* What meets a wall goes on through it with the velocities that the prologue decides, and nothing
+ * else acts on it there; the epilogue is told, and the errors of the steps have the energy. */
+static void decided_velocities_hold(trial *t) {
+    portal s = {.t = t, .after = {trial_speed(t, 1.5, -3), 0}};
+    thud_world *world = trial_make(t, trial_weightless(t));
+    trial_listen(t, world, pass_on, note_passing, &s);
+    if (!world) {
+        return;
+    }
+    trial_wall(t, world, 0, 0, 4, 0.4);
+    thud_body_id id = trial_drop(t, world, (form)trial_pick(t, FORMS), 0, 1.2, 0.3);
+    DO(t, thud_body_set_velocity(world, id, trial_speed(t, 0, -4), 0));
+    double decided = 0;
+    for (int k = 0; k < trial_steps(t, 0.5) && !trial_failed(t); k++) {
+        trial_run(t, world, 1);
+        decided += thud_step_error_of(world).energy_decided;
+    }
+    thud_body_state body = trial_state(t, world, id);
+    double wanted = 0.5 * (double)body.mass * (1.5 * 1.5 + 3 * 3 - 4 * 4) * t->scale * t->scale;
+    if (s.decided == 0 || s.told == 0 || fabs((double)body.velocity.x - 1.5) > 1e-5 ||
+        fabs((double)body.velocity.y + 3) > 1e-5 || body.position.y > 0 ||
+        fabs(decided - wanted) > 1e-3 * -wanted) {
+        trial_fault(t, "%d decided, %d told: it goes by (%g, %g), and got %g of %g", s.decided,
+                    s.told, (double)body.velocity.x, (double)body.velocity.y, decided, wanted);
+    }
+}
+
+/* ---- epilogues of objects ---- */
+
+typedef struct told_bodies {
+    thud_body_id body;
+    int by_world, by_body; /* calls that name the body, and calls of its own epilogue */
+} told_bodies;
+
+static bool is_told_body(const told_bodies *s, thud_body_id body) {
+    return body.index1 == s->body.index1 && body.generation == s->body.generation;
+}
+
+static void note_body(thud_world *world, const thud_contact *contact, void *context) {
+    told_bodies *s = context;
+    (void)world;
+    s->by_world += is_told_body(s, contact->body_a) + is_told_body(s, contact->body_b);
+}
+
+static void note_own(thud_world *world, const thud_contact *contact, int side, void *context) {
+    told_bodies *s = context;
+    (void)world;
+    s->by_body += is_told_body(s, side ? contact->body_b : contact->body_a);
+}
+
+/* A body with an epilogue is told of each contact that the world is told of and that it has, and of
+ * no other, until an edit destroys it. */
+static void objects_are_told_of_their_contacts(trial *t) {
+    told_bodies s = {0};
+    yard y;
+    yard_make(&y, t, trial_def(t), 0);
+    trial_listen(t, y.world, NULL, note_body, &s);
+    s.body = y.body[trial_pick(t, YARD_BODIES)];
+    DO(t, thud_body_set_epilogue(y.world, s.body, note_own, &s));
+    for (int k = 0; k < trial_steps(t, 1.0) && !trial_failed(t); k++) {
+        yard_step(&y);
+        if (s.by_world != s.by_body) {
+            trial_fault(t, "step %d: the world is told of %d contacts, the body of %d", k,
+                        s.by_world, s.by_body);
+        }
+    }
+}
+
 /* ---- edits and refused calls inside callbacks ---- */
 
 typedef struct intruder {
@@ -321,7 +419,12 @@ static void callbacks_edit_the_next_step(trial *t) {
 }
 
 const guarantee guarantees_of_callbacks[] = {
-    GUARANTEE(callbacks_edit_the_next_step), GUARANTEE(one_way_platforms_hold_from_above),
-    GUARANTEE(prologue_asks_each_pair_once), GUARANTEE(surfaces_are_what_a_prologue_sets),
-    GUARANTEE(vetoed_pairs_do_nothing),      {.name = NULL},
+    GUARANTEE(callbacks_edit_the_next_step),
+    GUARANTEE(decided_velocities_hold),
+    GUARANTEE(objects_are_told_of_their_contacts),
+    GUARANTEE(one_way_platforms_hold_from_above),
+    GUARANTEE(prologue_asks_each_pair_once),
+    GUARANTEE(surfaces_are_what_a_prologue_sets),
+    GUARANTEE(vetoed_pairs_do_nothing),
+    {.name = NULL},
 };

@@ -70,6 +70,7 @@ static inline uint64_t digest_of(thud_world *world) {
     MIX(error.penetration_mean);
     MIX(error.residual);
     MIX(error.energy_change);
+    MIX(error.energy_decided);
     MIX(error.shortfall);
     double limit;
     OK(thud_world_get_bisection_limit(world, &limit));

@@ -263,6 +263,7 @@ void api_world_step_error(const thud_world *world) {
     api_slots.step_error.joint_gap_max = error.joint_gap_max;
     api_slots.step_error.joint_gap_mean = error.joint_gap_mean;
     api_slots.step_error.joint_angle_max = error.joint_angle_max;
+    api_slots.step_error.energy_decided = error.energy_decided;
 }
 
 /* Slots out: measure. */

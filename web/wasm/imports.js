@@ -5,6 +5,8 @@ mergeInto(LibraryManager.library, {
   thud_clock: function () { return 0; },
   thud_asked: function () {},
   thud_told: function () {},
+  thud_told_body: function () {},
+  thud_told_category: function () {},
   thud_filtered: function () { return 1; },
   thud_stepped: function () {},
   thud_cast_hit: function () { return 1; },

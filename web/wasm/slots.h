@@ -98,7 +98,7 @@ struct stats {
 
 struct step_error {
     double penetration_max, penetration_mean, residual, energy_change, overlaps, shortfall;
-    double joint_gap_max, joint_gap_mean, joint_angle_max;
+    double joint_gap_max, joint_gap_mean, joint_angle_max, energy_decided;
 };
 
 struct measure {

@@ -495,10 +495,12 @@ typedef struct thud_step_error {
     double residual; /* length/s: the largest approach speed of a contact before the last pass of
                         the soft solver corrected it; in a step that solved islands directly, after
                         the last */
-    double energy_change; /* change of kinetic plus potential energy, mass * length^2 / s^2, to a
-                             millionth of the kinetic energy. Friction, damping and restitution make
-                             it negative; forces, kinematic bodies, moving surfaces and errors of
-                             the solver make it positive */
+    double energy_change;  /* change of kinetic plus potential energy, mass * length^2 / s^2, to a
+                              millionth of the kinetic energy. Friction, damping and restitution make
+                              it negative; forces, kinematic bodies, moving surfaces and errors of
+                              the solver make it positive */
+    double energy_decided; /* mass * length^2 / s^2: the part of energy_change that prologues
+                              decided (thud_contact_decide) */
     int overlaps; /* points deeper than max_error, or than 0.005 length scales where that is 0 */
     double shortfall; /* length: the largest distance between where a held body
                          (thud_stats.held_bodies) ended and where its motion would have taken it; 0

@@ -1,7 +1,8 @@
 /* thud_listeners.h: callbacks for contacts: the prologue before a contact is solved (pre-solve) and
- * the epilogue after it (post-solve), either for one contact a call or once a step for all. A
- * program without listeners does not link them. For fixed behaviour of kinds of shapes the rules of
- * thud_rules.h need no calls. */
+ * the epilogue after it (post-solve), either for one contact a call or once a step for all; and
+ * epilogues of single bodies and of categories of shapes. A prologue may also decide the velocities
+ * after a collision itself. A program links only what it calls of this. For fixed behaviour of
+ * kinds of shapes the rules of thud_rules.h need no calls. */
 #ifndef THUD_LISTENERS_H
 #define THUD_LISTENERS_H
 
@@ -19,8 +20,9 @@ extern "C" {
  * own. Returns whether the pair collides; false: the pair has no effect in this step. */
 typedef bool thud_prologue_fn(thud_world *world, const thud_contact *contact,
                               thud_contact_settings *settings, void *context);
-/* Called after the motion of the step for every touching pair that was solved, and for every
- * collision that was resolved within the step. */
+/* Called after the motion of the step for every touching pair that was solved, then for every one
+ * whose velocities the prologue decided (thud_contact_decide), then for every collision that was
+ * resolved within the step. */
 typedef void thud_epilogue_fn(thud_world *world, const thud_contact *contact, void *context);
 
 /* What a prologue decides about a pair. */
@@ -61,11 +63,82 @@ typedef struct thud_listeners {
 /* Replaces the listeners of the world from the next step on; null: none. Where there is or was a
  * prologue, all bodies wake. A snapshot contains what the prologue decided about touching pairs: a
  * world without a prologue that is restored from it keeps these decisions until the pairs part. The
- * world is locked during the callbacks: edits wait for the next step, or are refused.
+ * world is locked during the callbacks: edits wait for the next step, or are refused. The epilogues
+ * of bodies and categories, below, stay as they are.
  * THUD_ERROR_NULL for a null world, THUD_ERROR_INVALID for both forms of a prologue or epilogue or
  * an unknown part, THUD_ERROR_MEMORY, THUD_ERROR_LOCKED inside a callback: then nothing has
  * changed. */
 THUD_API thud_result thud_world_set_listeners(thud_world *world, const thud_listeners *listeners);
+
+/* ---- an epilogue to each object ---- */
+
+/* Called for a contact of a body, or of a shape of a category, that has such an epilogue. It is
+ * called for the same contacts as the epilogue of the world, with all fields of the contact, and
+ * after it: directly after where that is called for one contact at a time, else after that call.
+ * `side`: 0 where the object is a of the contact, 1 where it is b. For one contact the calls are
+ * those of a (its body's, then those of the categories of its shape, in the order in which they
+ * were first set), then those of b. It is not called for a body that a callback of this step has
+ * destroyed. Sensors have no contacts, and thus no epilogues: thud_events.h tells of them. */
+typedef void thud_object_epilogue_fn(thud_world *world, const thud_contact *contact, int side,
+                                     void *context);
+
+/* Sets the epilogue of a body of any kind, from the next step on. It replaces the one that the body
+ * had; null removes it. No body wakes, and no motion changes. It goes with the body when that is
+ * destroyed. No epilogue is part of a snapshot: after thud_world_restore a body has the one that
+ * was set for its handle, if it has not been destroyed for a step or more in between.
+ * THUD_ERROR_NULL, THUD_ERROR_STALE, THUD_ERROR_MEMORY, THUD_ERROR_LOCKED inside a callback: then
+ * nothing has changed. */
+THUD_API thud_result thud_body_set_epilogue(thud_world *world, thud_body_id body,
+                                            thud_object_epilogue_fn *epilogue, void *context);
+
+/* Sets the epilogue of all shapes whose filter has one of these categories (thud_filter.category)
+ * when a step ends. It replaces the one of exactly these categories; null removes it. Several may
+ * have a category in common: each is called. Not part of a snapshot. THUD_ERROR_NULL,
+ * THUD_ERROR_INVALID for no category, THUD_ERROR_MEMORY, THUD_ERROR_LOCKED inside a callback: then
+ * nothing has changed. */
+THUD_API thud_result thud_world_set_category_epilogue(thud_world *world, uint32_t categories,
+                                                      thud_object_epilogue_fn *epilogue,
+                                                      void *context);
+
+/* ---- a prologue that decides the response ---- */
+
+/* The velocities of a body right after a collision. Each component is clamped to the maximum speed
+ * of the world, or THUD_ANGULAR_SPEED_MAX. */
+typedef struct thud_velocities {
+    thud_vec2 velocity;     /* of the centre of mass, length/s */
+    float angular_velocity; /* rad/s; 0 is taken where the body's rotation is fixed */
+} thud_velocities;
+
+/* Inside a prologue: decides the velocities after the collision by the caller's own law, in place
+ * of friction and restitution: a pinball's kicker, a bat, a portal that passes the body on with its
+ * velocity turned. `contact` is the pointer that the prologue was given, or points to one of the
+ * list of prologue_all. Null for `a` or `b`: the velocities of that body do not change. A body
+ * whose velocities are given must be dynamic, and wakes; those of static and kinematic bodies
+ * cannot be decided.
+ *
+ * A decided pair has no other effect in this step, as if it were vetoed, whatever the prologue
+ * returns: neither the substeps nor direct islands solve it, and no detection stops its bodies at
+ * each other. The next step asks about the pair anew. The decision takes effect
+ * - of a pair that touches or is about to touch as the step begins: before the step is solved.
+ *   Gravity, damping, joints, the other contacts and the maximum speed act on the new velocities in
+ *   the step as on any. Such a pair makes no hit event and no impulse event;
+ * - of a collision that thud_detection_bisect or thud_detection_swept finds within the step: at the
+ *   time of that collision; the rest of the step is travelled at these velocities. Where one of the
+ *   two bodies sleeps or has joints, the pair is left to the next step, which asks again, and the
+ *   decision has no effect;
+ * - of a collision that thud_detection_continuous finds: not at all. The body stops there, with the
+ *   velocity that it had, and the next step asks again.
+ * The epilogue is told of a decided pair, with the impulses that would give these velocities to b,
+ * or to a where b is left as it is. thud_step_error.energy_decided has the kinetic energy that was
+ * decided. Of several decisions for a body in a step the last one holds, of several for a contact
+ * too. The velocities are in snapshots; the decision is kept there as a veto of the pair.
+ *
+ * THUD_ERROR_NULL where the world, the contact or both of `a` and `b` are null; THUD_ERROR_INVALID
+ * for a contact that no prologue is asked about now, for a body that is not dynamic, and for
+ * velocities that are not finite; THUD_ERROR_MEMORY. Then nothing is decided, and the pair is
+ * solved as the prologue's answer says. */
+THUD_API thud_result thud_contact_decide(thud_world *world, const thud_contact *contact,
+                                         const thud_velocities *a, const thud_velocities *b);
 
 #ifdef __cplusplus
 }

@@ -117,6 +117,7 @@ thud_result thud_world_get_step_error(const thud_world *w, thud_step_error *out)
         .penetration_mean = e->points ? e->depth / w->to_fixed / (double)e->points : 0.0,
         .residual = (double)e->residual,
         .energy_change = e->energy_change,
+        .energy_decided = e->energy_decided,
         .overlaps = (int)e->overlaps,
         .shortfall = __builtin_sqrt((double)e->shortfall_squared),
         .joint_gap_max = gaps.worst,

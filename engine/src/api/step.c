@@ -132,6 +132,7 @@ static void solve(thud_world *w) {
 
 /* Applies rules, then asks listeners (the prologue, pre-solve), whose answer overrules a rule. */
 static void ask_listeners(thud_world *w) {
+    w->errors.energy_decided = 0.0;
     if (w->rule_hooks) {
         w->rule_hooks->decide(w);
     }

@@ -30,6 +30,7 @@
 #include "base/rotation.h"
 #include "state/shape.h"
 #include "detection/detection.h"
+#include "listeners/decisions.h"
 #include "state/surface.h"
 #include "detection/unbisectable.h"
 
@@ -113,11 +114,13 @@ static bool is_tied(const thud_world *w, const td_toi_candidate *e) {
            td_is_tied(w, td_body_at(w, e->body[1])->awake);
 }
 
-/* Whether the prologue refuses the pair; then the candidate is marked and is not computed again in
- * this step. It fills `settings` with the surface of the pair. The prologue is not called again
- * for pairs that touched at the start of the step, whose settings are in their lane. */
+/* Whether the prologue refuses the pair, or has decided its velocities; then the candidate is
+ * marked and is not computed again in this step. It fills `settings` with the surface of the pair.
+ * The prologue is not called again for pairs that touched at the start of the step, whose settings
+ * are in their lane. */
 static bool is_vetoed(thud_world *w, int number, const td_toi_candidate *e,
-                      const thud_contact *seen, thud_contact_settings *settings) {
+                      const thud_contact *seen, thud_contact_settings *settings, bool *decided) {
+    *decided = false;
     if (number < w->constraints.count && td_contact_at(w, number)->state == TD_TOUCHING) {
         const td_contact *contact = td_contact_at(w, number);
         td_lane at = td_lane_of(w, contact);
@@ -126,7 +129,12 @@ static bool is_vetoed(thud_world *w, int number, const td_toi_candidate *e,
         return false;
     }
     *settings = td_surface_of_pair(w, e->shape[0], e->shape[1]);
-    bool veto = !td_surface_meet(w, seen, settings);
+    if (w->decisions) {
+        w->decisions->has_impact = false; /* that of an impact before */
+    }
+    bool meets = td_surface_meet(w, seen, settings);
+    *decided = w->decisions && w->decisions->has_impact;
+    bool veto = !meets || *decided;
     if (veto && number < w->constraints.count) {
         td_contact_at(w, number)->vetoed = TD_VETOED;
     } else if (veto) {
@@ -176,7 +184,8 @@ static void resolve_candidate(thud_world *w, int number, double time) {
     }
     td_impact impact = {.seen = td_impact_view(w, &e, &at)};
     thud_contact_settings settings;
-    if (is_vetoed(w, number, &e, &impact.seen, &settings)) {
+    bool decided;
+    if (is_vetoed(w, number, &e, &impact.seen, &settings, &decided) && !decided) {
         return;
     }
     /* Sleeping and tied bodies are left to the contacts of the next step. */
@@ -184,7 +193,12 @@ static void resolve_candidate(thud_world *w, int number, double time) {
     if (!next_step) {
         impact.touching =
             number < w->constraints.count && td_contact_at(w, number)->state == TD_TOUCHING;
-        td_impact_resolve(w, &e, &at, time, &settings, &impact);
+        if (decided) {
+            impact.closing_speed = (float)(at.speed / w->def.time_step);
+            w->decisions->resolve(w, &impact);
+        } else {
+            td_impact_resolve(w, &e, &at, time, &settings, &impact);
+        }
         TD_PUSH(td_impact, &w->scratch.impacts) = impact;
     }
     int impacts_max = settings.restitution < 1.0f ? IMPACTS_MAX : ELASTIC_IMPACTS_MAX;

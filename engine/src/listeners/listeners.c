@@ -4,7 +4,7 @@
  * A prologue's answer holds for one step. A lane whose settings are not its pair's own is marked
  * TD_LANE_ALTERED, and one that the prologue has vetoed TD_LANE_REFUSED (td_lane_marks.rule); the
  * next step starts from the pair's own settings again. */
-#include "thud/thud_listeners.h"
+#include "listeners/listeners.h"
 
 #include "constraint/lanes.h"
 #include "contact/contact.h"
@@ -16,13 +16,6 @@
 #include "state/surface.h"
 
 #include <string.h>
-
-/* The listeners of a world, and the lists for those that are called once for all contacts. */
-typedef struct td_listeners {
-    thud_listeners calls;
-    td_array contacts; /* thud_contact: of prologue_all and epilogue_all */
-    td_array answers;  /* thud_contact_answer: of prologue_all, in the same order */
-} td_listeners;
 
 static bool settings_equal(const thud_contact_settings *a, const thud_contact_settings *b) {
     return a->friction == b->friction && a->restitution == b->restitution &&
@@ -57,11 +50,13 @@ static bool run_prologue_for_impact(thud_world *w, const thud_contact *seen,
                                     thud_contact_settings *settings) {
     const thud_listeners *calls = &w->listeners->calls;
     thud_contact_answer answer = {*settings, true};
+    w->listeners->asked = (td_question){.contacts = seen, .count = 1, .impact = true};
     if (calls->prologue) {
         answer.collide = calls->prologue(w, seen, &answer.settings, calls->context);
     } else {
         calls->prologue_all(w, seen, &answer, 1, calls->context);
     }
+    w->listeners->asked.count = 0;
     accept(w, &answer.settings, settings);
     return answer.collide;
 }
@@ -156,12 +151,39 @@ TD_INLINE void apply_if_changed(thud_world *w, const lane *l, const thud_contact
     }
 }
 
+/* Whether the prologue has just decided the velocities of the contact with this number. */
+static bool is_decided(const thud_world *w, int number) {
+    const td_decisions *all = w->decisions;
+    return all && all->list.count > 0 &&
+           TD_AT(td_decision, &all->list, all->list.count - 1)->number == number;
+}
+
+/* Calls the epilogues for one contact: that of the world, where it is called for one at a time,
+ * then those of objects. */
+TD_INLINE void tell_one(thud_world *w, const thud_contact *seen) {
+    const td_listeners *l = w->listeners;
+    if (l->calls.epilogue) {
+        l->calls.epilogue(w, seen, l->calls.context);
+    }
+    if (l->tells_objects) {
+        l->object_hooks->tell(w, seen);
+    }
+}
+
+/* Whether no epilogue is called for the lane's contact: there are those of other objects only. */
+TD_INLINE bool is_unheard(const thud_world *w, const lane *l) {
+    const td_listeners *listeners = w->listeners;
+    return !listeners->calls.epilogue &&
+           !listeners->object_hooks->wants(w, l->block->shape_a[l->index],
+                                           l->block->shape_b[l->index]);
+}
+
 /* What `visit` does with each contact. The order matters: from TELL on the step has been solved. */
 typedef enum visit_purpose {
     ASK,            /* calls the prologue, and applies its answer */
     LIST_QUESTIONS, /* lists the contact and a default answer for prologue_all */
     TAKE_ANSWERS,   /* applies the answers of prologue_all */
-    TELL,           /* calls the epilogue */
+    TELL,           /* calls the epilogues */
     LIST_SOLVED     /* lists the contact for epilogue_all */
 } visit_purpose;
 
@@ -171,6 +193,9 @@ TD_INLINE void visit_lane(thud_world *w, const lane *l, int number, visit_purpos
     td_listeners *listeners = w->listeners;
     const thud_listeners *calls = &listeners->calls;
     thud_contact_settings own = {0};
+    if (purpose == TELL && is_unheard(w, l)) {
+        return;
+    }
     if (purpose <= TAKE_ANSWERS) {
         own = pair_settings(w, l);
     }
@@ -180,7 +205,8 @@ TD_INLINE void visit_lane(thud_world *w, const lane *l, int number, visit_purpos
     switch (purpose) {
     case ASK: {
         thud_contact_settings answer = own;
-        bool yes = calls->prologue(w, seen, &answer, calls->context);
+        listeners->asked = (td_question){.contacts = seen, .count = 1, .number = number};
+        bool yes = calls->prologue(w, seen, &answer, calls->context) && !is_decided(w, number);
         apply_if_changed(w, l, &own, &answer, yes);
         break;
     }
@@ -194,7 +220,7 @@ TD_INLINE void visit_lane(thud_world *w, const lane *l, int number, visit_purpos
         break;
     }
     case TELL:
-        calls->epilogue(w, seen, calls->context);
+        tell_one(w, seen);
         break;
     case LIST_SOLVED:
         *TD_AT(thud_contact, &listeners->contacts, number) = *seen;
@@ -210,7 +236,8 @@ static bool is_passing(const thud_world *w, const td_block *block, int index) {
  * shapes, so that no pointer into their arrays is kept across calls. */
 TD_INLINE int visit(thud_world *w, visit_purpose purpose) {
     td_see_fn *see = &TD_PICK_WIDE(w, td_see_block);
-    unsigned without = w->listeners->calls.without;
+    /* Objects are told all parts; a decided contact is told as the prologue was given it. */
+    unsigned without = w->listeners->tells_objects ? 0 : w->listeners->calls.without;
     td_seeing how = {.solved = purpose >= TELL,
                      .places = purpose != TAKE_ANSWERS && !(without & THUD_CONTACT_POINT),
                      .skin = w->skin,
@@ -241,6 +268,15 @@ TD_INLINE int visit(thud_world *w, visit_purpose purpose) {
     return number;
 }
 
+/* The answers of decided contacts become a veto: what else they have is in td_decisions. */
+static void mark_decided(const thud_world *w) {
+    const td_decisions *all = w->decisions;
+    for (int i = 0; all && i < all->list.count; i++) {
+        int number = TD_AT(td_decision, &all->list, i)->number;
+        TD_AT(thud_contact_answer, &w->listeners->answers, number)->collide = false;
+    }
+}
+
 /* td_listener_hooks.ask. */
 static void run_prologue(thud_world *w) {
     td_listeners *l = w->listeners;
@@ -248,33 +284,54 @@ static void run_prologue(thud_world *w) {
         visit(w, ASK);
     } else {
         int count = visit(w, LIST_QUESTIONS);
+        l->asked = (td_question){.contacts = l->contacts.data, .count = count};
         l->calls.prologue_all(w, l->contacts.data, l->answers.data, count, l->calls.context);
+        mark_decided(w);
         visit(w, TAKE_ANSWERS);
     }
+    l->asked.count = 0;
+    if (w->decisions) {
+        w->decisions->apply(w);
+    }
 }
 
-/* td_listener_hooks.tell: contacts first, then the impacts that detection has resolved. */
+/* Calls the epilogues for a contact that has no lane, or lists it for epilogue_all. */
+static void tell_or_list(thud_world *w, const thud_contact *seen, int *count) {
+    td_listeners *l = w->listeners;
+    if (l->calls.epilogue_all) {
+        *TD_AT(thud_contact, &l->contacts, (*count)++) = *seen;
+    } else {
+        tell_one(w, seen);
+    }
+}
+
+/* td_listener_hooks.tell: contacts first, then those whose velocities were decided, then the
+ * impacts that detection has resolved. */
 static void run_epilogue(thud_world *w) {
     td_listeners *l = w->listeners;
-    bool each = l->calls.epilogue != NULL;
-    int count = each ? visit(w, TELL) : visit(w, LIST_SOLVED);
-    for (int i = 0; i < w->scratch.impacts.count; i++) {
-        const thud_contact *seen = &TD_AT(td_impact, &w->scratch.impacts, i)->seen;
-        if (each) {
-            l->calls.epilogue(w, seen, l->calls.context);
-        } else {
-            *TD_AT(thud_contact, &l->contacts, count++) = *seen;
-        }
+    int count = l->calls.epilogue_all ? visit(w, LIST_SOLVED) : visit(w, TELL);
+    for (int i = 0; w->decisions && i < w->decisions->list.count; i++) {
+        tell_or_list(w, &TD_AT(td_decision, &w->decisions->list, i)->seen, &count);
     }
-    if (!each) {
+    for (int i = 0; i < w->scratch.impacts.count; i++) {
+        tell_or_list(w, &TD_AT(td_impact, &w->scratch.impacts, i)->seen, &count);
+    }
+    if (l->calls.epilogue_all) {
         l->calls.epilogue_all(w, l->contacts.data, count, l->calls.context);
+        for (int i = 0; l->tells_objects && i < count; i++) {
+            l->object_hooks->tell(w, TD_AT(thud_contact, &l->contacts, i));
+        }
     }
 }
 
-/* td_listener_hooks.reserve. Impacts are at most as many as the step's detection has reserved room
- * for. */
+/* td_listener_hooks.reserve. It also drops what the step before left. Impacts are at most as many
+ * as the step's detection has reserved room for. */
 static bool reserve(thud_world *w) {
     td_listeners *l = w->listeners;
+    td_listeners_update(w);
+    if (w->decisions) {
+        w->decisions->list.count = 0;
+    }
     int touching = w->touching, impacts = w->scratch.impacts.capacity;
     int max = l->calls.epilogue_all ? touching + impacts : l->calls.prologue_all ? touching : 0;
     return td_array_reserve(&w->memory, &l->contacts, max) &&
@@ -285,6 +342,13 @@ static bool reserve(thud_world *w) {
 static void end(thud_world *w) {
     td_array_free(&w->memory, &w->listeners->contacts);
     td_array_free(&w->memory, &w->listeners->answers);
+    if (w->listeners->objects) {
+        w->listeners->object_hooks->end(w);
+    }
+    if (w->decisions) {
+        td_array_free(&w->memory, &w->decisions->list);
+        td_memory_put(&w->memory, w->decisions, sizeof *w->decisions);
+    }
     td_memory_put(&w->memory, w->listeners, sizeof *w->listeners);
 }
 
@@ -295,6 +359,25 @@ static const td_listener_hooks HOOKS = {.reserve = reserve,
                                         .end = end};
 
 /* ---- setting the listeners ---- */
+
+void td_listeners_update(thud_world *w) {
+    td_listeners *l = w->listeners;
+    l->tells_objects = l->objects && l->object_hooks->prune(w);
+    w->tells = l->calls.epilogue || l->calls.epilogue_all || l->tells_objects;
+}
+
+bool td_listeners_make(thud_world *w) {
+    if (!w->listeners) {
+        w->listeners = td_memory_get(&w->memory, sizeof *w->listeners);
+        if (!w->listeners) {
+            return false;
+        }
+        w->listeners->contacts.stride = (int)sizeof(thud_contact);
+        w->listeners->answers.stride = (int)sizeof(thud_contact_answer);
+        w->listener_hooks = &HOOKS;
+    }
+    return true;
+}
 
 /* Gives every lane that an answer had changed its pair's own settings back. */
 static void reset_answers(thud_world *w) {
@@ -327,20 +410,14 @@ thud_result thud_world_set_listeners(thud_world *w, const thud_listeners *listen
     if (calls->without & ~(uint32_t)(THUD_CONTACT_BODIES | THUD_CONTACT_POINT)) {
         return td_refuse(w, THUD_ERROR_INVALID, "listeners: without is of thud_contact_part");
     }
-    if (!w->listeners) {
-        w->listeners = td_memory_get(&w->memory, sizeof *w->listeners);
-        if (!w->listeners) {
-            return td_refuse(w, THUD_ERROR_MEMORY, "listeners: out of memory");
-        }
-        w->listeners->contacts.stride = (int)sizeof(thud_contact);
-        w->listeners->answers.stride = (int)sizeof(thud_contact_answer);
-        w->listener_hooks = &HOOKS;
+    if (!td_listeners_make(w)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "listeners: out of memory");
     }
     bool had_prologue = w->asks;
     reset_answers(w);
     w->listeners->calls = *calls;
     w->asks = calls->prologue || calls->prologue_all;
-    w->tells = calls->epilogue || calls->epilogue_all;
+    td_listeners_update(w);
     if (had_prologue || w->asks) {
         td_wake_all(w);
     }

@@ -16,7 +16,8 @@ void td_errors_begin(thud_world *w) {
     if (w->kinetic_stale) {
         td_errors_resum_kinetic(w);
     }
-    w->errors = (td_errors){.energy_change = -w->kinetic};
+    w->errors =
+        (td_errors){.energy_change = -w->kinetic, .energy_decided = w->errors.energy_decided};
 }
 
 void td_errors_add_tally(thud_world *w, const td_tally *tally) {
@@ -67,7 +68,8 @@ static void count_block(thud_world *w, const td_block *block, int points) {
 }
 
 void td_errors_recount(thud_world *w) {
-    w->errors = (td_errors){.energy_change = w->errors.energy_change};
+    w->errors = (td_errors){.energy_change = w->errors.energy_change,
+                            .energy_decided = w->errors.energy_decided};
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, i);
         int points = td_form_points(w->kinds[run->kind]->form);

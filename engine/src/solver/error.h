@@ -12,8 +12,9 @@
 #include "solver/motion.h"
 #include "state/world.h"
 
-/* Before the solver: resets the statistics. The energy change begins at minus the kinetic energy
- * that bodies have now; td_finalize adds that at the end of the step. */
+/* Before the solver: resets the statistics but energy_decided, which prologues have added to. The
+ * energy change begins at minus the kinetic energy that bodies had before prologues decided
+ * velocities; td_finalize adds that at the end of the step. */
 void td_errors_begin(thud_world *w);
 
 /* Adds the statistics of the contact points and joints that one worker has solved. */

@@ -274,7 +274,7 @@ typedef struct td_errors {
     int64_t points, overlaps;
     double depth;            /* sum of penetration depths, in whole position quanta */
     float deepest, residual; /* greatest depth, length; greatest approach speed left, length/s */
-    double energy_change;
+    double energy_change, energy_decided;
     float shortfall_squared; /* of the greatest motion that detection has cut off, length^2 */
     int64_t projected; /* 1: gaps.c changed motions after points were counted, which are counted
                           anew by td_errors_of_step; else 0 */

@@ -42,9 +42,11 @@ struct thud_world {
     const struct td_listener_hooks *listener_hooks; /* null: the world never had a listener */
     struct td_listeners *listeners;                 /* null as listener_hooks */
     bool asks, tells; /* there is a prologue (pre-solve callback); an epilogue (post-solve) */
-    bool wide;        /* 1: the processor runs the AVX2 kernels; index of pairs of functions */
-    bool locked;      /* in a step, or inside a callback: edits are deferred or refused */
-    bool advancing;   /* in thud_world_advance */
+    /* listeners/decisions.h; null: no prologue ever decided velocities */
+    struct td_decisions *decisions;
+    bool wide;      /* 1: the processor runs the AVX2 kernels; index of pairs of functions */
+    bool locked;    /* in a step, or inside a callback: edits are deferred or refused */
+    bool advancing; /* in thud_world_advance */
     /* Collects the events of the step before; null but in steps of one thud_world_advance after the
      * first: advance.c. */
     bool (*gather)(struct thud_world *w);

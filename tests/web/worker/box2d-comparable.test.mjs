@@ -44,6 +44,7 @@ test("whatever_a_world_can_do_is_followed_or_harmless_or_told", () => {
     "rules between kinds",
     "the scene’s own filter of pairs",
     "tyres",
+    "velocities that a prologue decides",
     "water",
     "what advance does",
     "what restore does",
@@ -58,6 +59,9 @@ test("method_that_the_recorder_does_not_know_is_a_miss_once_it_is_called", () =>
   beside({}, (world) => addBall(world, [0, 0]), (world, rival) => {
     assert.deepEqual(rival.misses, []);
     world.setListeners({ prologue: () => {} });
+    assert.deepEqual(rival.misses, ["listeners of contacts"]);
+    world.setBodyEpilogue(world.bodies()[0], () => {});
+    world.setCategoryEpilogue(1, () => {});
     assert.deepEqual(rival.misses, ["listeners of contacts"]);
   });
 });
@@ -269,6 +273,7 @@ const LACKING = {
   crane: ["greatest forces of springs of a slider (along)"],
   crates: ["rules between kinds"],
   flags: ["wind"],
+  lab_callbacks: ["listeners of contacts"],
   meetings: ["rules between kinds"],
   planks: ["rules between kinds"],
   playground: ["gears"],

@@ -213,6 +213,8 @@ export interface StepError {
    * solver make it positive.
    */
   energyChange: number;
+  /** The part of energyChange that prologues decided (`World.decide`). */
+  energyDecided: number;
   /**
    * Contact points deeper than the world's maxError, or than 0.005 length scales where that is 0.
    */

@@ -208,6 +208,7 @@ export class WorldViews extends WorldQueries {
       penetrationMean: s[StepErrorAt.penetrationMean],
       residual: s[StepErrorAt.residual],
       energyChange: s[StepErrorAt.energyChange],
+      energyDecided: s[StepErrorAt.energyDecided],
       overlaps: s[StepErrorAt.overlaps],
       shortfall: s[StepErrorAt.shortfall],
       jointGapMax: s[StepErrorAt.jointGapMax],

@@ -192,6 +192,9 @@ const WORDS: { [Name in Method]?: string } = {
   setRule: "rules between kinds",
   setPairFilter: "the scene’s own filter of pairs",
   setListeners: "listeners of contacts",
+  setBodyEpilogue: "listeners of contacts",
+  setCategoryEpilogue: "listeners of contacts",
+  decide: "velocities that a prologue decides",
 };
 
 /** Whether Box2DWorld.sync need not compare both worlds after a call of this method. */

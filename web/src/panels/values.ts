@@ -110,6 +110,7 @@ function makeControl(control: Control, set: Set): Made {
 
 function makeChoice({ name, label, options }: ChoiceControl, set: Set): Made {
   const bar = choiceBar(`set-${name}`, label, "", options, (value) => set(name, value));
+  bar.element.classList.toggle("beside", label.length <= 2);
   return { element: bar.element, show: (value) => bar.show(String(value)) };
 }
 

@@ -5,11 +5,14 @@
 import { ListenedRowAt } from "../generated/slots.js";
 import { shapeId } from "../numbers.js";
 import type { StepCalls } from "../types.js";
-import type { Listener, Listeners, PairFilter } from "./rule-types.js";
+import type { Listener, Listeners, ObjectListener, PairFilter } from "./rule-types.js";
 
 /** The callbacks of a world. */
 interface Callbacks extends Listeners, StepCalls {
   filter?: PairFilter;
+  /** The epilogues of bodies, by index1, and of categories, by their bits. */
+  bodies?: Map<number, ObjectListener>;
+  categories?: Map<number, ObjectListener>;
 }
 
 /**
@@ -25,6 +28,14 @@ export class CallbackTable {
   /** Sets callbacks of a world; undefined removes one, and those that are not named stay. */
   set(world: number, callbacks: Callbacks): void {
     this.#worlds.set(world, { ...this.of(world), ...callbacks });
+  }
+
+  /** Sets the epilogue of an object of a world; null removes it. */
+  setObject(world: number, of: "bodies" | "categories", key: number, epilogue: ObjectListener | null): void {
+    const all = this.of(world)[of] ?? new Map<number, ObjectListener>();
+    if (epilogue === null) all.delete(key);
+    else all.set(key, epilogue);
+    this.set(world, { [of]: all });
   }
 
   /** The callbacks of a world. */
@@ -67,7 +78,16 @@ export class CallbackTable {
       this.#call(undefined, () =>
         listener?.(new Float64Array(buffer(), address, count * ListenedRowAt.length), count),
       );
+    const tell = (of: "bodies" | "categories") => (world: number, row: number, key: number, side: number) =>
+      this.#call(undefined, () =>
+        this.of(world)[of]?.get(key >>> 0)?.(
+          new Float64Array(buffer(), row, ListenedRowAt.length),
+          side as 0 | 1,
+        ),
+      );
     return {
+      thud_told_body: tell("bodies"),
+      thud_told_category: tell("categories"),
       thud_asked: (world: number, rows: number, count: number) =>
         listen(this.of(world).prologue, rows, count),
       thud_told: (world: number, rows: number, count: number) =>

@@ -107,6 +107,28 @@ export const LISTENED_ROW = {
  */
 export type Listener = (rows: Float64Array, count: number) => void;
 
+/**
+ * Is called for one contact of a body or a category, with its row (LISTENED_ROW): a view into wasm
+ * memory, as of a Listener. `side`: 0 where the object is a of the contact, 1 where it is b.
+ */
+export type ObjectListener = (row: Float64Array, side: 0 | 1) => void;
+
+/** The velocities of a body right after a collision. */
+export interface Velocities {
+  /** Of the centre of mass, length/s. */
+  velocity: Vec2;
+  /** Radians/s. Default 0; 0 is taken where the rotation is fixed. */
+  angularVelocity?: number;
+}
+
+/** What a prologue decides about a contact: at least one of both bodies; the other does not change. */
+export interface ContactResponse {
+  /** Of bodyA, which must be dynamic. Default: its velocities do not change. */
+  a?: Velocities;
+  /** Of bodyB, likewise. */
+  b?: Velocities;
+}
+
 /** Parts of a row that a listener may do without: bodyA and bodyB, or point. */
 export type ContactPart = "bodies" | "point";
 

@@ -5,10 +5,14 @@
 import { ImpulseEventAt, ListAt, RULE_OPTIONS, RuleFoundAt, RuleOptionsAt } from "../generated/slots.js";
 import { checkOptions } from "../checks/names.js";
 import { fill, indexOf, numbersOf, rowsOf, shapeAt, vecAt } from "../numbers.js";
+import { index1Of, Kind } from "../plain/handles.js";
+import type { BodyRef } from "../types.js";
 import { WorldFields } from "../world-fields.js";
 import {
+  type ContactResponse,
   type ImpulseEvent,
   type Listeners,
+  type ObjectListener,
   type PairFilter,
   type Rule,
   RULE_KINDS,
@@ -21,6 +25,9 @@ import {
  */
 const LISTENERS = ["prologue", "epilogue", "without"] as const;
 const CONTACT_PARTS = ["bodies", "point"] as const;
+/** The options of decide, and those of each side. */
+const SIDES = ["a", "b"] as const;
+const VELOCITIES = ["velocity", "angularVelocity"] as const;
 
 /** See the head of this file. */
 export class WorldRules extends WorldFields {
@@ -108,6 +115,56 @@ export class WorldRules extends WorldFields {
     const parts = without.reduce((bits, part) => bits | (1 << indexOf(CONTACT_PARTS, part, "part")), 0);
     this.engine.check(exports.api_world_set_listeners(this.address, asks, tells, parts));
     callbacks.set(this.address, { prologue, epilogue });
+  }
+
+  /**
+   * Sets the epilogue of a body of any kind, called for each of its contacts that the epilogue of
+   * the world is told of, after it. It replaces the one that the body had; null removes it. It goes
+   * with the body when that is destroyed, and is not part of a snapshot. A sensor has no contacts:
+   * `events` tells of it.
+   * @throws {ThudError} "stale"; "memory"; "locked" inside a callback.
+   * @example world.setBodyEpilogue(ball, (row) => play(row[LISTENED_ROW.normalImpulse]))
+   */
+  setBodyEpilogue(body: BodyRef, epilogue: ObjectListener | null): void {
+    this.on(Kind.body, "api_body_set_epilogue", body, Number(epilogue !== null));
+    const index1 = index1Of(body, Kind.body);
+    this.engine.callbacks.setObject(this.address, "bodies", index1, epilogue);
+  }
+
+  /**
+   * Sets the epilogue of all shapes of one of these categories (bits, at least one), called for each
+   * of their contacts, after that of the world and of the body. It replaces the one of exactly these
+   * categories; null removes it. Not part of a snapshot.
+   * @throws {ThudError} "invalid" for no category; "memory"; "locked" inside a callback.
+   */
+  setCategoryEpilogue(categories: number, epilogue: ObjectListener | null): void {
+    this.onWorld("api_world_set_category_epilogue", categories, Number(epilogue !== null));
+    this.engine.callbacks.setObject(this.address, "categories", categories >>> 0, epilogue);
+  }
+
+  /**
+   * Inside a prologue: decides the velocities after the collision of the contact in this row (0 is
+   * the first), in place of friction and restitution: a kicker, a bat, a portal that turns the
+   * velocity. The pair has no other effect in the step, as if it were vetoed, and the epilogues are
+   * told of it; gravity and other contacts act as on any velocity. A collision that "continuous"
+   * finds stops the body first, and the next step asks again. thud_listeners.h has the details;
+   * `stepError().energyDecided` has the energy.
+   * @throws {ThudError} "invalid" where no prologue is asked about this row, for a body that is not
+   * dynamic, and for numbers that are not finite; "null" for neither a nor b; "memory".
+   * @example world.decide(0, { b: { velocity: [0, 12] } })
+   */
+  decide(row: number, response: ContactResponse): void {
+    checkOptions("decide", response, SIDES);
+    const numbers: number[] = [];
+    let sides = 0;
+    SIDES.forEach((name, i) => {
+      const side = response[name];
+      if (side !== undefined) checkOptions("decide", side, VELOCITIES);
+      if (side !== undefined) sides |= 1 << i;
+      numbers.push(side?.velocity?.[0] ?? NaN, side?.velocity?.[1] ?? NaN, side?.angularVelocity ?? 0);
+    });
+    const at = Number.isInteger(row) ? row : -1;
+    this.engine.check(this.engine.exports.api_contact_decide(this.address, at, sides, ...numbers));
   }
 
   /**
