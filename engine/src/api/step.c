@@ -2,7 +2,7 @@
  * them one by one.
  *
  * Everything that can fail for want of memory comes first, and leaves every body as it was. From
- * ask_listeners on a step cannot fail. Rules, listeners, joints, direct islands and detection are
+ * ask_listeners on a step cannot fail. Textures, rules, listeners, joints, direct islands and detection are
  * plugged in by tables of functions that are null in worlds that do not use them. */
 #include "constraint/joint_hooks.h"
 #include "detection/sensing.h"
@@ -10,6 +10,7 @@
 #include "rules/rule_hooks.h"
 #include "solver/budget.h"
 #include "state/handles.h"
+#include "textures/texture_hooks.h"
 #include "api/step.h"
 
 /* Makes the events of this step the ones that callers read, and begins empty lists. The lists hold
@@ -130,8 +131,12 @@ static void solve(thud_world *w) {
     }
 }
 
-/* Applies rules, then asks listeners (the prologue, pre-solve), whose answer overrules a rule. */
+/* Reads textures, applies rules, then asks listeners (the prologue, pre-solve), whose answer
+ * overrules both. */
 static void ask_listeners(thud_world *w) {
+    if (w->texture_hooks) {
+        w->texture_hooks->settle(w);
+    }
     if (w->rule_hooks) {
         w->rule_hooks->decide(w);
     }
