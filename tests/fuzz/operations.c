@@ -128,6 +128,9 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(linkage),
     PLAYS(joint_at),
     PLAYS(log),
+    PLAYS(texture),
+    PLAYS(texture_get),
+    PLAYS(line_texture),
 };
 
 void session_play(fuzz_session *s) {

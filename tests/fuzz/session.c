@@ -141,6 +141,7 @@ static void make_world(fuzz_session *s, thud_world **out) {
     COUNTED(thud_world_use_joints(*out));
     COUNTED(thud_world_set_listeners(*out, &s->listeners));
     COUNTED(thud_world_use_rules(*out));
+    COUNTED(thud_world_use_textures(*out));
     session_take_filter(s, *out);
 }
 

@@ -194,8 +194,17 @@ static void textures_out_of_range_are_refused(void **state) {
             refused(t.world, forged, s.size, "contradicts itself");
         }
     }
-    const uint64_t huge = (uint64_t)0 - 64;
-    forge(s, forged, offsetof(td_snapshot_head, textured), &huge, sizeof huge);
+    /* One vertex and two entries more take as many bytes, but the line has two vertices. */
+    const int32_t fewer[] = {1, 5};
+    forge(s, forged, first + 4, fewer, sizeof fewer);
+    refused(t.world, forged, s.size, "contradicts itself");
+    /* A size that wraps around, with a list that is longer by as much. */
+    td_snapshot_head wrong = head;
+    int more = (int)(head.textured / sizeof(td_deferred_edit)) + 2;
+    wrong.parts[TD_SNAPSHOT_DEFERRED].used += more;
+    wrong.textured -= (uint64_t)more * sizeof(td_deferred_edit);
+    assert_true(wrong.textured > head.bytes);
+    forge(s, forged, 0, &wrong, sizeof wrong);
     refused(t.world, forged, s.size, "contradicts itself");
     walks_again(t.world, &next, "forged");
     free(forged);

@@ -112,6 +112,7 @@ const HARMLESS = new Set<Method>([
   "setUserData",
   "setJointUserData",
   "useRules",
+  "useTextures",
   "useJoints",
   "stats",
   "stepError",
@@ -190,6 +191,7 @@ const WORDS: { [Name in Method]?: string } = {
   applyTyre: "tyres",
   applyRollingResistance: "rolling resistance",
   setRule: "rules between kinds",
+  setTexture: "the texture of the ground",
   setPairFilter: "the scene’s own filter of pairs",
   setListeners: "listeners of contacts",
 };
