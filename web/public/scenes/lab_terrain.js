@@ -53,14 +53,14 @@ const CONTROLS = [
 ];
 
 /** Heights and irregular places of the vertices at the start. */
-const HEIGHTS = [1.2, 0.5, 0.1, 0.1, 0.7, 0.3, -0.4, -0.2, 0.6];
-const PLACES = [-8, -6.6, -3.4, -2.4, -0.6, 1.6, 3.2, 6.4, 8];
+const HEIGHTS = [1, 0.7, 0.35, 0.2, 0.3, 0.05, -0.3, -0.15, 0.5];
+const PLACES = [-8, -6.2, -3.6, -2.2, -0.6, 1.6, 3.4, 6.2, 8];
 
 export default async function ({ createWorld, loadGeometry, thud }) {
   const geometry = await loadGeometry();
   const clock = addClock(thud, geometry);
   const state = {
-    ...{ line: "irregular", x: 0.7, stance: 1.6, speed: 6, left: 0.9, right: 0.05, size: 10 },
+    ...{ line: "irregular", x: 0.7, stance: 1.6, speed: 7, left: 0.5, right: 0.02, size: 10 },
     ...{ weights: true, foot: true, box: true, cost: false },
     ...Object.fromEntries(HEIGHTS.map((y, i) => [`y${i}`, y])),
     ...Object.fromEntries(PLACES.map((x, i) => [`x${i}`, x])),

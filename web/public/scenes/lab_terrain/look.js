@@ -2,6 +2,8 @@
 
 import { coordinatesOf, ENDS, FLAT_AT, pointsOf } from "./line.js";
 
+import { BOX, START } from "./runner.js";
+
 /** Width of a sole, and of a stripe of the texture, in world units. */
 export const SOLE = 0.5;
 export const STRIPE = 0.4;
@@ -26,10 +28,31 @@ export function look(thud, geometry, state, line, texture) {
     friction: frictionAt(x),
     feet,
     stance: geometry.footOn(thud, line, x, stance),
+    stop: state.box ? stopOf(thud, geometry, state.speed, line, frictionAt) : null,
     stripes: Array.from({ length: stripes }, (_, i) => {
       const at = ENDS[0] + STRIPE * (i + 0.5);
       const { height, normal } = geometry.terrainAt(thud, line, at);
       return { at, height, normal, friction: frictionAt(at) };
     }),
   };
+}
+
+const GRAVITY = 10;
+/** Of the sum below, in world units. */
+const PIECE = 0.1;
+
+/**
+ * Where a box stops that never leaves the ground: v dv = -g (friction + slope) dx, summed up from its
+ * start on. Null: it reaches the end.
+ */
+function stopOf(thud, geometry, speed, line, frictionAt) {
+  let left = speed * speed;
+  for (let x = START; x < ENDS[1] - PIECE; x += PIECE) {
+    const at = x + PIECE / 2;
+    const [nx, ny] = geometry.terrainAt(thud, line, at).normal;
+    const loss = 2 * GRAVITY * (Math.sqrt(frictionAt(at) * BOX.friction) - nx / ny);
+    if (loss * PIECE > left) return x + left / loss;
+    left -= loss * PIECE;
+  }
+  return null;
 }

@@ -3,8 +3,8 @@
 import { lift } from "./hands.js";
 import { ENDS, lineOf, textureOf } from "./line.js";
 
-const BOX = { halfWidth: 0.5, halfHeight: 0.2, friction: 1 };
-const START = -6.8;
+export const BOX = { halfWidth: 0.35, halfHeight: 0.2, friction: 1 };
+export const START = -7.2;
 /** Steps after which a box that rests has stopped, and after which it slides again. */
 const RESTED = 20;
 const AGAIN = 110;
@@ -66,7 +66,7 @@ function follow(world, body, state) {
 /** Puts the box on the left end, along the ground. */
 function start(world, box, state) {
   const { height, normal: [nx, ny] } = world.groundAt(state.ground, START);
-  const up = BOX.halfHeight + 0.02;
+  const up = BOX.halfHeight;
   world.setTransform(box, [START + up * nx, height + up * ny], Math.atan2(-nx, ny));
   world.setVelocity(box, [state.speed * ny, -state.speed * nx], 0);
 }

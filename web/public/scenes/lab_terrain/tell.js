@@ -7,7 +7,7 @@ export function tell(state, seen, box, costs) {
   const readings = {
     weights: weightRows(state, seen),
     foot: footRows(seen),
-    box: boxRows(state, box),
+    box: boxRows(state, seen, box),
     cost: costRows(costs),
   };
   return { readings, message: message(state) };
@@ -45,20 +45,21 @@ function footRows({ feet, stance }) {
   ];
 }
 
-function boxRows({ stop }, { position: [x], speed, ground, pair }) {
+function boxRows({ stop }, { stop: summed }, { position: [x], speed, ground, pair }) {
   return [
     ["At x", number(x)],
     ["Speed", `${number(speed)} m/s`],
     ["Friction of the ground", number(ground)],
     ["With the box’s 1", number(pair)],
     ["It last stopped at x", stop === null ? "not yet" : number(stop)],
+    ["By v dv = −g (μ + slope) dx", summed === null ? "beyond the end" : number(summed)],
   ];
 }
 
 function costRows(costs) {
   if (!costs) return [["A look-up", "measured when this is ticked"]];
   const { n, flat, uniform, irregular, halvings } = costs;
-  const time = (value) => (value === undefined ? "being measured" : `${value.toPrecision(2)} ns`);
+  const time = (value) => (value === undefined ? "being measured" : `${number(value, value < 10 ? 1 : 0)} ns`);
   return [
     ["Vertices", String(n)],
     ["Flat, no search", time(flat)],
