@@ -2,8 +2,8 @@
  * them one by one.
  *
  * Everything that can fail for want of memory comes first, and leaves every body as it was. From
- * ask_listeners on a step cannot fail. Textures, rules, listeners, joints, direct islands and detection are
- * plugged in by tables of functions that are null in worlds that do not use them. */
+ * ask_listeners on a step cannot fail. Textures, rules, listeners, joints, direct islands and
+ * detection are plugged in by tables of functions that are null in worlds that do not use them. */
 #include "constraint/joint_hooks.h"
 #include "detection/sensing.h"
 #include "listeners/listener_hooks.h"

@@ -73,7 +73,7 @@ export default async function ({ createWorld, loadGeometry, thud }) {
     world,
     view: { x: 0, y: 0.6, height: 9.5, width: 18.4 },
     pointer: true,
-    keys: { left: "place", right: "place", up: "raise", down: "lower", fire: "slide" },
+    keys: { left: "move", right: "move", up: "raise", down: "lower", fire: "slide" },
     controls: CONTROLS,
     state,
     pointed: (pointer) => drag(scene.state, pointer),
