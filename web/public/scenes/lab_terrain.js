@@ -24,13 +24,13 @@ const CONTROLS = [
   {
     kind: "choice",
     name: "line",
-    label: "Line",
+    label: "Is",
     options: [
       { value: "flat", label: "Flat" },
       { value: "uniform", label: "Uniform" },
       { value: "irregular", label: "Irregular" },
     ],
-    group: "Ground",
+    group: "The line",
   },
   check("weights", "Weights at a place",
     "The nearer vertex weighs more; with these two weights whatever the vertices have is interpolated."),
