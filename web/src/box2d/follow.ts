@@ -162,6 +162,8 @@ const HARMLESS = new Set<Method>([
   "jointStateOf",
   "jointOptionsOf",
   "terrainOf",
+  "textureOf",
+  "frictionAt",
   "groundAt",
   "placeFoot",
   "castRay",
