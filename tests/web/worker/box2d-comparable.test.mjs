@@ -274,6 +274,7 @@ const LACKING = {
   meetings: ["rules between kinds"],
   planks: ["rules between kinds"],
   playground: ["gears"],
+  textured: ["the texture of the ground"],
 };
 
 test("scenes_that_box2d_does_not_get_wholly_say_so_and_the_others_are_comparable", async () => {
