@@ -22,29 +22,54 @@ static const td_texture *texture_of(const thud_world *w, int shape) {
     return w->texture_hooks && s->terrain != TD_NONE ? td_texture_of(w, s->terrain) : NULL;
 }
 
-/* Sets *sample to that of a line at x, from its origin; beyond an end to that of the end. False
- * where x is not finite. */
-static bool sample_line(const thud_terrain *line, double x, thud_terrain_sample *sample) {
-    if (line->kind != THUD_TERRAIN_FLAT) {
-        double last = td_terrain_x(line, line->count - 1);
-        x = td_clamp(x, td_terrain_x(line, 0), last);
+/* Sets segment and weights of *sample to those of a line at x, from its origin; beyond an end to
+ * those of the end. `near_segment`: is looked at before the line is searched; TD_NONE: no guess. */
+static void weigh(const thud_terrain *line, int near_segment, double x,
+                  thud_terrain_sample *sample) {
+    if (line->kind == THUD_TERRAIN_FLAT) {
+        *sample = (thud_terrain_sample){.weight = {1.0 - x, x}};
+        return;
     }
-    return thud_terrain_sample_at(line, x, sample) == THUD_OK;
+    x = td_clamp(x, td_terrain_x(line, 0), td_terrain_x(line, line->count - 1));
+    int i = near_segment;
+    if (i < 0 || i > line->count - 2 || x < td_terrain_x(line, i) ||
+        x > td_terrain_x(line, i + 1)) {
+        i = td_terrain_segment_at(line, x);
+    }
+    double left = td_terrain_x(line, i);
+    double weight = (x - left) / (td_terrain_x(line, i + 1) - left);
+    *sample = (thud_terrain_sample){.segment = i, .weight = {1.0 - weight, weight}};
 }
 
-/* Sets *out to the friction of a line at x, a coordinate of the world. False where it has no
- * texture. */
-static bool friction_at(const thud_world *w, int line, double x, float *out) {
-    const td_texture *texture = texture_of(w, line);
+/* A line with its texture; `texture.count` 0: it has none. */
+typedef struct textured_line {
+    int shape;
+    double origin; /* x of the line's origin in the world */
+    thud_terrain terrain;
+    thud_texture texture;
+} textured_line;
+
+static textured_line line_of(const thud_world *w, int shape) {
+    const td_texture *texture = texture_of(w, shape);
     if (!texture) {
+        return (textured_line){.shape = shape};
+    }
+    return (textured_line){.shape = shape,
+                           .origin =
+                               td_place_to(w, td_body_origin(w, td_shape_at(w, shape)->body)).x,
+                           .terrain = td_terrain_view(w, shape),
+                           .texture = td_texture_view(texture)};
+}
+
+/* Sets *out to the friction of a line at x, a coordinate of the world. `near_segment` as above.
+ * False where the line has no texture, or x is not finite. */
+static bool friction_at(const textured_line *line, int near_segment, double x, float *out) {
+    if (line->texture.count == 0 || !td_finite(x)) {
         return false;
     }
     thud_terrain_sample sample;
-    thud_terrain terrain = td_terrain_view(w, line);
-    thud_texture view = td_texture_view(texture);
-    double origin = td_place_to(w, td_body_origin(w, td_shape_at(w, line)->body)).x;
-    return sample_line(&terrain, x - origin, &sample) &&
-           thud_texture_friction_at(&view, &sample, out) == THUD_OK;
+    weigh(&line->terrain, near_segment, x - line->origin, &sample);
+    return thud_texture_friction_at(&line->texture, &sample, out) == THUD_OK;
 }
 
 /* The settings of a pair whose line, one of the two, has a friction of its own at this place. */
@@ -56,31 +81,35 @@ static thud_contact_settings settings_with(const thud_world *w, int line, int ot
 /* td_texture_hooks.settle_one. */
 static void settle_one(const thud_world *w, const thud_contact *seen,
                        thud_contact_settings *settings) {
-    int a = (int)seen->shape_a.index1 - 1, b = (int)seen->shape_b.index1 - 1;
-    float friction;
-    if (friction_at(w, a, seen->point.x, &friction)) {
-        *settings = settings_with(w, a, b, friction);
-    } else if (friction_at(w, b, seen->point.x, &friction)) {
-        *settings = settings_with(w, b, a, friction);
+    int sides[2] = {(int)seen->shape_a.index1 - 1, (int)seen->shape_b.index1 - 1};
+    for (int side = 0; side < 2; side++) {
+        textured_line line = line_of(w, sides[side]);
+        float friction;
+        if (friction_at(&line, TD_NONE, seen->point.x, &friction)) {
+            *settings = settings_with(w, line.shape, sides[1 - side], friction);
+        }
     }
 }
 
-/* Sets a lane whose side a is a line, and takes back what a prologue made of it in the last step.
+/* Sets a lane whose side a is the line, and takes back what a prologue made of it in the last step.
  */
-static void settle_lane(thud_world *w, td_block *block, int points, int lane) {
-    int line = block->shape_a[lane];
+static void settle_lane(thud_world *w, const textured_line *line, td_block *block, int points,
+                        int lane) {
+    int segment = td_contact_at(w, block->constraint[lane])->child;
     thud_contact seen = td_contact_view(w, block, lane);
     float friction;
-    if (friction_at(w, line, seen.point.x, &friction)) {
-        thud_contact_settings own = settings_with(w, line, block->shape_b[lane], friction);
+    if (friction_at(line, segment, seen.point.x, &friction)) {
+        thud_contact_settings own = settings_with(w, line->shape, block->shape_b[lane], friction);
         td_surface_set(w, block, points, lane, &own);
         block->mark[lane].rule &= (uint16_t)~TD_LANE_ALTERED;
     }
 }
 
 /* td_texture_hooks.settle. A lane's point is where the body stands now, also where its manifold is
- * kept from an earlier step, whose lever arms move with the body. */
+ * kept from an earlier step, whose lever arms move with the body. Lanes of the same line mostly
+ * follow each other. */
 static void settle(thud_world *w) {
+    textured_line line = {.shape = TD_NONE};
     for (int r = 0; r < w->scratch.runs.count; r++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, r);
         if (run->kind >= TD_PAIR_COUNT || !td_pair_is_on_line((td_pair_kind)run->kind)) {
@@ -90,8 +119,11 @@ static void settle(thud_world *w) {
         for (int i = 0; i < run->count; i++) {
             td_block *block = *TD_AT(td_block *, &w->scratch.blocks, run->first + i);
             for (int lane = 0; lane < block->used; lane++) {
-                if (texture_of(w, block->shape_a[lane])) {
-                    settle_lane(w, block, points, lane);
+                if (block->shape_a[lane] != line.shape) {
+                    line = line_of(w, block->shape_a[lane]);
+                }
+                if (line.texture.count) {
+                    settle_lane(w, &line, block, points, lane);
                 }
             }
         }
@@ -121,8 +153,8 @@ static void splice(thud_world *w, int line, int first, int removed, const thud_p
     int total = texture->vertices.count, left = total - removed + count;
     double *made = values + td_max_int(total, left);
     for (int i = 0; i < count; i++) {
-        thud_terrain_sample s = {.weight = {1.0, 0.0}};
-        sample_line(&terrain, points[i].x, &s);
+        thud_terrain_sample s;
+        weigh(&terrain, TD_NONE, points[i].x, &s);
         made[i] = s.weight[0] * values[s.segment] + s.weight[1] * values[s.segment + 1];
     }
     int end = first + removed;
@@ -287,8 +319,10 @@ thud_result thud_shape_get_friction_at(const thud_world *w, thud_shape_id id, do
     if (result == THUD_OK && !td_finite(x)) {
         result = td_refuse(w, THUD_ERROR_INVALID, "friction at: x is not finite");
     }
-    if (result == THUD_OK && out && !friction_at(w, line, x, out)) {
+    if (result == THUD_OK && out) {
+        textured_line ground = line_of(w, line);
         *out = td_shape_at(w, line)->friction;
+        friction_at(&ground, TD_NONE, x, out);
     }
     return result;
 }
