@@ -40,12 +40,12 @@ const CONTROLS = [
     "Its friction is read where it touches: weights give the texture coordinate, and the texture the friction."),
   check("cost", "What a look-up costs",
     "Flat ground needs no search, equal distances a division, any others a binary search."),
-  slider("x", "Place, x", -7.9, 7.9, 0.05, "At"),
-  slider("stance", "Width of the stance", 0.6, 4, 0.1, "At"),
-  slider("speed", "Speed of the box", 1, 12, 0.5, "At"),
-  slider("left", "Friction at the left end", 0, 1.2, 0.01, "Texture"),
-  slider("right", "Friction at the right end", 0, 1.2, 0.01, "Texture"),
-  slider("size", "Vertices of the measured lines, a power of 2", 2, 17, 1, "Texture"),
+  slider("x", "Place, x", -7.9, 7.9, 0.05, "Set by numbers"),
+  slider("stance", "Width of the stance", 0.6, 4, 0.1, "Set by numbers"),
+  slider("speed", "Speed of the box", 1, 12, 0.5, "Set by numbers"),
+  slider("left", "Friction at the left end", 0, 1.2, 0.01, "Set by numbers"),
+  slider("right", "Friction at the right end", 0, 1.2, 0.01, "Set by numbers"),
+  slider("size", "Vertices of the measured lines, a power of 2", 2, 17, 1, "Set by numbers"),
   ...Array.from({ length: VERTICES }, (_, i) =>
     slider(`y${i}`, `Height of vertex ${i}`, -2, 3, 0.05, "Vertices by numbers")),
   ...INNER.map((i) =>

@@ -57,7 +57,7 @@ function boxRows({ stop }, { stop: summed }, { position: [x], speed, ground, pai
 }
 
 function costRows(costs) {
-  if (!costs) return [["A look-up", "measured when this is ticked"]];
+  if (!costs) return [];
   const { n, flat, uniform, irregular, halvings } = costs;
   const time = (value) => (value === undefined ? "being measured" : `${number(value, value < 10 ? 1 : 0)} ns`);
   return [
