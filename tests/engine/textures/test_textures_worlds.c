@@ -12,6 +12,11 @@ static double even(double x) {
     return (double)0.3f;
 }
 
+/* From vertex to vertex it goes up and down. */
+static double uneven(double x) {
+    return 0.5 + 0.4 * sin(7 * x);
+}
+
 static double growing(double x) {
     return 0.5 + 0.01 * x;
 }
@@ -103,7 +108,7 @@ static void prologue_sees_the_friction_of_the_place_and_may_change_it(void **sta
         def.sleeping = false;
         textured t = {.world = make_world(def)};
         add_ground(&t, (thud_terrain_kind)(i / DETECTIONS % LINES), 4, 0.9f);
-        set_friction(&t, growing);
+        set_friction(&t, t.line.kind == THUD_TERRAIN_FLAT ? growing : uneven);
         watcher w = {.t = &t,
                      .body_friction = 0.4f,
                      .answer = i / DETECTIONS / LINES ? 0.001f : -1};
@@ -116,6 +121,10 @@ static void prologue_sees_the_friction_of_the_place_and_may_change_it(void **sta
         add_shape(t.world, ball, 0.3f, 0, false, &material);
         OK(thud_body_set_velocity(t.world, box, (thud_vec2){0.05f, 0}, 0));
         OK(thud_body_set_velocity(t.world, ball, (thud_vec2){3, -30}, 0));
+        /* It rolls slowly over a vertex. */
+        thud_body_id slow = add_body(t.world, THUD_BODY_DYNAMIC, 4 + t.points[60].x - 0.01, 0.3, 0);
+        add_shape(t.world, slow, 0.3f, 0, false, &material);
+        OK(thud_body_set_velocity(t.world, slow, (thud_vec2){0.04f, 0}, -0.13f));
         run(t.world, 60);
         assert_true(w.seen > 60);
         /* It slides on where the answer takes the friction away. */
