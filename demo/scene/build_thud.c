@@ -4,6 +4,7 @@
 
 #include "act_thud.h"
 #include "choices.h"
+#include "texture.h"
 
 #include <stdlib.h>
 #include <thud/thud_joint.h>
@@ -37,7 +38,10 @@ static thud_result add_terrain(thud_world *world, thud_body_id body, const thud_
     terrain.x0 = uniform && shape->point_count > 0 ? points[0].x : 0;
     terrain.points = points;
     terrain.count = shape->point_count;
-    thud_result result = thud_shape_create_terrain(world, body, def, &terrain, NULL);
+    thud_shape_id line;
+    thud_result result = thud_shape_create_terrain(world, body, def, &terrain, &line);
+    if (result == THUD_OK && shape->texture_row)
+        result = texture_weave(world, line, shape->texture_row - 1, terrain.count);
     free(points);
     return result;
 }

@@ -65,6 +65,10 @@ typedef struct scene_shape {
     double slope;                 /* flat terrain */
     double spacing;               /* uniform terrain */
     int first_point, point_count; /* uniform and irregular terrain: range in scene.points */
+    /* Irregular terrain, 0: its friction is that of the material, all along; else the number, from
+     * 1 on, of the row of the texture that it is read from (texture.h). thud alone knows textures.
+     */
+    int texture_row;
     scene_material material;
     bool sensor;
     uint32_t category, mask; /* default 1, all */

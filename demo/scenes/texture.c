@@ -30,3 +30,20 @@ bool texture_at(const thud_terrain *line, int row, double x, texture_place *out)
     out->row = &TEXTURE[(int)out->uv.v];
     return true;
 }
+
+thud_result texture_weave(thud_world *world, thud_shape_id line, int row, int count) {
+    double vertices[TEXTURE_POINTS];
+    float table[TEXTURE_ROWS];
+    for (int i = 0; i < TEXTURE_ROWS; i++)
+        table[i] = (float)TEXTURE[i].friction;
+    for (int i = 0; i < count && i < TEXTURE_POINTS; i++) {
+        double end = i == 0 ? -0.5 : i == count - 1 ? 0.5 : 0;
+        vertices[i] = (row + end) / TEXTURE_ROWS;
+    }
+    return thud_shape_set_texture(world, line,
+                                  &(thud_texture){.vertices = vertices,
+                                                  .count = count,
+                                                  .table = table,
+                                                  .table_count = TEXTURE_ROWS,
+                                                  .repeats = true});
+}

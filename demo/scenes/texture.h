@@ -3,7 +3,7 @@
 #ifndef THUD_DEMO_TEXTURE_H
 #define THUD_DEMO_TEXTURE_H
 
-#include <thud/thud_terrain.h>
+#include <thud/thud_textured.h>
 
 /* The texture has a row for each material, one above the other: its coordinate v chooses the row, u
  * runs along the ground in metres. */
@@ -22,6 +22,11 @@ typedef struct texture_place {
     thud_uv uv;
     const texture_row *row;
 } texture_place;
+
+/* Gives a line of `count` vertices, at most TEXTURE_POINTS, the friction of the texture's row
+ * `row`. Its first and its last vertex lie midway to the row before and after, so that friction
+ * goes over from band to band: the rows follow each other in a circle. */
+thud_result texture_weave(thud_world *world, thud_shape_id line, int row, int count);
 
 /* Computes the texture at `x` on a line. The line has to be irregular, with at most TEXTURE_POINTS
  * vertices, whose distances on the texture are those on the ground; all of it has the material

@@ -1,5 +1,5 @@
 /* textured.c: walkers on textured ground, whose texture shows its material: rock, grass, ice and
- * sand in turn, each with its friction.
+ * sand in turn, each with its friction, which is read from the texture where a foot stands.
  *
  * Bodies: the ground, with one terrain line for each band; then the walkers. */
 #include "random.h"
@@ -26,7 +26,8 @@ static void add_bands(scene *s, double start, int count) {
             points[TEXTURE_POINTS - 1].y = WALL;
         end = points[TEXTURE_POINTS - 1];
         s->material.friction = TEXTURE[i % TEXTURE_ROWS].friction;
-        scene_add_irregular(s, points, TEXTURE_POINTS);
+        scene_shape *band = scene_add_irregular(s, points, TEXTURE_POINTS);
+        band->texture_row = 1 + i % TEXTURE_ROWS;
     }
 }
 

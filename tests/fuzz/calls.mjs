@@ -114,6 +114,13 @@ class Session {
     });
   }
 
+  /** A texture for one of few numbers of vertices, which fits some lines. */
+  texture() {
+    const table = Array.from({ length: 1 + this.below(4) }, () => this.number(0, 1));
+    const vertices = Array.from({ length: 2 + this.below(9) }, () => this.number(0, 1));
+    return this.pick([{ vertices }, { vertices, table }, { vertices, table, repeats: true }]);
+  }
+
   line() {
     const heights = Array.from({ length: 2 + this.below(9) }, () => this.number(-1, 1));
     return this.pick([
@@ -192,6 +199,9 @@ export const CALLS = {
   raise: (s) => s.world.raise(s.shape(), s.number(-9, 9), s.number(0.1, 2), s.number(-1, 1)),
   replaceRange: (s) => s.world.replaceRange(s.shape(), -1, 1, [[s.number(-1, 1), s.number(-1, 1)]]),
   groundAt: (s) => s.world.groundAt(s.shape(), s.number(-9, 9)),
+  setTexture: (s) => s.world.setTexture(s.shape(), s.below(4) === 0 ? null : s.texture()),
+  textureOf: (s) => s.world.textureOf(s.shape()),
+  frictionAt: (s) => s.world.frictionAt(s.shape(), s.number(-9, 9)),
   placeFoot: (s) => s.world.placeFoot(s.shape(), s.number(-9, 9), s.number(0, 2)),
   castRay: (s) => s.world.castRay(s.place(), s.vector(), s.options(s.filter())),
   castRayAll: (s) => s.world.castRayAll(s.place(), s.vector(), s.filter()),

@@ -64,6 +64,7 @@ export const EDIT_CALLS = {
   },
   rule: (s) => s.world.rule(1 << s.below(4), 1 << s.below(4)),
   useRules: (s) => s.world.useRules(),
+  useTextures: (s) => s.world.useTextures(),
   impulseEvents: (s) => s.world.impulseEvents(),
   impulseEventView: (s) => s.world.impulseEventView(),
   setListeners: (s) => {

@@ -130,6 +130,9 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(log),
     PLAYS(object_epilogues),
     PLAYS(decide),
+    PLAYS(texture),
+    PLAYS(texture_get),
+    PLAYS(line_texture),
 };
 
 void session_play(fuzz_session *s) {

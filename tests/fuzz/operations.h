@@ -65,6 +65,8 @@ fuzz_operation play_explosion, play_wind, play_water, play_rolling, play_below, 
 fuzz_operation play_rule, play_rule_get, play_filter, play_impulses;
 /* operations_sessions.c */
 fuzz_operation play_saved, play_rollback;
+/* operations_textures.c */
+fuzz_operation play_texture, play_texture_get, play_line_texture;
 /* operations_lines.c: terrain lines without a world */
 fuzz_operation play_line_sample, play_line_shape, play_line_impact, play_line_ray, play_foot;
 

@@ -145,6 +145,7 @@ static void make_world(fuzz_session *s, thud_world **out) {
             thud_world_set_category_epilogue(*out, s->told_categories, session_object_epilogue, s));
     }
     COUNTED(thud_world_use_rules(*out));
+    COUNTED(thud_world_use_textures(*out));
     session_take_filter(s, *out);
 }
 

@@ -4,6 +4,7 @@
 #include "yard.h"
 
 #include <thud/thud_lists.h>
+#include <thud/thud_textured.h>
 
 /* thud_world_get_poses with alpha 0 and 1 gives the poses of the last two steps; a slot without a
  * body has the pose NaN. */
@@ -34,6 +35,83 @@ static void poses_are_those_of_two_steps(trial *t) {
     const thud_pose *poses = thud_poses_of(y.world, (thud_pos){0, 0}, 1, &count);
     if (!trial_failed(t) && poses[y.body[3].index1 - 1].x == poses[y.body[3].index1 - 1].x) {
         trial_fault(t, "a slot without a body has a pose");
+    }
+}
+
+/* What hear_friction checks: the ground, and the friction of the body on it. */
+typedef struct hearing {
+    trial *t;
+    thud_shape_id line;
+    float body_friction;
+    int heard;
+} hearing;
+
+static bool hear_friction(thud_world *world, const thud_contact *contact,
+                          thud_contact_settings *surface, void *context) {
+    hearing *h = context;
+    float ground = -1;
+    if (contact->shape_a.index1 != h->line.index1 && contact->shape_b.index1 != h->line.index1) {
+        return true;
+    }
+    DO(h->t, thud_shape_get_friction_at(world, h->line, contact->point.x, &ground));
+    double wanted = sqrt((double)ground * (double)h->body_friction);
+    if (!(fabs((double)surface->friction - wanted) < 1e-6)) {
+        trial_fault(h->t, "a contact at %g has friction %g, not %g", contact->point.x / h->t->scale,
+                    (double)surface->friction, wanted);
+    }
+    h->heard++;
+    return true;
+}
+
+/* On textured ground, whose friction grows from 0 at x = -10 to 1 at x = 10, each contact has the
+ * friction of where it stands, also after a dig; it grows on as before there. */
+static void contacts_have_the_friction_of_their_place(trial *t) {
+    thud_world *world = trial_make(t, trial_def(t));
+    thud_body_def ground = thud_default_body_def();
+    thud_shape_def plain = thud_default_shape_def();
+    thud_pos points[21];
+    double values[21];
+    thud_body_id body;
+    hearing h = {.t = t, .body_friction = 0.5f};
+    if (!world) {
+        return;
+    }
+    for (int i = 0; i <= 20; i++) {
+        points[i] = trial_place(t, i - 10, 0);
+        values[i] = 0.05 * i;
+    }
+    DO(t, thud_body_create(world, &ground, &body));
+    DO(t, thud_shape_create_terrain(
+              world, body, &plain,
+              &(thud_terrain){.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 21},
+              &h.line));
+    DO(t, thud_shape_set_texture(world, h.line, &(thud_texture){.vertices = values, .count = 21}));
+    plain.friction = h.body_friction;
+    for (int k = 0; k < 3; k++) {
+        trial_add(t, world,
+                  (part){.kind = THUD_BODY_DYNAMIC,
+                         .form = (form)k,
+                         .x = 3 * k - 7,
+                         .y = 0.6,
+                         .hx = 0.3,
+                         .hy = 0.3,
+                         .vx = 4,
+                         .vy = -9,
+                         .shape = &plain});
+    }
+    trial_listen(t, world, hear_friction, NULL, &h);
+    trial_run(t, world, trial_steps(t, 0.7));
+    DO(t, thud_shape_dig(world, h.line, trial_place(t, 0.3, 0.4), 1.5 * t->scale));
+    trial_run(t, world, trial_steps(t, 0.7));
+    for (double x = -9.9; x < 9.9; x += 0.37) {
+        float friction = -1;
+        DO(t, thud_shape_get_friction_at(world, h.line, x * t->scale, &friction));
+        if (!trial_failed(t) && !(fabs((double)friction - 0.05 * (x + 10)) < 1e-6)) {
+            trial_fault(t, "the friction at %g is %g", x, (double)friction);
+        }
+    }
+    if (!trial_failed(t) && h.heard < 20) {
+        trial_fault(t, "%d contacts were seen", h.heard);
     }
 }
 
@@ -194,6 +272,7 @@ static void sensors_list_what_they_told(trial *t) {
 
 const guarantee guarantees_of_state[] = {
     GUARANTEE(contacts_of_a_body_are_its_neighbours),
+    GUARANTEE(contacts_have_the_friction_of_their_place),
     GUARANTEE(dug_ground_lets_down_who_stood_there),
     GUARANTEE(moved_bodies_are_those_elsewhere),
     GUARANTEE(poses_are_those_of_two_steps),

@@ -215,6 +215,9 @@
     FIELD(thud_terrain, spacing, spacing, OPEN(0), THUD_TERRAIN_PLACE_MAX, grid)                   \
     CALL(thud_terrain_check, points, -THUD_TERRAIN_PLACE_MAX, THUD_TERRAIN_PLACE_MAX,              \
          vertex_at(x))                                                                             \
-    FIELD(thud_terrain, count, count, 2, THUD_TERRAIN_COUNT_MAX, vertices)
+    FIELD(thud_terrain, count, count, 2, THUD_TERRAIN_COUNT_MAX, vertices)                         \
+    CALL(thud_texture_friction_at, vertices, 0, THUD_FRICTION_MAX, textured(x, NULL))              \
+    CALL(thud_texture_friction_at, coordinates, -THUD_TERRAIN_PLACE_MAX, THUD_TERRAIN_PLACE_MAX,   \
+         textured(x, even))
 
 #endif

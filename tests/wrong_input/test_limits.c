@@ -4,6 +4,8 @@
 #include "limits.h"
 #include "limits_place.h"
 
+#include <thud/thud_textured.h>
+
 #include <string.h>
 
 typedef struct row row;
@@ -227,6 +229,21 @@ static thud_result vertex_at(double y) {
     thud_pos points[] = {{0, y}, {1, 0}};
     thud_terrain line = {THUD_TERRAIN_IRREGULAR, 0, 0, 0, points, 2};
     return thud_terrain_check(&line);
+}
+
+static const float even[] = {0.5f};
+
+/* The friction of a texture whose first vertex has the value `x`: a friction, or with a table a
+ * texture coordinate. */
+static thud_result textured(double x, const float *table) {
+    const double values[] = {x, 0.5};
+    const thud_terrain_sample sample = {.weight = {0.5, 0.5}};
+    float friction;
+    return thud_texture_friction_at(&(thud_texture){.vertices = values,
+                                                    .count = 2,
+                                                    .table = table,
+                                                    .table_count = table != NULL},
+                                    &sample, &friction);
 }
 
 /* ---- the table ---- */

@@ -18,6 +18,7 @@
 #define API_H
 
 #include <thud/thud.h>
+#include <thud/thud_textured.h>
 
 #include "slots.h"
 
@@ -65,6 +66,10 @@ thud_query_filter api_filter(const struct filter_options *options);
 /* The shape of a query or mover, with its centre at the origin. `hx`: the radius of a circle, or
  * half the width; `hy`: half the height; `angle`: radians, of an OBB. */
 thud_geometry api_placed(int kind, double hx, double hy, double angle);
+
+/* The texture of `count` values at `numbers` with the `table_count` entries of its table behind
+ * them, as doubles, which become floats in place. `has_table` 0: it has none. */
+thud_texture api_texture(double *numbers, int count, int table_count, int has_table, int repeats);
 
 static inline thud_body_id api_body(uint32_t index1, uint32_t generation) {
     return (thud_body_id){index1, generation};

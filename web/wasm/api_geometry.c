@@ -283,6 +283,35 @@ int api_line_texture(double x, const thud_uv *vertices, int count) {
     return result;
 }
 
+/* The friction at x, from a texture as api_texture takes it. Slots out: number. */
+int api_line_friction(double x, double *numbers, int count, int table_count, int has_table,
+                      int repeats) {
+    thud_texture texture = api_texture(numbers, count, table_count, has_table, repeats);
+    thud_terrain_sample sample;
+    float friction = 0.0f;
+    thud_result result = thud_terrain_sample_at(&line, x, &sample);
+    if (result == THUD_OK)
+        result = thud_texture_friction_at(&texture, &sample, &friction);
+    return put_number(result, (double)friction);
+}
+
+/* Looks the ground up `count` times, at places from `from` to `to` in no order, so that JavaScript
+ * can measure its time. They are the fractional parts of multiples of the golden ratio, which
+ * spread evenly. Slots out: number, of the segments found together. */
+int api_line_often(double from, double to, int count) {
+    const double golden = 0.6180339887498949;
+    double part = 0.0, segments = 0.0;
+    thud_result result = THUD_OK;
+    for (int i = 0; i < count && result == THUD_OK; i++) {
+        thud_terrain_sample sample;
+        result = thud_terrain_sample_at(&line, from + (to - from) * part, &sample);
+        segments += sample.segment;
+        part += golden;
+        part -= part >= 1.0 ? 1.0 : 0.0;
+    }
+    return put_number(result, segments);
+}
+
 /* The place of a foot with its middle at x. Slots out: foot. */
 int api_line_foot(double x, double width) {
     thud_foot foot;

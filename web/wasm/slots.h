@@ -209,6 +209,12 @@ struct terrain {
     struct list points;
 };
 
+/* As thud_texture; both lists are the world's own. */
+struct texture {
+    struct list vertices, table;
+    double repeats;
+};
+
 /* The ground at one x; `weights` are those of the segment's two vertices. */
 struct ground {
     double height, normal[2], segment, weights[2];
@@ -340,6 +346,7 @@ union api_slots {
     struct joint_state joint_state;
     struct joint_table joint_table;
     struct terrain terrain;
+    struct texture texture;
     struct ground ground;
     struct foot foot;
     struct events events;

@@ -33,6 +33,7 @@
 #include "thud_snapshot.h"
 #include "thud_terrain.h"
 #include "thud_testing.h"
+#include "thud_textured.h"
 #include "thud_version.h"
 #include "thud_volumes.h"
 

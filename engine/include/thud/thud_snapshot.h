@@ -17,13 +17,13 @@
  * A snapshot contains all that can change in a world: bodies, shapes, the lines of terrains,
  * contacts with their impulses, sleep, edits that wait for the next step, events, the time that
  * thud_world_advance left over and its forces, the settings with a setter (gravity, time step,
- * quality, sleeping, max_error), and the rules of thud_rules.h. It does not contain what only the
- * def sets: the restored world must have the same length scale, broadphase, substeps,
- * contact_stiffness, contact_damping, push_speed, restitution_threshold, hit_speed, maximum_speed,
- * contact_events, time_budget and detection. Callbacks (listeners, the filter of
- * thud_world_set_filter), log, clock, job system and allocator of the restored world
- * stay as they are; with other callbacks its results may differ. The caller must copy its own
- * state; a thud_mover is a plain struct.
+ * quality, sleeping, max_error), the rules of thud_rules.h, and the textures of thud_textured.h. It
+ * does not contain what only the def sets: the restored world must have the same length scale,
+ * broadphase, substeps, contact_stiffness, contact_damping, push_speed, restitution_threshold,
+ * hit_speed, maximum_speed, contact_events, time_budget and detection. Callbacks (listeners, the
+ * filter of thud_world_set_filter), log, clock, job system and allocator of the restored world stay
+ * as they are; with other callbacks its results may differ. The caller must copy its own state; a
+ * thud_mover is a plain struct.
  *
  * A program that uses snapshots links every shape kind, every detection and the island solver,
  * since a snapshot may need them. */
@@ -60,10 +60,10 @@ THUD_API thud_result thud_world_snapshot(const thud_world *world, void *buffer, 
  * THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_INVALID, with the reason in the
  * log, for bytes that are cut short, damaged, no snapshot, or of another version or build of thud
  * (snapshots are for the same version, word size, byte order and alignment), and for a world whose
- * def differs in one of the settings above, or that never had a joint (thud_world_use_joints) or a
- * rule (thud_world_use_rules) where the snapshot has some; THUD_ERROR_MEMORY. In each case the
- * world is as it was. `bytes` must be exactly the snapshot's size as thud_world_snapshot returned
- * it, even where the buffer is larger.
+ * def differs in one of the settings above, or that never had a joint (thud_world_use_joints), a
+ * rule (thud_world_use_rules) or a texture (thud_world_use_textures) where the snapshot has some;
+ * THUD_ERROR_MEMORY. In each case the world is as it was. `bytes` must be exactly the snapshot's
+ * size as thud_world_snapshot returned it, even where the buffer is larger.
  *
  * A checksum over all bytes detects damage: every change within one word of 8 bytes, and other
  * changes but for one in 2^64. Sizes and counts are checked as well, so that a restore never writes

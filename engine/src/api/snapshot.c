@@ -50,6 +50,9 @@ thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capaci
     if (w->rule_hooks) {
         w->rule_hooks->write(w, to + sizeof head + td_snapshot_ruled_at(&head));
     }
+    if (w->texture_hooks) {
+        w->texture_hooks->write(w, to + sizeof head + td_snapshot_textured_at(&head));
+    }
     head.checksum = td_snapshot_checksum(to + SUMMED_FROM, size - SUMMED_FROM);
     memcpy(to, &head, SUMMED_FROM);
     if (out_bytes) {
@@ -148,6 +151,19 @@ static const char *ruled_in(const td_snapshot_head *head, const char *from) {
     return from + sizeof *head + td_snapshot_ruled_at(head);
 }
 
+/* The bytes of the textures in a snapshot. */
+static const char *textured_in(const td_snapshot_head *head, const char *from) {
+    return from + sizeof *head + td_snapshot_textured_at(head);
+}
+
+/* Whether the bytes of textures are valid, likewise. The table begins with the points of each
+ * terrain. */
+static bool textures_valid(const thud_world *w, const td_snapshot_head *head, const char *from) {
+    return !w->texture_hooks ||
+           w->texture_hooks->valid(textured_in(head, from), head->textured, from + sizeof *head,
+                                   head->slots[TD_SNAPSHOT_TERRAINS].count);
+}
+
 /* Whether the bytes of rules are valid. A world without rule hooks gets here only with a snapshot
  * that has none. */
 static bool rules_valid(const thud_world *w, const td_snapshot_head *head, const char *from) {
@@ -189,8 +205,12 @@ static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_sn
     if ((head->ruled.rules || head->ruled.impulses) && !w->rule_hooks) {
         return "restore: the snapshot has rules, and this world never had any";
     }
-    if (!counts_valid(head) || !lengths_valid(w, head) || td_snapshot_bytes_of(w, head) != bytes ||
-        !table_valid(head, from + sizeof *head) || !rules_valid(w, head, from)) {
+    if (head->textured && !w->texture_hooks) {
+        return "restore: the snapshot has textures, and this world never had any";
+    }
+    if (!counts_valid(head) || head->textured > bytes || !lengths_valid(w, head) ||
+        td_snapshot_bytes_of(w, head) != bytes || !table_valid(head, from + sizeof *head) ||
+        !rules_valid(w, head, from) || !textures_valid(w, head, from)) {
         return "restore: the snapshot contradicts itself";
     }
     return NULL;
@@ -208,7 +228,8 @@ static void free_spare_lines(thud_world *w) {
 
 /* Reserves memory for the world of the snapshot; the content of the world stays. False when memory
  * is short. */
-static bool reserve(thud_world *w, const td_snapshot_head *head, const char *table) {
+static bool reserve(thud_world *w, const td_snapshot_head *head, const char *from) {
+    const char *table = from + sizeof *head;
     td_slots *slots[TD_SNAPSHOT_SLOTS];
     td_snapshot_list_slots(w, slots);
     for (int i = 0; i < TD_SNAPSHOT_SLOTS; i++) {
@@ -231,7 +252,9 @@ static bool reserve(thud_world *w, const td_snapshot_head *head, const char *tab
             return false;
         }
     }
-    return !w->rule_hooks || w->rule_hooks->make_room(w, head->ruled);
+    return (!w->rule_hooks || w->rule_hooks->make_room(w, head->ruled)) &&
+           (!w->texture_hooks ||
+            w->texture_hooks->make_room(w, textured_in(head, from), head->textured));
 }
 
 /* Empties caches and lists that the steps so far have left for later ones. */
@@ -257,11 +280,14 @@ thud_result thud_world_restore(thud_world *w, const void *buffer, size_t bytes) 
     if (fault) {
         return td_refuse(w, THUD_ERROR_INVALID, fault);
     }
-    bool room = reserve(w, &head, from + sizeof head);
+    bool room = reserve(w, &head, from);
     if (room) {
         td_snapshot_read(w, &head, from + sizeof head);
         if (w->rule_hooks) {
             w->rule_hooks->read(w, head.ruled, ruled_in(&head, from));
+        }
+        if (w->texture_hooks) {
+            w->texture_hooks->read(w, textured_in(&head, from), head.textured);
         }
         clear_scratch(w);
     }

@@ -4,7 +4,8 @@
  *     table              int32: the number of points of each terrain slot; then for each block slot
  *                        its next free slot, or TD_SNAPSHOT_LIVE
  *     values             in the order of serialize_all in snapshot_stream.c
- *     rules              bytes of the world's rule hooks (td_ruled_bytes), last
+ *     rules              bytes of the world's rule hooks (td_ruled_bytes)
+ *     textures           bytes of its texture hooks, last
  *
  * One function both writes and reads the values, so that the two orders cannot differ. A snapshot
  * has no addresses: kinds of shapes, detections and the island solver stand as bits and ranks.
@@ -15,6 +16,7 @@
 
 #include "rules/rule_hooks.h"
 #include "state/world.h"
+#include "textures/texture_hooks.h"
 
 #include "thud/thud_snapshot.h"
 
@@ -123,8 +125,9 @@ typedef struct td_snapshot_head {
                           is not empty on */
     td_snapshot_slots slots[TD_SNAPSHOT_SLOTS];
     td_snapshot_part parts[TD_SNAPSHOT_PARTS];
-    uint64_t points; /* points of all terrains together */
-    td_ruled ruled;  /* counts of the rules, whose bytes come last */
+    uint64_t points;   /* points of all terrains together */
+    td_ruled ruled;    /* counts of the rules, whose bytes come last but one */
+    uint64_t textured; /* bytes of the textures, which come last */
 } td_snapshot_head;
 
 /* ---- snapshot_parts.c ---- */
@@ -164,7 +167,12 @@ enum { TD_SNAPSHOT_LIVE = -2 };
 
 /* The offset of the rules' bytes from the end of the head. */
 static inline uint64_t td_snapshot_ruled_at(const td_snapshot_head *head) {
-    return head->bytes - sizeof *head - td_ruled_bytes(head->ruled);
+    return head->bytes - sizeof *head - head->textured - td_ruled_bytes(head->ruled);
+}
+
+/* The offset of the textures' bytes from the end of the head. */
+static inline uint64_t td_snapshot_textured_at(const td_snapshot_head *head) {
+    return head->bytes - sizeof *head - head->textured;
 }
 
 /* Writes table and values to the bytes after the head, which td_snapshot_head_of gave for this

@@ -201,6 +201,9 @@ td_snapshot_head td_snapshot_head_of(thud_world *w) {
     if (w->rule_hooks) {
         head.ruled = w->rule_hooks->ruled(w);
     }
+    if (w->texture_hooks) {
+        head.textured = w->texture_hooks->bytes(w);
+    }
     head.bytes = td_snapshot_bytes_of(w, &head);
     return head;
 }
@@ -220,7 +223,7 @@ uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head) {
     bytes += (uint64_t)slots[TD_SNAPSHOT_CONSTRAINTS].count * sizeof(td_contact);
     bytes += (uint64_t)slots[TD_SNAPSHOT_JOINTS].count * sizeof(td_joint);
     bytes += (uint64_t)slots[TD_SNAPSHOT_TERRAINS].count * TERRAIN_BYTES;
-    bytes += head->points * sizeof(thud_pos) + td_ruled_bytes(head->ruled);
+    bytes += head->points * sizeof(thud_pos) + td_ruled_bytes(head->ruled) + head->textured;
     for (int form = 0; form < TD_FORM_COUNT; form++) {
         bytes += (uint64_t)slots[TD_SNAPSHOT_BLOCK_POOLS + form].live *
                  td_form_bytes((td_block_form)form);

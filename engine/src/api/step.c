@@ -2,14 +2,15 @@
  * them one by one.
  *
  * Everything that can fail for want of memory comes first, and leaves every body as it was. From
- * ask_listeners on a step cannot fail. Rules, listeners, joints, direct islands and detection are
- * plugged in by tables of functions that are null in worlds that do not use them. */
+ * ask_listeners on a step cannot fail. Textures, rules, listeners, joints, direct islands and
+ * detection are plugged in by tables of functions that are null in worlds that do not use them. */
 #include "constraint/joint_hooks.h"
 #include "detection/sensing.h"
 #include "listeners/listener_hooks.h"
 #include "rules/rule_hooks.h"
 #include "solver/budget.h"
 #include "state/handles.h"
+#include "textures/texture_hooks.h"
 #include "api/step.h"
 
 /* Makes the events of this step the ones that callers read, and begins empty lists. The lists hold
@@ -130,9 +131,13 @@ static void solve(thud_world *w) {
     }
 }
 
-/* Applies rules, then asks listeners (the prologue, pre-solve), whose answer overrules a rule. */
+/* Reads textures, applies rules, then asks listeners (the prologue, pre-solve), whose answer
+ * overrules both. */
 static void ask_listeners(thud_world *w) {
     w->errors.energy_decided = 0.0;
+    if (w->texture_hooks) {
+        w->texture_hooks->settle(w);
+    }
     if (w->rule_hooks) {
         w->rule_hooks->decide(w);
     }

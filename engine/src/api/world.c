@@ -14,6 +14,7 @@
 #include "api/step.h"
 #include "listeners/listener_hooks.h"
 #include "rules/rule_hooks.h"
+#include "textures/texture_hooks.h"
 
 #include <stdatomic.h>
 #include <string.h>
@@ -260,6 +261,9 @@ void thud_world_destroy(thud_world *w) {
     }
     if (w->listener_hooks) {
         w->listener_hooks->end(w);
+    }
+    if (w->texture_hooks) {
+        w->texture_hooks->end(w);
     }
     for (int i = 0; i < w->terrains.count; i++) {
         td_array_free(&w->memory, &td_terrain_record_at(w, i)->points);

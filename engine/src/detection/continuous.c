@@ -88,7 +88,7 @@ static bool is_vetoed(const sweep *s, int other, double time) {
         return asked && vetoed;
     }
     thud_contact seen = contact_view(s, other, time);
-    thud_contact_settings settings = td_surface_of_pair(w, other, s->shape);
+    thud_contact_settings settings = td_surface_of_impact(w, &seen);
     return !td_surface_meet(w, &seen, &settings);
 }
 

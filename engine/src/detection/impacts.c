@@ -115,11 +115,11 @@ static bool is_tied(const thud_world *w, const td_toi_candidate *e) {
 }
 
 /* Whether the prologue refuses the pair, or has decided its velocities; then the candidate is
- * marked and is not computed again in this step. It fills `settings` with the surface of the pair.
- * The prologue is not called again for pairs that touched at the start of the step, whose settings
- * are in their lane. */
-static bool is_vetoed(thud_world *w, int number, const td_toi_candidate *e,
-                      const thud_contact *seen, thud_contact_settings *settings, bool *decided) {
+ * marked and is not computed again in this step. It fills `settings` with the surface of the pair,
+ * where it is seen to meet. The prologue is not called again for pairs that touched at the start of
+ * the step, whose settings are in their lane. */
+static bool is_vetoed(thud_world *w, int number, const thud_contact *seen,
+                      thud_contact_settings *settings, bool *decided) {
     *decided = false;
     if (number < w->constraints.count && td_contact_at(w, number)->state == TD_TOUCHING) {
         const td_contact *contact = td_contact_at(w, number);
@@ -128,7 +128,7 @@ static bool is_vetoed(thud_world *w, int number, const td_toi_candidate *e,
             td_surface_get(at.block, td_form_points(w->kinds[contact->kind]->form), at.lane);
         return false;
     }
-    *settings = td_surface_of_pair(w, e->shape[0], e->shape[1]);
+    *settings = td_surface_of_impact(w, seen);
     if (w->decisions) {
         w->decisions->has_impact = false; /* that of an impact before */
     }
@@ -185,7 +185,7 @@ static void resolve_candidate(thud_world *w, int number, double time) {
     td_impact impact = {.seen = td_impact_view(w, &e, &at)};
     thud_contact_settings settings;
     bool decided;
-    if (is_vetoed(w, number, &e, &impact.seen, &settings, &decided) && !decided) {
+    if (is_vetoed(w, number, &impact.seen, &settings, &decided) && !decided) {
         return;
     }
     /* Sleeping and tied bodies are left to the contacts of the next step. */

@@ -11,6 +11,7 @@
 #include "state/shape.h"
 #include "api/step.h"
 #include "islands/wake.h"
+#include "textures/texture_hooks.h"
 
 #include <string.h>
 
@@ -60,6 +61,9 @@ static void free_shape(thud_world *w, int index) {
     if (shape->terrain != TD_NONE) {
         td_terrain_record *record = td_terrain_record_at(w, shape->terrain);
         td_array_free(&w->memory, &record->points);
+        if (w->texture_hooks) {
+            w->texture_hooks->forget(w, shape->terrain);
+        }
         record->shape = TD_NONE;
         td_slots_give(&w->terrains, shape->terrain);
     }

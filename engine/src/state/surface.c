@@ -4,14 +4,30 @@
 #include "listeners/listener_hooks.h"
 #include "rules/rule_hooks.h"
 #include "state/handles.h"
+#include "textures/texture_hooks.h"
 
-thud_contact_settings td_surface_of_pair(const thud_world *w, int shape_a, int shape_b) {
+thud_contact_settings td_surface_of_frictions(const thud_world *w, int shape_a, int shape_b,
+                                              float friction_a, float friction_b) {
     const td_shape *a = td_shape_at(w, shape_a), *b = td_shape_at(w, shape_b);
-    thud_contact_settings s = {.friction = __builtin_sqrtf(a->friction * b->friction),
+    thud_contact_settings s = {.friction = __builtin_sqrtf(friction_a * friction_b),
                                .restitution = td_max_float(a->restitution, b->restitution),
                                .surface_speed = a->surface_speed + b->surface_speed};
     if (w->rule_hooks) {
         w->rule_hooks->settle(w, shape_a, shape_b, &s);
+    }
+    return s;
+}
+
+thud_contact_settings td_surface_of_pair(const thud_world *w, int shape_a, int shape_b) {
+    return td_surface_of_frictions(w, shape_a, shape_b, td_shape_at(w, shape_a)->friction,
+                                   td_shape_at(w, shape_b)->friction);
+}
+
+thud_contact_settings td_surface_of_impact(const thud_world *w, const thud_contact *seen) {
+    thud_contact_settings s =
+        td_surface_of_pair(w, (int)seen->shape_a.index1 - 1, (int)seen->shape_b.index1 - 1);
+    if (w->texture_hooks) {
+        w->texture_hooks->settle_one(w, seen, &s);
     }
     return s;
 }

@@ -9,6 +9,12 @@
 /* The settings of a pair: friction is the geometric mean of both shapes', restitution the greater
  * one, surface speed the sum; a rule of the pair may replace each. */
 thud_contact_settings td_surface_of_pair(const thud_world *w, int shape_a, int shape_b);
+/* The same with other frictions of the two shapes. */
+thud_contact_settings td_surface_of_frictions(const thud_world *w, int shape_a, int shape_b,
+                                              float friction_a, float friction_b);
+/* The same at the point of a collision that detection finds within a step, where the ground may
+ * have a texture. */
+thud_contact_settings td_surface_of_impact(const thud_world *w, const thud_contact *seen);
 
 /* Sets a lane's settings from its pair again. contact/contact_lanes.c */
 void td_contact_settle(thud_world *w, td_block *block, int lane, int contact);

@@ -13,6 +13,7 @@
 #include "constraint/lanes.h"
 #include "state/shape.h"
 #include "terrain/terrain.h"
+#include "textures/texture_hooks.h"
 
 #include "thud/thud_terrain.h"
 
@@ -178,8 +179,12 @@ static thud_result apply_splice(thud_world *w, int terrain_shape, splice s, cons
         return td_refuse(w, THUD_ERROR_INVALID, range_error);
     }
     int total = record->points.count, end = s.first + s.removed;
-    if (!td_array_reserve(&w->memory, &record->points, total - s.removed + s.count)) {
+    if (!td_array_reserve(&w->memory, &record->points, total - s.removed + s.count) ||
+        (w->texture_hooks && !w->texture_hooks->reserve(w, terrain_shape, s.count))) {
         return td_refuse(w, THUD_ERROR_MEMORY, memory_error);
+    }
+    if (w->texture_hooks) {
+        w->texture_hooks->splice(w, terrain_shape, s.first, s.removed, s.points, s.count);
     }
     thud_pos *points = record->points.data;
     memmove(points + s.first + s.count, points + end, (size_t)(total - end) * sizeof *points);

@@ -35,9 +35,11 @@ struct thud_world {
     const td_constraint_ops *kinds[TD_CONSTRAINT_KINDS];
     const struct td_internal_edge_ops *internal_edges; /* null: no shape has faces */
     const struct td_joint_hooks *joint_hooks;          /* null: the world never had a joint */
-    const struct td_ground_ops *ground;     /* null: the world never had a terrain line */
-    const struct td_rule_hooks *rule_hooks; /* null: the world never had a rule or filter */
-    struct td_rules *rules;                 /* null as rule_hooks; in snapshots */
+    const struct td_ground_ops *ground;           /* null: the world never had a terrain line */
+    const struct td_rule_hooks *rule_hooks;       /* null: the world never had a rule or filter */
+    struct td_rules *rules;                       /* null as rule_hooks; in snapshots */
+    const struct td_texture_hooks *texture_hooks; /* null: the world never had a texture */
+    struct td_textures *textures;                 /* null as texture_hooks; in snapshots */
     bool adds_impulses; /* a rule has a bound of the impulse: add up those of contacts */
     const struct td_listener_hooks *listener_hooks; /* null: the world never had a listener */
     struct td_listeners *listeners;                 /* null as listener_hooks */

@@ -43,6 +43,7 @@ test("whatever_a_world_can_do_is_followed_or_harmless_or_told", () => {
     "rolling resistance",
     "rules between kinds",
     "the scene’s own filter of pairs",
+    "the texture of the ground",
     "tyres",
     "velocities that a prologue decides",
     "water",
@@ -274,9 +275,11 @@ const LACKING = {
   crates: ["rules between kinds"],
   flags: ["wind"],
   lab_callbacks: ["listeners of contacts"],
+  lab_terrain: ["the texture of the ground"],
   meetings: ["rules between kinds"],
   planks: ["rules between kinds"],
   playground: ["gears"],
+  textured: ["the texture of the ground"],
 };
 
 test("scenes_that_box2d_does_not_get_wholly_say_so_and_the_others_are_comparable", async () => {

@@ -9,8 +9,8 @@ import { buildScene, openSession, runScene } from "../../../web/tools/scenes.mjs
 import { thud } from "../support/package.mjs";
 
 const engine = await thud.load();
-const near = (actual, expected) =>
-  assert.ok(Math.abs(actual - expected) < 1e-9, `${actual}, not ${expected}`);
+const near = (actual, expected, tolerance = 1e-9) =>
+  assert.ok(Math.abs(actual - expected) < tolerance, `${actual}, not ${expected}`);
 
 test("texture_goes_along_the_line_by_the_engine_s_weights", () => {
   const world = engine.createWorld();
@@ -42,7 +42,14 @@ test("ground_has_the_friction_that_is_written_below_it", async () => {
   assert.deepEqual(new Set(signs.map(({ name }) => name)), new Set(TEXTURE.map(({ name }) => name)));
   for (const { x, y, name, friction } of signs) {
     const ground = scene.world.castRayAll([x, y + 3], [0, -6]).at(-1); // below any walker
-    assert.equal(scene.world.shapeStateOf(ground.shape).friction, Math.fround(friction), name);
+    assert.equal(scene.world.frictionAt(ground.shape, x), Math.fround(friction), name);
+  }
+  // Where two bands meet it is the mean of both.
+  signs.sort((a, b) => a.x - b.x);
+  for (let i = 1; i < signs.length; i++) {
+    const x = Math.round((signs[i - 1].x + signs[i].x) / 2 / 6) * 6;
+    const ground = scene.world.castRayAll([x + 0.001, 6], [0, -12]).at(-1);
+    near(scene.world.frictionAt(ground.shape, x), (signs[i - 1].friction + signs[i].friction) / 2, 1e-6);
   }
   scene.world.close();
 });

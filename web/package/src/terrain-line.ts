@@ -1,9 +1,9 @@
-/** Hands a terrain line to the module. */
+/** Hands a terrain line, or its texture, to the module. */
 import { checkOptions } from "./checks/names.js";
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
-import { indexOf } from "./numbers.js";
-import type { Terrain } from "./types.js";
+import { flagOf, indexOf } from "./numbers.js";
+import type { Terrain, Texture } from "./types.js";
 
 export const TERRAIN_KINDS = ["flat", "uniform", "irregular"] as const;
 /** The options of each kind of terrain. */
@@ -48,4 +48,36 @@ export function withLine<T>(engine: Engine, call: string, line: Terrain, use: Us
       ? use(kind, 0, line.x0, line.spacing, points, count)
       : use(kind, 0, 0, 0, points, count),
   );
+}
+
+const TEXTURE = ["vertices", "table", "repeats"] as const;
+
+/** Takes a texture as the module's functions do: `numbers` is the address of both its lists. */
+type UseTexture<T> = (
+  numbers: number,
+  count: number,
+  entries: number,
+  hasTable: number,
+  repeats: number,
+) => T;
+
+/** The same for a texture: throws "invalid" for unknown options and values that are no lists. */
+export function withTexture<T>(
+  engine: Engine,
+  call: string,
+  texture: Texture,
+  use: UseTexture<T>,
+): T {
+  checkOptions(call, texture, TEXTURE);
+  const { vertices, table, repeats = false } = texture;
+  for (const [name, list] of [["vertices", vertices], ["table", table ?? []]] as const)
+    if (typeof list?.length !== "number")
+      throw new ThudError("invalid", `${call}: ${name} must be a list`);
+  const [count, entries, hasTable] = [vertices.length, table?.length ?? 0, Number(table !== undefined)];
+  const flag = flagOf(repeats, `${call}: repeats`);
+  const fill = (doubles: Float64Array) => {
+    doubles.set(vertices);
+    if (table) doubles.set(table, count);
+  };
+  return engine.withDoubles(count + entries, fill, (at) => use(at, count, entries, hasTable, flag));
 }

@@ -356,6 +356,25 @@ export type Terrain =
   | { kind: "uniform"; x0: number; spacing: number; heights: ArrayLike<number> }
   | { kind: "irregular"; points: ArrayLike<Vec2> };
 
+/**
+ * What the friction of a terrain is read from, in place of one friction for the whole line. Each
+ * vertex has a value, and between two vertices both are weighted as in `Ground.weights`.
+ */
+export interface Texture {
+  /**
+   * One value for each vertex of the line; of a flat line two, at x = 0 and x = 1 from its origin.
+   * Coefficients of friction from 0 to 10⁶; with a table texture coordinates u, up to 10⁹ either way.
+   */
+  vertices: ArrayLike<number>;
+  /** The friction by texture coordinate, at equal distances of u: coefficients from 0 to 10⁶. */
+  table?: ArrayLike<number>;
+  /**
+   * True: entry i of the table is at u = i / length, and from u = 1 on it begins again. False, the
+   * default: entry i is at u = i / (length - 1), and the first and the last hold beyond.
+   */
+  repeats?: boolean;
+}
+
 /** The ground of a terrain at one x. */
 export interface Ground {
   /** y of the ground, in the world. */

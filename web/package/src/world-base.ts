@@ -122,7 +122,7 @@ export class WorldBase {
    * the same calls give the same results, bit for bit, and the same handles.
    * @throws {ThudError} "invalid" for bytes that are damaged, of another version, or of a world
    * with other options, and where the snapshot has joints or rules that this world never had
-   * (`useJoints`, `useRules`); "locked" inside a callback; "memory".
+   * (`useJoints`, `useRules`, `useTextures`); "locked" inside a callback; "memory".
    */
   restore(snapshot: Uint8Array): void {
     restoreSnapshot(this.engine, this.address, snapshot);

@@ -2,7 +2,8 @@
  * World: bodies, shapes and joints that advance in fixed steps. The class is built in layers, each
  * in a file of its own that extends the one before: world-base (creation, time, settings,
  * snapshots), world-queries, world-views (events, statistics, drawing), world-joints, world-edits,
- * world-forces, world-fields, rules/world-rules, world-lists, world-shapes, and here the bodies.
+ * world-forces, world-fields, rules/world-rules, world-lists, world-shapes, world-textures, and here the
+ * bodies.
  *
  * Errors: the engine checks each handle and value. A call that fails throws a ThudError and has
  * changed nothing, unless its comment says otherwise. Besides the codes that a comment names, every
@@ -28,7 +29,7 @@ import {
   type Vec2,
 } from "./types.js";
 import { generationOf, index1Of, Kind, kindOf, numberOfPair } from "./plain/handles.js";
-import { WorldShapes } from "./world-shapes.js";
+import { WorldTextures } from "./world-textures.js";
 
 /** Options of createBody that are no numbers of the module's body. */
 const BODY_OTHERS = ["shapes", "locks"];
@@ -37,7 +38,7 @@ const DESTROY = ["", "api_body_destroy", "api_shape_destroy", "api_joint_destroy
 const IS_VALID = ["", "api_body_is_valid", "api_shape_is_valid", "api_joint_is_valid"];
 
 /** A world. Make it by `Engine.createWorld`, and free it by `close`. */
-export class World extends WorldShapes {
+export class World extends WorldTextures {
   // ---- bodies ----
 
   /**

@@ -4,7 +4,7 @@
 
 import { partsOf } from "./joints/parts.js";
 import { groundMarks, printMarks, touchMarks } from "./textured/picture.js";
-import { coordinatesOf, TEXTURE, textureAt } from "./textured/texture.js";
+import { coordinatesOf, frictionOf, TEXTURE, textureAt } from "./textured/texture.js";
 import { addWalker } from "./walker.js";
 
 export const title = "Textured ground";
@@ -90,6 +90,7 @@ function addBands(world, body, chance, start, count) {
     const row = i % TEXTURE.length;
     const { friction } = TEXTURE[row];
     const shape = world.createTerrain(body, { kind: "irregular", points }, { friction });
+    world.setTexture(shape, frictionOf(points, row));
     return { shape, row, points, coordinates: coordinatesOf(points, row) };
   });
 }
@@ -100,10 +101,10 @@ function slipOf(prints, { foot }) {
   return print ? Math.hypot(print.to[0] - print.from[0], print.to[1] - print.from[1]) : 0;
 }
 
-function figuresOf({ row, u, v, weights }, slip) {
-  const { name, friction } = TEXTURE[row];
+function figuresOf({ row, u, v, weights, friction }, slip) {
+  const { name } = TEXTURE[row];
   return [
-    { label: "Under a foot", value: `${name}, friction ${friction}` },
+    { label: "Under a foot", value: `${name}, friction ${friction.toFixed(2)}` },
     { label: "Weights of the vertices", value: weights.map((weight) => weight.toFixed(2)).join(" + ") },
     { label: "Texture", value: `u ${u.toFixed(2)}, v ${v.toFixed(1)}` },
     { label: "It slid", value: `${slip.toFixed(2)} m` },

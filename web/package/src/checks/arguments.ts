@@ -53,6 +53,7 @@ export const ARGUMENTS: Readonly<Record<string, readonly [method: string, ranges
   api_shape_raise: ["raise", { x: COORDINATE, radius: SIZE, height: COORDINATE }],
   api_shape_replace_range: ["replaceRange", { x0: ANY, x1: ANY }],
   api_ground_at: ["groundAt", { x: COORDINATE }],
+  api_friction_at: ["frictionAt", { x: ANY }],
   api_place_foot: ["placeFoot", { x: COORDINATE, width: POSITIVE }],
   api_shape_cast_ray: ["shapeCastRay", { origin: PLACE, translation: WAY }],
   api_shape_contains_point: ["containsPoint", { point: PLACE }],

@@ -5,7 +5,7 @@
  */
 import { ThudError } from "../error.js";
 import type { SolidShape } from "../query-types.js";
-import type { Terrain, Vec2 } from "../types.js";
+import type { Terrain, Texture, Vec2 } from "../types.js";
 import { blameArguments } from "./arguments.js";
 import { explainWith, isRefusal } from "./hook.js";
 import { blameJoint, checkTogether } from "./joints.js";
@@ -26,6 +26,7 @@ import {
   RULE_RANGES,
   SHAPE_RANGES,
   TERRAIN_RANGES,
+  TEXTURE_RANGES,
   TYRE_RANGES,
   WALK_RANGES,
   WATER_RANGES,
@@ -53,6 +54,7 @@ const PLAIN: Readonly<Record<string, Ranges>> = {
 interface Given {
   quality?: unknown;
   terrain?: Terrain;
+  texture?: Texture;
   shape?: SolidShape;
   rays?: ArrayLike<number>;
   joint?: object;
@@ -81,7 +83,7 @@ export function explainErrors(): void {
  */
 function explain(error: ThudError, call: string, given: object, scale: number): unknown {
   if (Array.isArray(given)) return blameArguments(error, call, given, scale);
-  const { quality, terrain, shape, rays, joint, furthest = 0 } = given as Given;
+  const { quality, terrain, texture, shape, rays, joint, furthest = 0 } = given as Given;
   if (joint) {
     blameJoint(error, call, joint, furthest);
     return error;
@@ -89,6 +91,7 @@ function explain(error: ThudError, call: string, given: object, scale: number): 
   if (call === "castRays" && rays) return blameRays(error, rays, scale);
   if (terrain)
     return blameTerrain(blame(error, call, given, SHAPE_RANGES.terrain, scale), terrain);
+  if (texture) return blameTexture(error, texture);
   if (call === "createWorld") {
     const told = blame(error, call, given, WORLD_RANGES);
     return blame(told, call, Object(quality), QUALITY_RANGES, 1, "quality.");
@@ -111,6 +114,19 @@ function blameTerrain(error: unknown, terrain: Terrain): unknown {
   if (!isRefusal(told) || terrain.kind === "flat") return told;
   const why = terrain.kind === "uniform" ? whyNotHeights(terrain.heights) : whyNotPoints(terrain.points);
   return why ? new ThudError("invalid", `createTerrain: ${why}`, { cause: error }) : told;
+}
+
+/** Names the first number of a texture that is out of range. */
+function blameTexture(error: ThudError, { vertices, table }: Texture): ThudError {
+  const values = table ? TEXTURE_RANGES.coordinate : TEXTURE_RANGES.friction;
+  const lists = [["vertices", vertices, values], ["table", table ?? [], TEXTURE_RANGES.friction]] as const;
+  for (const [name, list, range] of lists)
+    for (let i = 0; i < list.length; i++) {
+      const entry = `${name}[${i}]`;
+      const why = whyNot({ [entry]: list[i] }, { [entry]: { ...range, needed: true } }, 1);
+      if (why) return new ThudError("invalid", `setTexture: ${why}`, { cause: error });
+    }
+  return error;
 }
 
 /** Why the heights are refused: too few, or one that is not finite; null where they are right. */

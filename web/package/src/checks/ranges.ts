@@ -125,6 +125,12 @@ export const TERRAIN_RANGES: Ranges = {
   spacing: { ...ANY, least: 0, above: true, needed: true },
 };
 
+/** The numbers of a texture of the ground: THUD_TERRAIN_PLACE_MAX for texture coordinates. */
+export const TEXTURE_RANGES = {
+  friction: MATERIAL.friction,
+  coordinate: { least: -1e9, most: 1e9 },
+} satisfies Ranges;
+
 export const MASS_RANGES: Ranges = {
   mass: { least: 1e-30, most: 1e30, needed: true },
   inertia: { least: 1e-30, most: 1e30, orZero: true, needed: true },

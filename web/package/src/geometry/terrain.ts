@@ -3,9 +3,10 @@
  * feet, and tests against shapes. The ground below the line is solid.
  */
 import type { Engine } from "../engine.js";
-import { FootAt, GroundAt, PlaceAt, SegmentsAt } from "../generated/slots.js";
+import { FootAt, GroundAt, NumberAt, PlaceAt, SegmentsAt } from "../generated/slots.js";
 import { vecAt } from "../numbers.js";
-import type { Foot, Ground, Terrain, Vec2 } from "../types.js";
+import { withTexture } from "../terrain-line.js";
+import type { Foot, Ground, Terrain, Texture, Vec2 } from "../types.js";
 import { onLine } from "./line.js";
 import { type Motion, type PlacedShape, putMoving } from "./pair.js";
 import {
@@ -31,6 +32,23 @@ export function terrainAt(engine: Engine, line: Terrain, x: number): Ground {
 }
 
 /**
+ * Runs `terrainAt` `count` times, at places spread from `from` to `to` in no order, and returns the
+ * sum of the segments that were found. One call from JavaScript takes as long as hundreds of
+ * look-ups: so the time of a look-up itself can be measured. The line is copied once; the
+ * difference between two counts is free of that.
+ */
+export function terrainAtOften(
+  engine: Engine,
+  line: Terrain,
+  from: number,
+  to: number,
+  count: number,
+): number {
+  onLine(engine, "terrainAtOften", line, () => engine.exports.api_line_often(from, to, count));
+  return engine.slots[NumberAt.value];
+}
+
+/**
  * The texture coordinates of a line at x, between those of its vertices by their two weights.
  * `vertices`: the coordinates of each vertex; a flat line has two, at x = 0 and x = 1. Throws a
  * ThudError "invalid" beyond the ends, and where a vertex has none.
@@ -45,6 +63,19 @@ export function textureAt(
     engine.withPoints(vertices, (at, count) => engine.exports.api_line_texture(x, at, count)),
   );
   return vecAt(engine.slots, PlaceAt.at);
+}
+
+/**
+ * The friction of a line at x, from its texture (`World.setTexture`). Throws a ThudError "invalid"
+ * beyond the ends, and where a vertex has no value or one that is out of range.
+ */
+export function frictionAt(engine: Engine, line: Terrain, x: number, texture: Texture): number {
+  onLine(engine, "frictionAt", line, () =>
+    withTexture(engine, "frictionAt", texture, (...numbers) =>
+      engine.exports.api_line_friction(x, ...numbers),
+    ),
+  );
+  return engine.slots[NumberAt.value];
 }
 
 /**

@@ -18,6 +18,16 @@ export function coordinatesOf(points, row) {
   });
 }
 
+/**
+ * What the engine reads the friction from: the rows follow each other in a circle. The ends of a band
+ * lie midway to its neighbours’ rows, so that friction goes over from band to band.
+ */
+export function frictionOf(points, row) {
+  const rows = TEXTURE.length;
+  const vertices = points.map((_, i) => (row + (i === 0 ? -0.5 : i === points.length - 1 ? 0.5 : 0)) / rows);
+  return { vertices, table: TEXTURE.map(({ friction }) => friction), repeats: true };
+}
+
 /** A band as it lies now: who digs gives it other vertices, which have coordinates of their own. */
 function present(world, band) {
   const revision = world.revision.terrains;
@@ -41,5 +51,6 @@ export function textureAt(world, band, place) {
   const u = weights[0] * a.u + weights[1] * b.u;
   const v = weights[0] * a.v + weights[1] * b.v;
   const [from, to] = points.slice(segment);
-  return { x, y: height, normal, weights, from, to, u, v, row: Math.floor(v) };
+  const friction = world.frictionAt(shape, x);
+  return { x, y: height, normal, weights, from, to, u, v, row: Math.floor(v), friction };
 }
