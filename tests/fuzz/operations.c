@@ -128,6 +128,7 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(linkage),
     PLAYS(joint_at),
     PLAYS(log),
+    PLAYS(prediction),
 };
 
 void session_play(fuzz_session *s) {
