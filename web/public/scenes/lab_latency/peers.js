@@ -64,7 +64,10 @@ export class Peers {
   stepped(state) {
     state.step++;
     this.#note(state);
-    if (state.step % BASES === 0) this.#base(state);
+    if (state.step % BASES === 0) {
+      this.#base(state);
+      if (this.#strayed(state.bases[0])) this.restored(state);
+    }
     for (const peer of [0, 1]) {
       const before = state.known[peer];
       state.known[peer] = newest(state.step, peer, before, state);
@@ -117,8 +120,19 @@ export class Peers {
   }
 
   #base(state) {
-    const base = { step: state.step, snapshot: this.#world.snapshot(), score: [...state.score] };
+    const world = this.#world;
+    const [snapshot, hash] = [world.snapshot(), world.hash()];
+    const base = { step: state.step, snapshot, hash, score: [...state.score] };
     state.bases = [...state.bases.slice(-1), base];
+  }
+
+  /**
+   * Whether a peer had another game than the truth at a base: the visitor has thrown something in,
+   * or chosen another quality, which no input tells.
+   */
+  #strayed({ step, hash }) {
+    const kept = ({ from }) => step >= from;
+    return this.#sessions.some((one, peer) => kept(one) && this.hashAt(peer, step) !== hash);
   }
 
   /** Keeps where all bodies are now. */

@@ -20,11 +20,15 @@ export function wish(side, puck, mallet, step, seed) {
   const own = side === 0 ? 1 : -1; // from here on both play to the right
   const [x, y, vx, vy] = [own * puck[0], puck[1], own * puck[2], puck[3]];
   const whim = chance(Math.floor(step / WHIM), 7 * seed + side);
-  let to;
-  if (x < 0.6 && vx < 4) {
-    const [aheadX, aheadY] = [x + 0.06 * vx, y + 0.06 * vy];
-    const behind = own * mallet[0] < aheadX - 0.3;
-    to = behind ? [aheadX + 0.8, aheadY + 0.3 * whim] : [aheadX - 1.2, aheadY + 0.6 * whim];
-  } else to = [-3.9 + 0.4 * whim, Math.max(-1.1, Math.min(1.1, 0.7 * y + 0.4 * whim))];
-  return [own * to[0], to[1]];
+  // Now and then a player draws back, or both would hold the puck between them for ever.
+  const rests = chance(Math.floor(step / WHIM), 7 * seed + side + 3) < -0.6;
+  const home = [-3.9 + 0.4 * whim, Math.max(-1.1, Math.min(1.1, 0.7 * y + 0.4 * whim))];
+  if (x > 0.6 || vx > 4 || rests) return [own * home[0], home[1]];
+  const [aheadX, aheadY] = [x + 0.06 * vx, y + 0.06 * vy];
+  // From the side it goes round the puck; from behind it strikes towards a place on the goal line.
+  if (own * mallet[0] > aheadX - 0.2)
+    return [own * (aheadX - 1.3), aheadY + (mallet[1] > aheadY ? 0.9 : -0.9)];
+  const [goX, goY] = [5 - aheadX, 1.6 * whim - aheadY];
+  const length = Math.hypot(goX, goY) || 1;
+  return [own * (aheadX + (0.9 * goX) / length), aheadY + (0.9 * goY) / length];
 }
