@@ -17,12 +17,20 @@ const slider = (name, label, most, step) => (
 );
 const CONTROLS = [
   {
-    ...{ kind: "choice", name: "method", label: "A peer draws the puck", group: "Method" },
+    ...{ kind: "choice", name: "method", label: "By", group: "Method" },
     options: METHODS.map((value) => ({ value, label: NAMES[value] })),
+  },
+  {
+    ...{ kind: "check", name: "errors", label: "Errors", group: "Method" },
+    about: "How far off the puck is drawn, lengths: the mean of the last 10 s.",
   },
   slider("delay", "Delay, ms", 400, 10),
   slider("jitter", "Jitter, ms", 200, 10),
   slider("loss", "Loss, %", 50, 1),
+  {
+    ...{ kind: "check", name: "truth", label: "The truth", group: "The line" },
+    about: "Rings where the puck and the mallet are, as if nothing took time.",
+  },
   {
     ...{ kind: "check", name: "play", label: "Play left", group: "You" },
     about: "Drive the left mallet by pointer or keys.",
@@ -30,10 +38,10 @@ const CONTROLS = [
 ];
 
 const MESSAGES = {
-  last: "The puck stands where the last packet saw it, and lags behind.",
-  reckoned: "The packet’s puck flies on by its velocity, and through walls.",
-  swept: "The packet’s puck flies on up to the first shape in its way.",
-  rollback: "Each peer runs the game itself, and again where the other’s input was not as predicted.",
+  last: "The last packet’s puck stands still.",
+  reckoned: "The packet’s puck flies on, through walls too.",
+  swept: "The packet’s puck flies on to the first wall.",
+  rollback: "Each runs the game, and again as inputs come.",
 };
 
 /** How far a key moves the place that a mallet makes for, from where it is. */
@@ -54,6 +62,7 @@ export default async function ({ createWorld, loadRollback, seed }) {
   const peers = new Peers(world, bodies, () => createWorld(OPTIONS), Rollback);
   const state = {
     ...{ method: "reckoned", delay: 150, jitter: 0, loss: 0, play: false, seed },
+    ...{ errors: true, truth: true },
     ...{ score: [0, 0], ...peerState() },
   };
   peers.begin(state);
@@ -61,17 +70,17 @@ export default async function ({ createWorld, loadRollback, seed }) {
     const [x, y, vx, vy] = rowOf(state, state.step, body);
     return [x - MIDDLE, y, vx, vy];
   };
-  const rows = () => METHODS.map((name, i) => [NAMES[name], lengths(mean(state.errors[i], state.step))]);
+  const rows = () => METHODS.map((name, i) => [NAMES[name], lengths(mean(state.offs[i], state.step))]);
   const largest = () => Math.max(...state.jumps[METHODS.indexOf(state.method)].slice(0, state.step + 1));
 
   return {
     world,
     state,
     controls: CONTROLS,
-    view: { x: 0, y: -2.6, height: 14, width: 23 },
+    view: { x: 0, y: -1.9, height: 16, width: 23 },
     hidden: bodies.map(({ index }) => index),
     pointer: true,
-    keys: { left: "left", right: "right", up: "up", down: "down" },
+    keys: ["left", "right", "up", "down"],
     update(input) {
       if (Object.values(input.held).some(Boolean)) state.play = true;
       for (const side of [0, 1]) {
@@ -92,12 +101,13 @@ export default async function ({ createWorld, loadRollback, seed }) {
       figures: [{ label: "Score", value: state.score.join(" : ") }],
       message: MESSAGES[state.method],
       readings: {
-        method: [
+        errors: [
+          ["Drawn now", rows()[METHODS.indexOf(state.method)][1]],
           ...rows(),
           ["Largest correction", lengths(largest())],
           ["Steps run again", String(state.replayed)],
         ],
-        delay: [["Newest packet", `${state.step - Math.min(...state.known)} steps old`]],
+        truth: [["Newest packet", `${state.step - Math.min(...state.known)} steps old`]],
       },
     }),
   };

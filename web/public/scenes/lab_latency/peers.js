@@ -27,7 +27,7 @@ export const peerState = () => ({
   bases: [],
   seen: [], // by peer and method: places of the puck and of the rival’s mallet
   off: [], // by peer and method: where the puck is drawn, less where it is
-  errors: METHODS.map(() => new Float32Array(WINDOW)),
+  offs: METHODS.map(() => new Float32Array(WINDOW)),
   jumps: METHODS.map(() => new Float32Array(WINDOW)),
   sums: METHODS.map(() => new Float64Array(BINS)),
   counts: new Float64Array(BINS),
@@ -187,7 +187,7 @@ export class Peers {
         error += Math.hypot(...off) / 2;
         jump = Math.max(jump, Math.hypot(off[0] - last[0], off[1] - last[1]));
       }
-      state.errors[method][slot] = error;
+      state.offs[method][slot] = error;
       state.jumps[method][slot] = jump;
       if (state.step > LONGEST) state.sums[method][bin] += error;
     });

@@ -10,11 +10,12 @@ export const NAMES = {
   swept: "Swept prediction",
   rollback: "Rollback",
 };
+const SHORT = ["Last place", "Reckoning", "Swept", "Rollback"];
 const INKS = ["bad", "gold", "water", "good"];
 /** The box of a figure, relative to the rink above it. */
 const LEFT = -4.4;
 const RIGHT = 5;
-const BOTTOM = -8.6;
+const BOTTOM = -8.4;
 const HEIGHT = 3.6;
 /** The highest error that a figure shows, lengths, and the time that is drawn, steps. */
 const TOP = 4;
@@ -34,6 +35,7 @@ export function picture(state) {
   for (const peer of [0, 1]) paintPeer(marks, state, peer, MIDDLE + peer * APART);
   paintTime(marks, state, MIDDLE);
   paintDelay(marks, state, MIDDLE + APART);
+  METHODS.forEach((name, i) => marks.push(text((i - 1.5) * APART * 0.5, BOTTOM - 1.4, SHORT[i], INKS[i], 11)));
   return marks;
 }
 
@@ -41,7 +43,7 @@ export function picture(state) {
 function paintPeer(marks, state, peer, middle) {
   const method = METHODS.indexOf(state.method);
   const shift = middle - MIDDLE;
-  marks.push(text(middle, WIDE + 0.95, `What ${peer === 0 ? "the left" : "the right"} peer sees`, "ink"));
+  marks.push(text(middle, 0.45 - WIDE, `The ${peer === 0 ? "left" : "right"} peer’s view`, "ink"));
   marks.push(line([[middle, -WIDE], [middle, WIDE]], "soft", { width: 1 }));
   for (const side of [-1, 1])
     marks.push(line([[middle + side * LONG, -GOAL], [middle + side * LONG, GOAL]], "soft", { width: 1 }));
@@ -52,9 +54,10 @@ function paintPeer(marks, state, peer, middle) {
   const inks = ["player", "rival"];
   marks.push(disc(own[0] + shift, own[1], MALLET, inks[peer]));
   marks.push(disc(rivalX + shift, rivalY, MALLET, inks[1 - peer]));
-  marks.push({ ...disc(rival[0] + shift, rival[1], MALLET, "soft"), filled: false });
-  marks.push(line([[puckX + shift, puckY], [x + shift, y]], "bad", { width: 2 }));
   marks.push(disc(puckX + shift, puckY, PUCK, "ink"));
+  if (!state.truth) return;
+  marks.push({ ...disc(rival[0] + shift, rival[1], MALLET, "soft"), filled: false });
+  marks.push(line([[puckX + shift, puckY], [x + shift, y]], "accent"));
   marks.push({ ...disc(x + shift, y, PUCK, "accent"), filled: false });
 }
 
@@ -78,7 +81,7 @@ function paintTime(marks, state, middle) {
       let sum = 0;
       for (let i = 0; i < EACH; i++) {
         const step = state.step - back - i;
-        sum += step > 0 ? state.errors[method][step % WINDOW] : 0;
+        sum += step > 0 ? state.offs[method][step % WINDOW] : 0;
       }
       points.push([middle + RIGHT - (back / DRAWN) * (RIGHT - LEFT), height(sum / EACH)]);
     }
