@@ -162,7 +162,10 @@ static void the_rest_stays(void **state) {
 static void prediction_stops_at_the_first_shape(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
-    thud_body_id ball = add_ball(world, 0, 0, 0.5f);
+    thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
+    thud_shape_def round = thud_default_shape_def();
+    round.filter.mask = ~4u;
+    add_shape(world, ball, 0.5f, 0, false, &round);
     OK(thud_body_set_velocity(world, ball, (thud_vec2){6, 0}, 0));
     thud_prediction p = predicted(world, ball, 1);
     assert_int_equal(p.met.index1, 0);
@@ -175,6 +178,8 @@ static void prediction_stops_at_the_first_shape(void **state) {
     other.sensor = false;
     other.filter.mask = 0;
     add_shape(world, add_body(world, THUD_BODY_STATIC, 3, 0, 0), 0.25f, 2, true, &other);
+    other.filter = (thud_filter){.category = 4, .mask = UINT32_MAX};
+    add_shape(world, add_body(world, THUD_BODY_STATIC, 3.5, 0, 0), 0.25f, 2, true, &other);
     p = predicted(world, ball, 1);
     assert_int_equal(p.met.index1, wall.index1);
     near_to(p.position.x, 4.25, 1e-6);

@@ -7,6 +7,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { buildScene, openSession, runScene } from "../../../web/tools/scenes.mjs";
 import { MEASURED } from "../../../web/public/scenes/lab_latency/measured.js";
+import { newest } from "../../../web/public/scenes/lab_latency/line.js";
 import { METHODS, Peers, peerState } from "../../../web/public/scenes/lab_latency/peers.js";
 import { chance } from "../../../web/public/scenes/lab_latency/players.js";
 import {
@@ -48,6 +49,37 @@ for (const [steps, seed] of [[3600, 0], [900, 1]])
       );
     }
   });
+
+test("line_delays_jitters_and_loses_as_it_is_set", () => {
+  const line = { delay: 100, jitter: 0, loss: 0, seed: 4 };
+  const ages = (settings) =>
+    Array.from({ length: 2000 }, (_, i) => i + 200 - newest(i + 200, 0, 0, { ...line, ...settings }));
+  const mean = (list) => list.reduce((sum, value) => sum + value, 0) / list.length;
+  assert.ok(ages({}).every((age) => age === 6));
+  // The newest packet is lost in 30 of 100 steps, the one before it as well in 9, and so on.
+  const lossy = ages({ loss: 30 });
+  const fresh = lossy.filter((age) => age === 6).length / lossy.length;
+  assert.ok(Math.abs(fresh - 0.7) < 0.03, String(fresh));
+  assert.ok(Math.abs(mean(lossy) - 6 - 0.3 / 0.7) < 0.05, String(mean(lossy)));
+  // Of packets that are up to 10 steps later still, the newest that has come is no older than 16.
+  const jittery = ages({ jitter: 1000 / 6 });
+  assert.ok(Math.min(...jittery) === 6 && Math.max(...jittery) <= 16 && mean(jittery) > 7);
+  // What a peer has once, it keeps.
+  assert.equal(newest(300, 1, 299, line), 299);
+});
+
+test("rollbacks_follow_again_after_the_visitor_has_thrown_the_puck", async () => {
+  const { scene, close } = await buildScene(engine, "lab_latency");
+  const { world, state } = scene;
+  state.delay = 0;
+  runScene(scene, 100);
+  world.setVelocity(world.bodyAt(2), [4, -9]);
+  runScene(scene, 100, 100);
+  assert.ok(state.offs[3][200] > 0.1, `${state.offs[3][200]}`);
+  runScene(scene, 100, 200);
+  assert.equal(state.offs[3][300], 0);
+  close();
+});
 
 test("rollbacks_of_both_peers_end_where_the_truth_is_once_the_delay_has_passed", () => {
   const world = engine.createWorld(OPTIONS);
