@@ -64,10 +64,6 @@ export class Peers {
   stepped(state) {
     state.step++;
     this.#note(state);
-    if (state.step % BASES === 0) {
-      this.#base(state);
-      if (this.#strayed(state.bases[0])) this.restored(state);
-    }
     for (const peer of [0, 1]) {
       const before = state.known[peer];
       state.known[peer] = newest(state.step, peer, before, state);
@@ -79,6 +75,9 @@ export class Peers {
       state.seen[peer] = this.#look(state, peer);
     }
     this.#measure(state);
+    if (state.step % BASES > 0) return;
+    this.#base(state);
+    if (this.#strayed(state.bases[0])) this.restored(state);
   }
 
   /** After the state was restored: the same rollbacks, from a snapshot of the past. */
