@@ -142,6 +142,9 @@ export const EDIT_CALLS = {
     return told;
   },
   shapeCastRay: (s) => s.world.shapeCastRay(s.shape(), s.place(), s.vector()),
+  extrapolate: (s) => s.world.extrapolate(s.body(), s.number()),
+  predict: (s) => s.world.predict(s.body(), s.number()),
+  extrapolateAwake: (s) => s.world.extrapolateAwake(s.number()),
   containsPoint: (s) => s.world.containsPoint(s.shape(), s.place()),
   closestPointOf: (s) => s.world.closestPointOf(s.shape(), s.place()),
   boundsOf: (s) => s.world.boundsOf(s.shape()),

@@ -133,6 +133,7 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(texture),
     PLAYS(texture_get),
     PLAYS(line_texture),
+    PLAYS(prediction),
 };
 
 void session_play(fuzz_session *s) {

@@ -42,7 +42,7 @@ fuzz_operation play_ray, play_ray_all, play_cast_shape, play_cast_shape_all, pla
 fuzz_operation play_cast_circle_all, play_cast_box, play_cast_box_all, play_overlap_shape;
 fuzz_operation play_overlap_circle, play_overlap_aabb, play_overlap_obb, play_closest;
 fuzz_operation play_ray_each, play_cast_each, play_rays, play_casts, play_meets_ray;
-fuzz_operation play_shape_point, play_shape_bounds;
+fuzz_operation play_shape_point, play_shape_bounds, play_prediction;
 /* operations_movers.c: character movers and snapshots */
 fuzz_operation play_mover, play_mover_settings, play_mover_place, play_snapshot, play_restore;
 fuzz_operation play_restore_damaged;

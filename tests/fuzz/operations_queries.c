@@ -330,3 +330,46 @@ void play_shape_bounds(fuzz_session *s) {
         fuzz_fail(s, "bounds from %g %g to %g %g", box[0].x, box[0].y, box[1].x, box[1].y);
     }
 }
+
+/* ---- poses to come ---- */
+
+/* Checks where a body will be after at most `seconds`, and adds it to the digest. */
+static void check_prediction(fuzz_session *s, const thud_prediction *p, double seconds) {
+    note_bits(s, p->body.index1);
+    note_place(s, p->position);
+    note_number(s, p->angle);
+    note_vector(s, p->velocity);
+    note_number(s, (double)p->angular_velocity);
+    note_number(s, p->seconds);
+    note_bits(s, p->met.index1);
+    bool met = p->met.index1 > 0;
+    if (!(p->seconds >= 0 && p->seconds <= seconds) || (!met && p->seconds < seconds) ||
+        (met && !COUNTED(thud_shape_is_valid(s->world, p->met)))) {
+        fuzz_fail(s, "%s: after %g of %g s it meets %u", s->calls[s->depth].text, p->seconds,
+                  seconds, p->met.index1);
+    }
+}
+
+void play_prediction(fuzz_session *s) {
+    thud_body_id bodies[2] = {pick_body(s), pick_body(s)};
+    unsigned byte = next_byte(&s->bytes);
+    double seconds = byte == 255 ? NAN : (byte - 4) / 16.0;
+    int count = byte % 16 == 15 ? -1 : (int)(byte % 3), all = -7;
+    thud_prediction free[2], stopped[2], awake[ROOM];
+    memset(free, CALL_FILL, sizeof free);
+    memset(stopped, CALL_FILL, sizeof stopped);
+    TRY(s, thud_world_extrapolate(s->world, bodies, count, seconds, free));
+    thud_result result = s->result;
+    TRY(s, thud_world_predict(s->world, bodies, count, seconds, stopped));
+    for (int i = 0; i < count && s->result == THUD_OK && result == THUD_OK; i++) {
+        check_prediction(s, &free[i], seconds);
+        check_prediction(s, &stopped[i], seconds);
+    }
+    if (s->result != THUD_OK) {
+        call_untouched(s, stopped, sizeof stopped);
+    }
+    TRY(s, thud_world_extrapolate_awake(s->world, seconds, awake, byte & 1 ? ROOM : 0, &all));
+    for (int i = 0; i < all && i < (byte & 1 ? ROOM : 0) && s->result == THUD_OK; i++) {
+        check_prediction(s, &awake[i], seconds);
+    }
+}

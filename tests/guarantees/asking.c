@@ -4,7 +4,9 @@
 #include "guarantee.h"
 
 #include <thud/thud_casts.h>
+#include <thud/thud_edits.h>
 #include <thud/thud_mover.h>
+#include <thud/thud_prediction.h>
 
 enum { FOUND = 14 };
 
@@ -318,10 +320,52 @@ static void movers_enter_nothing(trial *t) {
     }
 }
 
+/* How far a flight of a second may end from where it was told to, length scales: single precision
+ * rounds a speed of 16 by 5e-7 in each step. Chosen. */
+#define FLIGHT_TOLERANCE 1e-4
+
+static void free_flight_goes_where_it_is_told(trial *t) {
+    thud_world *world = trial_make(t, trial_def(t));
+    if (!world) {
+        return;
+    }
+    form f = (form)trial_pick(t, FORMS);
+    thud_body_id body = trial_add(t, world,
+                                  (part){.kind = THUD_BODY_DYNAMIC,
+                                         .form = f,
+                                         .x = trial_draw(t, -4, 4),
+                                         .y = trial_draw(t, -4, 4),
+                                         .hx = 0.4,
+                                         .hy = 0.3,
+                                         .vx = trial_draw(t, -5, 5),
+                                         .vy = trial_draw(t, 0, 8)});
+    DO(t, thud_body_set_damping(world, body, (float)trial_draw(t, 0, 3), 1));
+    for (int k = 0; k < 3 && !trial_failed(t); k++) {
+        int steps = trial_steps(t, 0.33);
+        thud_prediction told = {.seconds = -1}, stopped = {.seconds = -1};
+        DO(t, thud_world_extrapolate(world, &body, 1, steps * t->step, &told));
+        DO(t, thud_world_predict(world, &body, 1, steps * t->step, &stopped));
+        trial_run(t, world, steps);
+        thud_body_state state;
+        DO(t, thud_body_get_state(world, body, &state));
+        double dx = state.position.x - told.position.x, dy = state.position.y - told.position.y;
+        if (!(hypot(dx, dy) <= FLIGHT_TOLERANCE * t->scale) ||
+            !(cos(state.angle - told.angle) > 1 - 1e-8)) {
+            trial_fault(t, "after %d steps it is off by %g, %g", steps, dx / t->scale,
+                        dy / t->scale);
+        }
+        if (stopped.met.index1 || stopped.position.x != told.position.x ||
+            stopped.position.y != told.position.y) {
+            trial_fault(t, "after %d steps it stops though it meets nothing", steps);
+        }
+    }
+}
+
 const guarantee guarantees_of_asking[] = {
     GUARANTEE(casts_hit_by_hit_tell_what_all_do),
     GUARANTEE(casts_stop_at_the_first),
     GUARANTEE(closest_is_the_closest),
+    GUARANTEE(free_flight_goes_where_it_is_told),
     GUARANTEE(movers_enter_nothing),
     GUARANTEE(overlaps_find_all),
     GUARANTEE(rays_hit_the_nearest),

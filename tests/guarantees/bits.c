@@ -10,6 +10,7 @@
 #include <thud/thud_casts.h>
 #include <thud/thud_draw.h>
 #include <thud/thud_joint.h>
+#include <thud/thud_prediction.h>
 #include <thud/thud_queries.h>
 #include <thud/thud_snapshot.h>
 #include <thud/thud_testing.h>
@@ -231,6 +232,7 @@ static void read_world(yard *y) {
     trial *t = y->t;
     double limit;
     thud_ray_hit hits[4];
+    thud_prediction ahead[4];
     int count;
     thud_debug_draw draw = {.flags = ~0u, .line = draw_nothing};
     uint64_t told = yard_told(y);
@@ -241,6 +243,8 @@ static void read_world(yard *y) {
                                hits, 4, &count));
     DO(t, thud_world_overlap_shape(y->world, trial_place(t, 0, 2),
                                    thud_circle_at(0, 0, 2 * t->scale), NULL, visit_shape, NULL));
+    DO(t, thud_world_extrapolate_awake(y->world, 0.3, ahead, 4, &count));
+    DO(t, thud_world_predict(y->world, y->body, 2, 0.3, ahead));
     DO(t, thud_world_get_bisection_limit(y->world, &limit));
     DO(t, thud_world_draw(y->world, &draw));
     read_bodies(y);

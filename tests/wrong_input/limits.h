@@ -37,6 +37,12 @@
          thud_world_set_time_step(p->world, x))                                                   \
     CALL(thud_world_set_max_error, max_error, 0, THUD_MAX_ERROR_MAX,                              \
          thud_world_set_max_error(p->world, x))                                                   \
+    CALL(thud_world_extrapolate, seconds, 0, THUD_AHEAD_MAX,                                      \
+         thud_world_extrapolate(p->world, &p->ball, 1, x, &(thud_prediction){0}))                 \
+    CALL(thud_world_extrapolate_awake, seconds, 0, THUD_AHEAD_MAX,                                \
+         thud_world_extrapolate_awake(p->world, x, NULL, 0, &(int){0}))                           \
+    CALL(thud_world_predict, seconds, 0, THUD_AHEAD_MAX,                                          \
+         thud_world_predict(p->world, &p->ball, 1, x, &(thud_prediction){0}))                     \
     CALL(thud_world_advance, elapsed, 0, THUD_ADVANCE_MAX,                                        \
          thud_world_advance(p->world, x, 1, NULL, NULL))
 

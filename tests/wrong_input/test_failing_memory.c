@@ -7,6 +7,7 @@
 #include "hostile_memory.h"
 
 #include <thud/thud_casts.h>
+#include <thud/thud_prediction.h>
 #include <thud/thud_draw.h>
 #include <thud/thud_fields.h>
 #include <thud/thud_make.h>
@@ -174,6 +175,11 @@ static thud_result cast_each(village *v) {
                                     look_again, v);
 }
 
+static thud_result predict(village *v) {
+    thud_prediction out;
+    return thud_world_predict(v->world, &v->ball, 1, 1, &out);
+}
+
 static thud_result cast_rays(village *v) {
     const thud_ray rays[2] = {{{-20, 0.5}, 60, 0, NULL}, {{-60, 20}, 60, 0, NULL}};
     thud_ray_hit hits[2] = {{.fraction = 9}};
@@ -262,6 +268,7 @@ static const call calls[] = {
     {"volume", volume, 1},
     {"cast ray, each", cast_each, 1},
     {"cast rays", cast_rays, 1},
+    {"predict", predict, 1},
     {"bounds", bounds, 1},
     {"explode", explode, 2},
     {"roll", roll, 1},

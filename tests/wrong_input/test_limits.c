@@ -8,6 +8,8 @@
 
 #include <string.h>
 
+#include <thud/thud_prediction.h>
+
 typedef struct row row;
 typedef thud_result try_fn(place *p, const row *r, double x);
 

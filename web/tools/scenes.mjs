@@ -41,6 +41,7 @@ export function readText(file) {
 const loaders = {
   loadReader: () => import("../package/dist/level.js"),
   loadGeometry: () => import("../package/dist/geometry/index.js"),
+  loadRollback: async () => (await import("../package/dist/node.js")).Rollback,
 };
 
 const loadMover = async () => (await import("../package/dist/node.js")).Mover;

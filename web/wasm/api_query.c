@@ -4,6 +4,7 @@
 #include "api.h"
 
 #include <thud/thud_casts.h>
+#include <thud/thud_prediction.h>
 
 /* Hits for which api_cast_all has room at first. Chosen: more hits only cost a second cast. */
 enum { ROOM = 64 };
@@ -246,4 +247,58 @@ int api_shape_bounds(thud_world *world, uint32_t index1, uint32_t generation) {
         thud_shape_get_bounds(world, api_shape(index1, generation), &lower, &upper);
     api_slots.bounds = (struct bounds){{lower.x, lower.y}, {upper.x, upper.y}};
     return result;
+}
+
+/* ---- poses to come ---- */
+
+static api_buffer predictions, poses_ahead;
+
+/* Slots out: prediction. Returns `result`. */
+static int tell_prediction(thud_result result, const thud_prediction *p) {
+    if (result == THUD_OK)
+        api_slots.prediction = (struct prediction){.position = {p->position.x, p->position.y},
+                                                   .angle = p->angle,
+                                                   .velocity = {p->velocity.x, p->velocity.y},
+                                                   .angular_velocity = p->angular_velocity,
+                                                   .seconds = p->seconds,
+                                                   .met = {p->met.index1, p->met.generation}};
+    return result;
+}
+
+/* Slots out: prediction; also in the next. */
+int api_body_extrapolate(const thud_world *world, uint32_t index1, uint32_t generation,
+                         double seconds) {
+    thud_prediction p;
+    thud_body_id body = api_body(index1, generation);
+    return tell_prediction(thud_world_extrapolate(world, &body, 1, seconds, &p), &p);
+}
+
+int api_body_predict(thud_world *world, uint32_t index1, uint32_t generation, double seconds) {
+    thud_prediction p;
+    thud_body_id body = api_body(index1, generation);
+    return tell_prediction(thud_world_predict(world, &body, 1, seconds, &p), &p);
+}
+
+/* Slots out: list, with rows of pose_ahead. */
+int api_world_extrapolate_awake(const thud_world *world, double seconds) {
+    int count = 0;
+    thud_result result = thud_world_extrapolate_awake(world, seconds, NULL, 0, &count);
+    api_buffer_clear(&predictions);
+    api_buffer_clear(&poses_ahead);
+    for (int i = 0; i < count && result == THUD_OK; i++)
+        api_buffer_push(&predictions, &(thud_prediction){0}, sizeof(thud_prediction));
+    if (result == THUD_OK)
+        result = api_buffer_result(&predictions);
+    thud_prediction *list = (thud_prediction *)predictions.data;
+    if (result == THUD_OK)
+        result = thud_world_extrapolate_awake(world, seconds, list, count, &count);
+    for (int i = 0; i < count && result == THUD_OK; i++) {
+        struct pose_ahead row = {.slot = list[i].body.index1 - 1,
+                                 .position = {list[i].position.x, list[i].position.y},
+                                 .angle = list[i].angle};
+        api_buffer_push(&poses_ahead, &row, sizeof row);
+    }
+    api_slots.list.address = (double)(uintptr_t)poses_ahead.data;
+    api_slots.list.count = count;
+    return result != THUD_OK ? result : api_buffer_result(&poses_ahead);
 }

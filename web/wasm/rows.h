@@ -59,6 +59,11 @@ struct shape_handles {
     uint32_t shape[2], body[2];
 };
 
+/* Where the body of a slot will be. */
+struct pose_ahead {
+    double slot, position[2], angle;
+};
+
 /* A joint for drawing. Slots are those of the bodies. Anchors are in the bodies' frames, the axis
  * (cosine and sine) in that of a; the places of the anchors, the direction of the axis and the
  * centres of mass are in the world. Arrays of three: along, across, turn. Limits are equal where a

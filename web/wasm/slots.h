@@ -132,6 +132,11 @@ struct motion {
     double velocity[2], angular_velocity;
 };
 
+/* As thud_prediction; `met` is 0, 0 where nothing is met. */
+struct prediction {
+    double position[2], angle, velocity[2], angular_velocity, seconds, met[2];
+};
+
 struct pair {
     struct pair_side a, b;
 };
@@ -330,6 +335,7 @@ union api_slots {
     struct place place;
     struct rotation rotation;
     struct motion motion;
+    struct prediction prediction;
     struct pair pair;
     struct explosion_options explosion_options;
     struct water_options water_options;

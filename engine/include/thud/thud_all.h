@@ -23,6 +23,7 @@
 #include "thud_math.h"
 #include "thud_minkowski.h"
 #include "thud_mover.h"
+#include "thud_prediction.h"
 #include "thud_quality.h"
 #include "thud_queries.h"
 #include "thud_reads.h"

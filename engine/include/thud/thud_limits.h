@@ -12,6 +12,7 @@
 #define THUD_LENGTH_SCALE_MAX 1e6f
 #define THUD_TIME_STEP_MAX 1.0   /* s */
 #define THUD_ADVANCE_MAX 1e9     /* s, `elapsed` of thud_world_advance */
+#define THUD_AHEAD_MAX 60.0      /* s, how far ahead a pose is extrapolated or predicted */
 #define THUD_TIME_BUDGET_MAX 1.0 /* s */
 #define THUD_MAX_ERROR_MAX 1e9   /* length */
 #define THUD_SPEED_MAX 1e6f      /* length scales a second, of the speeds in a world def */

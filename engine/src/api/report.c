@@ -65,7 +65,7 @@ thud_result thud_world_get_poses(thud_world *w, thud_pos origin, double alpha,
             x -= back * delta[0];
             y -= back * delta[1];
             if (delta[2] != 0.0f) {
-                td_angle_turn(pose->angle - td_angle_between(back * delta[2]), &c, &s);
+                td_angle_turn(pose->angle - td_angle_between((double)(back * delta[2])), &c, &s);
             }
         }
         poses[i.at] = (thud_pose){x - (c * body->center_x - s * body->center_y),

@@ -31,8 +31,8 @@ static inline uint32_t td_angle_from(double radians) {
 }
 
 /* The difference of angles for a rotation in radians, which may be several full turns. */
-static inline uint32_t td_angle_between(float radians) {
-    double quanta = (double)radians * (1.0 / TD_RADIANS_A_QUANTUM);
+static inline uint32_t td_angle_between(double radians) {
+    double quanta = radians * (1.0 / TD_RADIANS_A_QUANTUM);
     double turns = (double)(int64_t)(quanta * (1.0 / TD_TURN));
     return (uint32_t)td_round_increment(quanta - turns * TD_TURN);
 }

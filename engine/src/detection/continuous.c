@@ -253,7 +253,7 @@ static td_pose start_pose(const thud_world *w, td_awake_slot slot) {
     const float *delta = td_row(&w->delta, slot);
     pose.center.x -= td_length_from(w, delta[0]);
     pose.center.y -= td_length_from(w, delta[1]);
-    pose.angle -= td_angle_between(delta[2]);
+    pose.angle -= td_angle_between((double)delta[2]);
     return pose;
 }
 
@@ -273,7 +273,7 @@ void td_hold_at(thud_world *w, td_awake_slot slot, double time) {
     }
     pose.center.x += td_length_from(w, delta[0]);
     pose.center.y += td_length_from(w, delta[1]);
-    pose.angle += td_angle_between(delta[2]);
+    pose.angle += td_angle_between((double)delta[2]);
     td_angle_turn(pose.angle, &pose.c, &pose.s);
     *td_pose_at(w, body) = pose;
     td_held_count(w, slot, time);

@@ -240,7 +240,7 @@ static void begin_trajectory(thud_world *w, td_awake_slot slot) {
     *td_trajectory_at(w, slot) =
         (td_trajectory){.place = {pose->center.x - td_length_from(w, delta[0]),
                                   pose->center.y - td_length_from(w, delta[1])},
-                        .angle = pose->angle - td_angle_between(delta[2]),
+                        .angle = pose->angle - td_angle_between((double)delta[2]),
                         .body = index,
                         .extras = TD_NONE,
                         .escaped = TD_NONE,
@@ -261,7 +261,7 @@ static bool end_trajectory(thud_world *w, td_awake_slot slot) {
     float *delta = td_row(&w->delta, slot);
     td_position start = {pose->center.x - td_length_from(w, delta[0]),
                          pose->center.y - td_length_from(w, delta[1])};
-    uint32_t angle = pose->angle - td_angle_between(delta[2]);
+    uint32_t angle = pose->angle - td_angle_between((double)delta[2]);
     td_trajectory_advance(w, f, 1.0);
     pose->center = f->place;
     pose->angle = f->angle;

@@ -45,7 +45,7 @@ static td_trajectory trajectory_at(const thud_world *w, td_body_index body, doub
         const float *delta = td_row(&w->delta, slot);
         trajectory.place.x -= td_length_from(w, delta[0]);
         trajectory.place.y -= td_length_from(w, delta[1]);
-        trajectory.angle -= td_angle_between(delta[2]);
+        trajectory.angle -= td_angle_between((double)delta[2]);
         for (int k = 0; k < 3; k++) {
             trajectory.motion[k] = (double)delta[k];
         }

@@ -58,7 +58,7 @@ static void move(thud_world *w, td_body_index index, const float *delta) {
     pose->center.x += td_length_from(w, delta[0]);
     pose->center.y += td_length_from(w, delta[1]);
     if (delta[2] != 0.0f) {
-        pose->angle += td_angle_between(delta[2]);
+        pose->angle += td_angle_between((double)delta[2]);
         td_angle_turn(pose->angle, &pose->c, &pose->s);
     }
 }

@@ -223,13 +223,16 @@ void td_body_weigh(thud_world *w, td_body_index index) {
 
 /* ---- reading ---- */
 
-td_position td_body_origin(const thud_world *w, td_body_index index) {
+td_position td_origin_at(const thud_world *w, td_body_index index, const td_pose *pose) {
     const td_body *body = td_body_at(w, index);
-    const td_pose *pose = td_pose_at(w, index);
     float x = pose->c * body->center_x - pose->s * body->center_y;
     float y = pose->s * body->center_x + pose->c * body->center_y;
     return (td_position){pose->center.x - td_length_from(w, x),
                          pose->center.y - td_length_from(w, y)};
+}
+
+td_position td_body_origin(const thud_world *w, td_body_index index) {
+    return td_origin_at(w, index, td_pose_at(w, index));
 }
 
 thud_result thud_body_get_state(const thud_world *w, thud_body_id id, thud_body_state *out) {

@@ -25,7 +25,9 @@ void td_wake_all(thud_world *w);
  * from the body's present shapes. */
 void td_body_weigh(thud_world *w, td_body_index body);
 
-/* The position of the body's origin, computed from its centre of mass. */
+/* The position of the body's origin, computed from its centre of mass; and where it would be at
+ * another pose of the body. */
+td_position td_origin_at(const thud_world *w, td_body_index body, const td_pose *pose);
 td_position td_body_origin(const thud_world *w, td_body_index body);
 
 /* Updates the proxies of the body's shapes from its pose: td_shape_place. */

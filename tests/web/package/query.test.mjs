@@ -246,3 +246,50 @@ test("flat_terrain_has_no_bounds_and_a_line_has", () => {
   const line = world.createTerrain(world.createBody({ position: [1, 0] }), { kind: "irregular", points });
   assert.deepEqual(world.boundsOf(line), { lower: [-1, -1], upper: [5, 3] });
 });
+
+test("free_flight_is_told_ahead_and_steps_lead_there", () => {
+  const world = engine.createWorld({ gravity: [0, -10], sleeping: false });
+  const ball = { shapes: [{ kind: "obb", halfWidth: 0.5, halfHeight: 0.2 }] };
+  const options = { kind: "dynamic", position: [1, 2], velocity: [3, 8], angularVelocity: 2, ...ball };
+  const free = world.createBody(options);
+  const damped = world.createBody({ ...options, position: [90, 2], linearDamping: 0.5, angularDamping: 2 });
+  world.createBody();
+  const before = world.hash();
+  const { position, angle, velocity, angularVelocity, seconds, met } = world.extrapolate(free, 0.5);
+  near(position[0], 2.5, 1e-6, "x");
+  near(position[1], 2 + 4 - 1.25, 1e-6, "y");
+  near(angle, 1, 1e-6, "angle");
+  assert.deepEqual([velocity, angularVelocity, seconds, met], [[3, 3], 2, 0.5, null]);
+  const left = Math.exp(-0.25), speed = (1 - left) / 0.5;
+  near(world.extrapolate(damped, 0.5).position[0], 90 + 3 * speed, 1e-6, "damped x");
+  near(world.extrapolate(damped, 0.5).angularVelocity, 2 * Math.exp(-1), 1e-6, "damped spin");
+  const all = world.extrapolateAwake(0.5);
+  assert.equal(all.length, 8);
+  assert.deepEqual([...all.subarray(0, 4)], [free.index, ...position, angle]);
+  assert.equal(all[4], damped.index);
+  assert.equal(world.hash(), before);
+  for (let i = 0; i < 30; i++) world.step();
+  for (const [at, body] of [free, damped].entries()) {
+    const { position: there, angle: turned } = world.bodyStateOf(body);
+    near(there[0], all[4 * at + 1], 1e-5, "stepped x");
+    near(there[1], all[4 * at + 2], 1e-5, "stepped y");
+    near(turned, all[4 * at + 3], 1e-5, "stepped angle");
+  }
+  assert.equal(engine.createWorld().extrapolateAwake(1).length, 0);
+});
+
+test("prediction_stops_at_what_is_met_first", () => {
+  const { world, boxes } = boxesInARow();
+  const shapes = [{ kind: "circle", radius: 0.5 }];
+  const ball = world.createBody({ kind: "dynamic", position: [-5, 5], velocity: [7, 0], shapes });
+  const { position, met, seconds, velocity } = world.predict(ball, 2);
+  near(position[0], -1.5, 1e-6, "x");
+  near(seconds, 0.5, 1e-6, "seconds");
+  assert.deepEqual([met, velocity], [boxes[0], [7, 0]]);
+  assert.equal(world.predict(ball, 0.4).met, null);
+  near(world.extrapolate(ball, 2).position[0], 9, 1e-6, "x without stop");
+  const refused = { code: "invalid", message: /^predict: seconds must be from 0 to 60: -1/ };
+  assert.throws(() => world.predict(ball, -1), refused);
+  world.destroy(ball);
+  assert.throws(() => world.extrapolate(ball, 1), { code: "stale" });
+});

@@ -71,6 +71,21 @@ export interface ClosestHit {
   distance: number;
 }
 
+/** A body some time ahead, in free flight. */
+export interface Prediction {
+  position: Vec2;
+  /** Radians, above -π and at most π. */
+  angle: number;
+  /** The velocity of the centre of mass, length/s. */
+  velocity: Vec2;
+  /** Radians/s. */
+  angularVelocity: number;
+  /** How far ahead this is, s: all that was asked, or the time at which it meets `met`. */
+  seconds: number;
+  /** The shape that it meets, with `predict`; null: none. */
+  met: ShapeId | null;
+}
+
 /** The options of a mover. Lengths are in the caller's unit, without regard to the length scale. */
 export interface MoverOptions {
   shape: SolidShape;

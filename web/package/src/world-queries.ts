@@ -1,7 +1,8 @@
 /**
- * The layer of World with queries: rays, shape casts, the closest shape, overlaps. A query sees all
- * changes made before it, except those made inside callbacks. Places and the ends of casts lie
- * within 10⁹ length scales of the origin. thud_queries.h and thud_casts.h describe queries in full.
+ * The layer of World with queries: rays, shape casts, the closest shape, overlaps, and poses to
+ * come. A query sees all changes made before it, except those made inside callbacks. Places and the
+ * ends of casts lie within 10⁹ length scales of the origin. thud_queries.h, thud_casts.h and
+ * thud_prediction.h describe queries in full.
  */
 import type { Engine } from "./engine.js";
 import {
@@ -10,6 +11,8 @@ import {
   FirstHitAt,
   ListAt,
   NumberAt,
+  PoseAheadAt,
+  PredictionAt,
   RayHitAt,
 } from "./generated/slots.js";
 import { checkOptions } from "./checks/names.js";
@@ -28,12 +31,13 @@ import type {
   CastListener,
   ClosestHit,
   OverlapQuery,
+  Prediction,
   QueryFilter,
   RayHit,
   SolidShape,
 } from "./query-types.js";
 import { Kind, numberOfPair } from "./plain/handles.js";
-import type { ShapeId, ShapeRef, Vec2, Into } from "./types.js";
+import type { BodyRef, ShapeId, ShapeRef, Vec2, Into } from "./types.js";
 import { WorldBase } from "./world-base.js";
 
 /** The numbers of the default filter. */
@@ -267,6 +271,46 @@ export class WorldQueries extends WorldBase {
     return { lower: vecAt(s, BoundsAt.lower), upper: vecAt(s, BoundsAt.upper) };
   }
 
+  // ---- poses to come ----
+
+  /**
+   * Where a body will be in `seconds` (0 to 60) if nothing touches it: on the parabola of gravity, or
+   * the curve of its damping, in closed form. Steps without contacts lead there, too. A body that is
+   * static, asleep or disabled stays. Allowed inside callbacks. thud_prediction.h has the equations.
+   * @throws {ThudError} "invalid", "stale".
+   * @example world.extrapolate(ball, 0.1).position
+   */
+  extrapolate(body: BodyRef, seconds: number): Prediction {
+    this.on(Kind.body, "api_body_extrapolate", body, seconds);
+    return readPrediction(this.engine.slots);
+  }
+
+  /**
+   * As `extrapolate`, but the body stops where it first meets another shape, all of which stand where
+   * they are now. What lies on another shape, and would go on into it, stops at once.
+   * @throws {ThudError} "invalid", "stale"; "memory".
+   * @example world.predict(ball, 0.1).met
+   */
+  predict(body: BodyRef, seconds: number): Prediction {
+    this.on(Kind.body, "api_body_predict", body, seconds);
+    return readPrediction(this.engine.slots);
+  }
+
+  /**
+   * Where all awake bodies will be in `seconds` (0 to 60), as by `extrapolate`: four numbers a body,
+   * its slot, x, y and angle, in the order of slots. The list is a copy.
+   * @throws {ThudError} "invalid"; "memory".
+   * @example const ahead = world.extrapolateAwake(0.1)
+   */
+  extrapolateAwake(seconds: number): Float64Array {
+    this.onWorld("api_world_extrapolate_awake", seconds);
+    const { buffer, slots: s } = this.engine;
+    const numbers = s[ListAt.count] * PoseAheadAt.length;
+    return numbers === 0
+      ? new Float64Array(0)
+      : new Float64Array(buffer, s[ListAt.address], numbers).slice();
+  }
+
   /** Writes the default filter to the slots, and returns the engine. */
   #askedAll(): Engine {
     for (let i = 0; i < EVERYTHING.length; i++) this.engine.slots[i] = EVERYTHING[i];
@@ -333,6 +377,18 @@ function readClosest(s: Float64Array): ClosestHit {
     point: vecAt(s, ClosestHitAt.point),
     normal: vecAt(s, ClosestHitAt.normal),
     distance: s[ClosestHitAt.distance],
+  };
+}
+
+function readPrediction(s: Float64Array): Prediction {
+  const met = PredictionAt.met;
+  return {
+    position: vecAt(s, PredictionAt.position),
+    angle: s[PredictionAt.angle],
+    velocity: vecAt(s, PredictionAt.velocity),
+    angularVelocity: s[PredictionAt.angularVelocity],
+    seconds: s[PredictionAt.seconds],
+    met: s[met] === 0 ? null : shapeAt(s, met),
   };
 }
 

@@ -7,7 +7,7 @@
  * The comments of SceneSetting, Scene, Input, Paint and the marks are shown to visitors who edit a
  * scene (tools/code-names.mjs).
  */
-import type { Engine, Mover, MoverOptions, Vec2, World, WorldOptions } from "thud";
+import type { Engine, Mover, MoverOptions, Rollback, Vec2, World, WorldOptions } from "thud";
 import type * as geometry from "thud/geometry";
 import type { Level, readLevel } from "thud/level";
 import type { Control, Readings } from "./controls";
@@ -99,6 +99,11 @@ export interface SceneSetting {
    * @example const { closest } = await loadGeometry(); closest(thud, a, b)
    */
   loadGeometry(): Promise<typeof geometry>;
+  /**
+   * Loads the class Rollback, by which peers of a networked game run steps again as inputs arrive.
+   * @example const Rollback = await loadRollback(); new Rollback(world, { idle: [0, 0], step })
+   */
+  loadRollback(): Promise<typeof Rollback>;
   /**
    * The engine itself. Worlds that it creates do not have the visitor's choices.
    * @example thud.createWorld()

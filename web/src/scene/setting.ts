@@ -2,7 +2,7 @@
  * Creates what a scene's function is given. It is the same in the worker and in Node.js (tests,
  * thumbnails).
  */
-import type { Engine, Mover, WorldOptions } from "thud";
+import type { Engine, Mover, Rollback, WorldOptions } from "thud";
 import type * as geometry from "thud/geometry";
 import type * as level from "thud/level";
 import { random } from "./random";
@@ -23,6 +23,8 @@ export interface SettingOptions {
   mover?: typeof Mover;
   /** Loads the functions for two shapes, when a scene first needs them. */
   loadGeometry?(): Promise<typeof geometry>;
+  /** Loads the class Rollback, when a scene first needs it. */
+  loadRollback?(): Promise<typeof Rollback>;
 }
 
 export function createSetting(
@@ -36,6 +38,7 @@ export function createSetting(
     mover,
     loadReader = () => import("thud/level"),
     loadGeometry = () => import("thud/geometry"),
+    loadRollback = () => import("thud").then(({ Rollback }) => Rollback),
   }: SettingOptions,
 ): SceneSetting {
   let reader: typeof level | undefined;
@@ -56,6 +59,7 @@ export function createSetting(
     },
     readText,
     loadGeometry,
+    loadRollback,
     size: sizeOf(module, size),
     seed,
     random,

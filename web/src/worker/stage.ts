@@ -27,7 +27,7 @@ export function optionsOf(choices: Choices): WorldOptions {
 }
 
 /** Imports that tests replace; by default those of createSetting, and bringMover. */
-interface Loaders extends Pick<SettingOptions, "loadReader" | "loadGeometry"> {
+interface Loaders extends Pick<SettingOptions, "loadReader" | "loadGeometry" | "loadRollback"> {
   loadMover?(): Promise<typeof Mover | undefined>;
 }
 

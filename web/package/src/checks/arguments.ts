@@ -30,6 +30,8 @@ const OFFSET = { least: -16384, most: 16384, pair: true, scaled: true };
 const PUSHES = { ...PUSH, pair: true };
 /** x or y of a place in the world, or a height. */
 const COORDINATE = { ...PLACE, pair: false };
+/** How far ahead a pose is asked for, s (THUD_AHEAD_MAX). */
+const AHEAD = { least: 0, most: 60 };
 const COUNT = { ...POSITIVE, least: 1 };
 /** The length of a distance joint, length scales (THUD_JOINT_LENGTH_MAX). */
 const LENGTH = { least: 0, most: 1e6, above: true, scaled: true };
@@ -57,6 +59,9 @@ export const ARGUMENTS: Readonly<Record<string, readonly [method: string, ranges
   api_place_foot: ["placeFoot", { x: COORDINATE, width: POSITIVE }],
   api_shape_cast_ray: ["shapeCastRay", { origin: PLACE, translation: WAY }],
   api_shape_contains_point: ["containsPoint", { point: PLACE }],
+  api_body_extrapolate: ["extrapolate", { seconds: AHEAD }],
+  api_body_predict: ["predict", { seconds: AHEAD }],
+  api_world_extrapolate_awake: ["extrapolateAwake", { seconds: AHEAD }],
   api_shape_closest_point: ["closestPointOf", { point: PLACE }],
   api_body_set_transform: ["setTransform", { position: PLACE, angle: ANGLE }],
   api_body_set_velocity: ["setVelocity", { velocity: VECTOR, angularVelocity: ANY }],
