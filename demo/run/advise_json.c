@@ -1,0 +1,74 @@
+/* advise_json.c: prints an advice as one JSON object. */
+#include "advise.h"
+
+#include "choices.h"
+
+#include <cjson/cJSON.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+
+static cJSON *command_of(const run_options *how) {
+    char command[RUN_COMMAND_MAX];
+    run_command(how, command);
+    return cJSON_CreateString(command);
+}
+
+static cJSON *finite_or_null(double value) {
+    return isfinite(value) ? cJSON_CreateNumber(value) : cJSON_CreateNull();
+}
+
+static cJSON *setting_of(const advise_setting *setting) {
+    const run_options *how = &setting->how;
+    const run_outcome *o = &setting->outcome;
+    char hash[17], name[ADVISE_NAME_MAX];
+    snprintf(hash, sizeof hash, "%016" PRIx64, o->hash);
+    advise_name(how, name);
+    cJSON *json = cJSON_CreateObject();
+    cJSON_AddStringToObject(json, "name", name);
+    cJSON_AddStringToObject(json, "quality", QUALITIES[how->quality]->name);
+    cJSON_AddStringToObject(json, "detection", DETECTIONS[how->detection].name);
+    cJSON_AddStringToObject(json, "broadphase", BROADPHASES[how->broadphase].name);
+    cJSON_AddNumberToObject(json, "substeps", how->substeps);
+    cJSON_AddItemToObject(json, "error", finite_or_null(setting->error));
+    cJSON_AddNumberToObject(json, "penetration_max", o->penetration_max);
+    cJSON_AddNumberToObject(json, "joint_gap_max", o->worst.joint_gap_max);
+    cJSON_AddNumberToObject(json, "passed", (double)o->passed);
+    cJSON_AddNumberToObject(json, "quarantined", (double)o->quarantined);
+    cJSON_AddNumberToObject(json, "ms", setting->ms);
+    cJSON_AddNumberToObject(json, "ms_max", setting->ms_max);
+    cJSON_AddNumberToObject(json, "runs", setting->runs);
+    cJSON_AddBoolToObject(json, "meets", advise_meets(setting));
+    cJSON_AddNumberToObject(json, "bytes", (double)o->stats.bytes);
+    cJSON_AddStringToObject(json, "hash", hash);
+    cJSON_AddItemToObject(json, "command", command_of(how));
+    return json;
+}
+
+bool advise_print_json(const advice *a) {
+    const advise_series *series = &a->series;
+    cJSON *json = cJSON_CreateObject();
+    cJSON_AddStringToObject(json, "scene", a->scene->name);
+    cJSON_AddNumberToObject(json, "steps", (double)a->options->steps);
+    cJSON_AddNumberToObject(json, "bodies", a->scene->body_count);
+    cJSON_AddNumberToObject(json, "length_scale", a->scene->length_scale);
+    cJSON_AddNumberToObject(json, "max_error", a->options->max_error);
+    cJSON_AddItemToObject(json, "budget_ms", finite_or_null(a->options->budget));
+    cJSON *settings = cJSON_AddArrayToObject(json, "settings");
+    for (int i = 0; i < series->count; i++)
+        cJSON_AddItemToArray(settings, setting_of(&series->settings[i]));
+    cJSON_AddNumberToObject(json, "now", series->now);
+    cJSON_AddItemToObject(json, "advised",
+                          series->advised < 0 ? cJSON_CreateNull()
+                                              : cJSON_CreateNumber(series->advised));
+    cJSON *last = cJSON_AddNumberToObject(json, "nearest", series->nearest);
+    char *text = last ? cJSON_Print(json) : NULL;
+    cJSON_Delete(json);
+    if (!text) {
+        fprintf(stderr, "thud-run: out of memory\n");
+        return false;
+    }
+    puts(text);
+    cJSON_free(text);
+    return true;
+}

@@ -1,0 +1,177 @@
+#!/usr/bin/env python3
+"""Tests of thud-run --advise: that the advice, taken, does what it says.
+
+Usage: python3 test_advise.py PATH_OF_THUD_RUN, in the root of the project.
+"""
+
+import json
+import os
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+THUD_RUN = os.path.abspath(sys.argv.pop(1))
+LEVEL = "assets/levels/towers.tmj"
+STEPS = "12"
+# How much longer than advised a step may take when the advice is taken. Other programs run on the
+# machine meanwhile; the shortest of several runs is compared.
+SLOWER, TRIES = 3, 5
+# At its smallest size the valley under the bridge has no ground line.
+SMALLEST = {"bridge": 10}
+
+
+def run(*arguments, code=0):
+    done = subprocess.run([THUD_RUN, *arguments], capture_output=True, text=True, timeout=120)
+    assert done.returncode == code, (arguments, done.returncode, done.stderr)
+    return done
+
+
+def advice(*arguments):
+    return json.loads(run(*arguments, "--advise", "--json").stdout)
+
+
+def repeat(command):
+    """What a printed command measures."""
+    program, *arguments = shlex.split(command)
+    assert program == "thud-run", command
+    return json.loads(run(*arguments, "--json").stdout)
+
+
+def scenes():
+    """Each built-in scene with its smallest size."""
+    lines = run("--list").stdout.splitlines()
+    for name, size in zip(lines[::2], lines[1::2]):
+        name = name.split()[0]
+        yield name, SMALLEST.get(name, int(re.search(r", (\d+) to ", size).group(1)))
+
+
+def error_of(result, length_scale):
+    """The error of a run by what thud-run tells of it."""
+    if result["passed"] or result["quarantined"]:
+        return None
+    worst = max(result["penetration_max"], result["worst_step_error"]["joint_gap_max"], 0)
+    return worst / length_scale
+
+
+class Advice(unittest.TestCase):
+    def check_setting(self, told, setting):
+        """Runs the setting's command and compares."""
+        found = repeat(setting["command"])
+        for field in ("hash", "penetration_max", "passed", "quarantined", "bytes"):
+            self.assertEqual(found[field], setting[field], setting["command"])
+        self.assertEqual(found["worst_step_error"]["joint_gap_max"], setting["joint_gap_max"])
+        self.assertEqual(error_of(found, told["length_scale"]), setting["error"])
+        return found
+
+    def check(self, told):
+        """Whether the advice follows from its settings, and holds when it is taken."""
+        settings = told["settings"]
+        for setting in settings:
+            fits = told["budget_ms"] is None or setting["ms"] <= told["budget_ms"]
+            good = setting["error"] is not None and setting["error"] <= told["max_error"]
+            self.assertEqual(setting["meets"], good and fits, setting)
+        meeting = [s["ms"] for s in settings if s["meets"]]
+        if told["advised"] is None:
+            self.assertEqual(meeting, [])
+            return self.check_setting(told, settings[told["nearest"]])
+        self.assertEqual(settings[told["advised"]]["ms"], min(meeting))
+        return self.check_setting(told, settings[told["advised"]])
+
+    def test_advice_of_every_scene_holds_when_it_is_taken(self):
+        for name, size in scenes():
+            told = advice(name, "--size", str(size), "--steps", STEPS, "--repeat", "1")
+            self.assertGreaterEqual(len(told["settings"]), 22, name)
+            found = self.check(told)
+            self.assertEqual((found["scene"], found["steps"]), (name, int(STEPS)))
+
+    def test_advice_of_a_level_holds_when_it_is_taken(self):
+        self.check(advice(LEVEL, "--steps", STEPS, "--repeat", "1"))
+
+    def test_every_setting_repeats_by_its_command(self):
+        for arguments in (("bullets", "--size", "9"), ("chain", "--size", "5"), ("gas", "--size", "30")):
+            told = advice(*arguments, "--steps", "30", "--repeat", "1")
+            for setting in told["settings"]:
+                self.check_setting(told, setting)
+
+    def test_time_is_what_the_advised_setting_takes(self):
+        told = advice("tall_stack", "--size", "30", "--steps", "100")
+        setting = told["settings"][told["advised"]]
+        took = min(repeat(setting["command"])["ms_per_step"] for _ in range(TRIES))
+        self.assertTrue(setting["ms"] / SLOWER < took < setting["ms"] * SLOWER, (took, setting))
+
+    def test_a_setting_that_lets_bullets_pass_is_not_advised(self):
+        told = advice("bullets", "--size", "5", "--steps", "60", "--repeat", "1")
+        by_name = {s["name"]: s for s in told["settings"]}
+        # The bullet that flies 1,000 m/s crosses the box of 24 m in 1.5 steps.
+        self.assertGreater(by_name["draft, overlap"]["passed"], 0)
+        self.assertIsNone(by_name["draft, overlap"]["error"])
+        self.assertEqual(by_name["draft, swept"]["passed"], 0)
+        self.assertNotIn(told["settings"][told["advised"]]["detection"], ("overlap", "bisect"))
+
+    def test_a_smaller_error_needs_a_finer_setting_and_a_larger_one_no_finer(self):
+        errors = []
+        for limit in ("0.1", "0.003", "0.00001"):
+            told = advice("pyramid", "--size", "8", "--steps", "60", "--repeat", "1",
+                          "--max-error", limit)
+            self.assertEqual(told["max_error"], float(limit))
+            errors.append(told["settings"][told["advised"]]["error"])
+            self.assertLessEqual(errors[-1], float(limit))
+        self.assertGreater(errors[0], errors[2])
+
+    def test_what_no_setting_meets_is_said(self):
+        told = advice("tall_stack", "--steps", "5", "--budget", "0", "--repeat", "1")
+        self.assertIsNone(told["advised"])
+        self.assertEqual(told["budget_ms"], 0)
+        text = run("tall_stack", "--steps", "5", "--budget", "0", "--repeat", "1", "--advise").stdout
+        self.assertIn("No setting that was tried meets the error within the budget", text)
+        self.assertIn("Nearest: ", text)
+
+    def test_text_gives_the_advised_setting_with_its_command(self):
+        text = run("cradle", "--steps", STEPS, "--advise", "--repeat", "1").stdout
+        found = re.search(r"Advised: .*: error ([0-9.e-]+), [0-9.]+ ms a step.*\n +(thud-run .*)\n", text)
+        result = repeat(found.group(2))
+        self.assertAlmostEqual(max(result["penetration_max"], 0), float(found.group(1)), delta=1e-3)
+
+    def test_picture_marks_the_advised_setting(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "advice.svg")
+            told = advice("gas", "--size", "20", "--steps", "20", "--repeat", "1", "--picture", path)
+            root = ElementTree.parse(path).getroot()
+            points = root.findall("{http://www.w3.org/2000/svg}circle")
+            self.assertEqual(len(points), len(told["settings"]))
+            marked = [p for p in points if p.get("id") == "advised"]
+            name = marked[0].find("{http://www.w3.org/2000/svg}title").text
+            self.assertTrue(name.startswith(told["settings"][told["advised"]]["name"] + ":"))
+            unwritable = run("gas", "--size", "20", "--steps", "5", "--repeat", "1", "--advise",
+                             "--picture", os.path.join(folder, "no", "such.svg"), code=1)
+            self.assertIn("cannot be written", unwritable.stderr)
+
+    def test_wrong_arguments_are_told_and_give_2(self):
+        for arguments in (["gas", "--advise", "--max-error", "-1"],
+                          ["gas", "--advise", "--max-error", "small"],
+                          ["gas", "--advise", "--max-error", "nan"],
+                          ["gas", "--advise", "--max-error"],
+                          ["gas", "--advise", "--budget", "1e9"],
+                          ["gas", "--advise", "--repeat", "0"],
+                          ["gas", "--advise", "--repeat", "101"],
+                          ["gas", "--advise", "--steps", "1000001"],
+                          ["gas", "--substeps", "0"], ["gas", "--substeps", "65"],
+                          ["gas", "--max-error", "0.1"], ["gas", "--budget", "1"],
+                          ["gas", "--picture", "x.svg"], ["--advise"]):
+            done = run(*arguments, code=2)
+            self.assertEqual(done.stdout, "", arguments)
+            self.assertIn("thud-run:", done.stderr, arguments)
+        self.assertIn("is called", run("pyramids", "--advise", code=1).stderr)
+
+    def test_help_tells_of_advice(self):
+        text = run("--help").stdout
+        for option in ("--advise", "--max-error", "--budget", "--picture", "--substeps", "--repeat"):
+            self.assertIn(option, text)
+
+
+if __name__ == "__main__":
+    unittest.main()
