@@ -23,7 +23,8 @@ void advise_name(const run_options *how, char *out) {
 
 /* Measures everything. False after a message. */
 static bool measure(advice *a) {
-    bool done = advise_measure(a->options, a->scene, &a->series);
+    bool done = advise_measure(a->options, a->scene, &a->series) &&
+                uses_count(a->options, a->scene, &a->used, &a->uses);
     if (isatty(STDERR_FILENO))
         fprintf(stderr, "\r%50s\r", "");
     return done;

@@ -3,12 +3,15 @@
 #define THUD_RUN_ADVISE_H
 
 #include "advise_settings.h"
+#include "uses.h"
 
 /* What was measured of a scene. */
 typedef struct advice {
     const run_options *options;
     const scene *scene;
     advise_series series;
+    uses uses;        /* at the setting that the command line names */
+    run_outcome used; /* of that run */
 } advice;
 
 /* Measures and prints, and draws a picture if the options name one. False after a message. */

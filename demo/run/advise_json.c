@@ -61,14 +61,11 @@ bool advise_print_json(const advice *a) {
     cJSON_AddItemToObject(json, "advised",
                           series->advised < 0 ? cJSON_CreateNull()
                                               : cJSON_CreateNumber(series->advised));
-    cJSON *last = cJSON_AddNumberToObject(json, "nearest", series->nearest);
-    char *text = last ? cJSON_Print(json) : NULL;
-    cJSON_Delete(json);
-    if (!text) {
-        fprintf(stderr, "thud-run: out of memory\n");
-        return false;
-    }
-    puts(text);
-    cJSON_free(text);
-    return true;
+    cJSON_AddNumberToObject(json, "nearest", series->nearest);
+    cJSON *used = cJSON_AddObjectToObject(json, "uses");
+    run_options count = series->settings[series->now].how;
+    count.uses = true;
+    cJSON_AddItemToObject(used, "counts", uses_json(&a->uses, a->used.hash));
+    cJSON_AddItemToObject(used, "command", command_of(&count));
+    return run_print_and_free(json);
 }

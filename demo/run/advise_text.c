@@ -65,5 +65,10 @@ void advise_print_text(const advice *a) {
     }
     if (series->now != series->advised)
         print_setting("Named on the command line: ", &series->settings[series->now]);
+    printf("\nWhat the scene has, and what it used at the setting of the command line:\n");
+    uses_print_text(&a->uses);
+    run_options count = series->settings[series->now].how;
+    count.uses = true;
+    print_command(&count);
     print_table(series);
 }

@@ -5,6 +5,7 @@
 #include "options.h"
 #include "outcome.h"
 #include "run.h"
+#include "uses.h"
 
 /* Runs the scene once and prints what was measured. */
 static bool run_and_print(const run_options *options, const scene *s) {
@@ -17,12 +18,26 @@ static bool run_and_print(const run_options *options, const scene *s) {
     return true;
 }
 
+/* Runs the scene once and prints what it has and what of it the run used. */
+static bool count_and_print(const run_options *options, const scene *s) {
+    uses counted;
+    run_outcome outcome;
+    if (!uses_count(options, s, &outcome, &counted))
+        return false;
+    if (options->json)
+        return run_print_and_free(uses_json(&counted, outcome.hash));
+    uses_print_text(&counted);
+    return true;
+}
+
 /* Returns the exit status. */
 static int load_and_run(const run_options *options) {
     scene s;
     if (!run_load(options, &s))
         return 1;
-    bool done = options->advise ? advise(options, &s) : run_and_print(options, &s);
+    bool done = options->advise ? advise(options, &s)
+                : options->uses ? count_and_print(options, &s)
+                                : run_and_print(options, &s);
     scene_free(&s);
     return done ? 0 : 1;
 }

@@ -15,6 +15,7 @@ typedef struct run_options {
     int substeps;                       /* of a step; 0: those of the quality */
     int quality, detection, broadphase; /* indices in the lists of choices.h */
     bool json, skip_unsupported, no_sleeping, list, help;
+    bool uses;           /* also count what the run uses */
     bool advise;         /* advise instead of running once; what follows is for this alone */
     double max_error;    /* the largest error that the advised setting may have, length scales */
     double budget;       /* ms a step that it may take; infinite: any */

@@ -78,11 +78,17 @@ bool run_print_json(const run_outcome *o, const scene *s, const run_options *opt
     cJSON_AddNumberToObject(json, "bytes", (double)o->stats.bytes);
     cJSON_AddNumberToObject(json, "quarantined", (double)o->quarantined);
     cJSON_AddNumberToObject(json, "passed", (double)o->passed);
-    cJSON *last = cJSON_AddStringToObject(json, "hash", hash);
-    char *text = last ? cJSON_Print(json) : NULL;
+    cJSON_AddStringToObject(json, "hash", hash);
+    return run_print_and_free(json);
+}
+
+bool run_print_and_free(cJSON *json) {
+    char *text = json ? cJSON_Print(json) : NULL;
     cJSON_Delete(json);
-    if (!text)
+    if (!text) {
+        fprintf(stderr, "thud-run: out of memory\n");
         return false;
+    }
     puts(text);
     cJSON_free(text);
     return true;

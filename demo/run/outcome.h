@@ -27,4 +27,8 @@ void run_print_text(const run_outcome *o, const scene *s, const run_options *opt
 /* Prints one JSON object. False if memory runs out. */
 bool run_print_json(const run_outcome *o, const scene *s, const run_options *options);
 
+struct cJSON;
+/* Prints the JSON and deletes it. False, after a message, if it is null or memory runs out. */
+bool run_print_and_free(struct cJSON *json);
+
 #endif

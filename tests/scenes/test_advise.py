@@ -41,6 +41,10 @@ def repeat(command):
     return json.loads(run(*arguments, "--json").stdout)
 
 
+def uses(*arguments):
+    return json.loads(run(*arguments, "--uses", "--json").stdout)
+
+
 def scenes():
     """Each built-in scene with its smallest size."""
     lines = run("--list").stdout.splitlines()
@@ -171,6 +175,75 @@ class Advice(unittest.TestCase):
         text = run("--help").stdout
         for option in ("--advise", "--max-error", "--budget", "--picture", "--substeps", "--repeat"):
             self.assertIn(option, text)
+
+
+class Uses(unittest.TestCase):
+    def test_counting_changes_no_bit_of_a_run(self):
+        for scene in ("ragdolls", "heavy_on_light", "crates", "meetings"):
+            arguments = (scene, "--steps", "60")
+            self.assertEqual(uses(*arguments)["hash"],
+                             json.loads(run(*arguments, "--json").stdout)["hash"], scene)
+
+    def test_pit_of_circles_has_no_box_that_turns_and_no_joint(self):
+        found = uses("circle_pit", "--size", "40", "--steps", "200")
+        self.assertEqual([found[k] for k in ("circles", "aabbs", "obbs", "terrains", "joints")],
+                         [40, 3, 0, 0, 0])
+        self.assertEqual((found["dynamic_bodies"], found["static_bodies"]), (40, 3))
+        self.assertEqual((found["turned_boxes"], found["bounced"], found["held"]), (0, 0, 0))
+        self.assertGreater(found["turned"], 0)
+
+    def test_column_of_boxes_stands_still(self):
+        found = uses("tall_stack", "--size", "12", "--steps", "100")
+        self.assertEqual([found[k] for k in ("turned", "bounced", "slid", "held", "impacts", "joints")],
+                         [0] * 6)
+        self.assertEqual((found["stack"], found["slept"], found["mass_ratio"]), (12, 12, 1))
+        # They are awake for half a second or a little more, with a contact under each box.
+        self.assertTrue(12 * 29 <= found["contacts"] <= 12 * 60, found["contacts"])
+        awake = uses("tall_stack", "--size", "12", "--steps", "100", "--no-sleeping")
+        self.assertEqual(awake["slept"], 0)
+        self.assertTrue(12 * 98 <= awake["contacts"] <= 12 * 100, awake["contacts"])
+
+    def test_gas_without_friction_and_gravity_only_bounces(self):
+        found = uses("gas", "--size", "100", "--steps", "200")
+        self.assertEqual([found[k] for k in ("turned", "slid", "rubbed", "slept", "stack")], [0] * 5)
+        self.assertEqual(found["bounced"], 100)
+
+    def test_bullets_are_held_by_the_detection_that_is_chosen(self):
+        arguments = ("bullets", "--size", "5", "--steps", "30")
+        found = uses(*arguments)
+        self.assertGreater(found["held"], 0)
+        # 1e5 m/s against walls of 0.02 m, in steps of 1/60 s.
+        self.assertAlmostEqual(found["speed"], 1e5 / 60 / 0.02, delta=50)
+        self.assertEqual((found["impacts"], found["dynamic_bodies"]), (0, 5))
+        self.assertEqual(uses(*arguments, "--detection", "overlap")["held"], 0)
+        self.assertGreater(uses(*arguments, "--detection", "swept")["impacts"], 0)
+
+    def test_direct_islands_are_counted_where_there_are_some(self):
+        arguments = ("heavy_on_light", "--size", "2", "--steps", "40")
+        found = uses(*arguments)
+        self.assertGreater(found["direct_contacts"], 0)
+        self.assertGreaterEqual(found["contacts"], found["direct_contacts"])
+        self.assertGreaterEqual(found["mass_ratio"], 10)
+        draft = uses(*arguments, "--quality", "draft")
+        self.assertEqual((draft["direct_contacts"], draft["direct_steps"]), (0, 0))
+
+    def test_joints_and_what_acts_are_listed(self):
+        found = uses("chain", "--steps", "5")
+        self.assertEqual(found["joints"], sum(found["joints_by_kind"].values()))
+        self.assertEqual(found["joints"], 101)
+        self.assertTrue(uses("boats", "--steps", "2")["water"])
+        self.assertTrue(uses("flags", "--steps", "2")["wind"])
+        self.assertGreater(uses("explosion", "--steps", "2")["explosions"], 0)
+        self.assertTrue(uses("crates", "--steps", "2")["breaking"])
+
+    def test_text_has_the_counts(self):
+        text = run("circle_pit", "--size", "10", "--steps", "5", "--uses").stdout
+        self.assertIn("10 circles, 3 aabbs, 0 obbs, 0 terrains; 0 sensors; 0 joints", text)
+
+    def test_advice_has_the_counts_with_a_command_that_repeats_them(self):
+        told = advice("ragdolls", "--size", "2", "--steps", STEPS, "--repeat", "1")["uses"]
+        program, *arguments = shlex.split(told["command"])
+        self.assertEqual(json.loads(run(*arguments, "--json").stdout), told["counts"])
 
 
 if __name__ == "__main__":
