@@ -24,7 +24,9 @@ void advise_name(const run_options *how, char *out) {
 /* Measures everything. False after a message. */
 static bool measure(advice *a) {
     bool done = advise_measure(a->options, a->scene, &a->series) &&
-                uses_count(a->options, a->scene, &a->used, &a->uses);
+                uses_count(a->options, a->scene, &a->used, &a->uses) &&
+                advise_switch_off(&a->series, a->scene, &a->offs) &&
+                advise_grow(&a->series.settings[a->offs.base].how, &a->growth);
     if (isatty(STDERR_FILENO))
         fprintf(stderr, "\r%50s\r", "");
     return done;
@@ -45,6 +47,8 @@ bool advise(const run_options *options, const scene *s) {
         done = advise_print_json(a);
     else if (done)
         advise_print_text(a);
+    advise_growth_free(&a->growth);
+    advise_offs_free(&a->offs);
     advise_series_free(&a->series);
     free(a);
     return done;

@@ -2,6 +2,8 @@
 #ifndef THUD_RUN_ADVISE_H
 #define THUD_RUN_ADVISE_H
 
+#include "advise_growth.h"
+#include "advise_off.h"
 #include "advise_settings.h"
 #include "uses.h"
 
@@ -12,6 +14,8 @@ typedef struct advice {
     advise_series series;
     uses uses;        /* at the setting that the command line names */
     run_outcome used; /* of that run */
+    advise_offs offs;
+    advise_growth growth; /* at the advised setting, or the nearest */
 } advice;
 
 /* Measures and prints, and draws a picture if the options name one. False after a message. */

@@ -45,6 +45,60 @@ static cJSON *setting_of(const advise_setting *setting) {
     return json;
 }
 
+static void add_link(cJSON *json, advise_link link) {
+    cJSON_AddItemToObject(json, "link_program",
+                          link.program ? cJSON_CreateString(link.program) : cJSON_CreateNull());
+    cJSON_AddItemToObject(json, "link_kB",
+                          link.program ? cJSON_CreateNumber(link.kilobytes) : cJSON_CreateNull());
+}
+
+static cJSON *offs_of(const advice *a) {
+    cJSON *list = cJSON_CreateArray();
+    const advise_setting *base = &a->series.settings[a->offs.base];
+    for (int i = 0; i < a->offs.count; i++) {
+        const advise_off *off = &a->offs.offs[i];
+        cJSON *json = setting_of(&off->setting);
+        cJSON_AddStringToObject(json, "without", off->name);
+        cJSON_AddNumberToObject(json, "saved_ms", base->ms - off->setting.ms);
+        cJSON_AddNumberToObject(json, "saved_bytes",
+                                (double)base->outcome.stats.bytes -
+                                    (double)off->setting.outcome.stats.bytes);
+        add_link(json, off->link);
+        cJSON_AddItemToObject(json, "moved", finite_or_null(off->moved));
+        cJSON_AddBoolToObject(json, "same", off->same);
+        cJSON_AddBoolToObject(json, "needless", off->needless);
+        cJSON_AddBoolToObject(json, "saves", off->saves);
+        cJSON_AddItemToArray(list, json);
+    }
+    return list;
+}
+
+static cJSON *growth_of(const advise_growth *g) {
+    static const char *const BROKEN[] = {"holds", "time", "error"};
+    cJSON *json = cJSON_CreateObject();
+    cJSON_AddItemToObject(json, "not_measured_as",
+                          g->why_not ? cJSON_CreateString(g->why_not) : cJSON_CreateNull());
+    cJSON_AddNumberToObject(json, "budget_ms", g->budget_ms);
+    cJSON *sizes = cJSON_AddArrayToObject(json, "sizes");
+    for (int i = 0; i < g->count; i++) {
+        const advise_size *size = &g->sizes[i];
+        cJSON *row = setting_of(&size->setting);
+        cJSON_AddNumberToObject(row, "size", size->size);
+        cJSON_AddNumberToObject(row, "bodies", size->bodies);
+        cJSON_AddStringToObject(row, "broken", BROKEN[size->broken]);
+        cJSON_AddNumberToObject(row, "stack", size->uses.stack);
+        cJSON_AddNumberToObject(row, "mass_ratio", size->uses.mass_ratio);
+        cJSON_AddNumberToObject(row, "speed", size->uses.speed);
+        cJSON_AddItemToArray(sizes, row);
+    }
+    cJSON_AddItemToObject(json, "held",
+                          g->held < 0 ? cJSON_CreateNull() : cJSON_CreateNumber(g->held));
+    cJSON_AddItemToObject(json, "missed",
+                          g->missed < 0 ? cJSON_CreateNull() : cJSON_CreateNumber(g->missed));
+    cJSON_AddBoolToObject(json, "gave_up", g->gave_up);
+    return json;
+}
+
 bool advise_print_json(const advice *a) {
     const advise_series *series = &a->series;
     cJSON *json = cJSON_CreateObject();
@@ -67,5 +121,9 @@ bool advise_print_json(const advice *a) {
     count.uses = true;
     cJSON_AddItemToObject(used, "counts", uses_json(&a->uses, a->used.hash));
     cJSON_AddItemToObject(used, "command", command_of(&count));
+    cJSON_AddNumberToObject(json, "base", a->offs.base);
+    add_link(json, a->offs.link);
+    cJSON_AddItemToObject(json, "off", offs_of(a));
+    cJSON_AddItemToObject(json, "growth", growth_of(&a->growth));
     return run_print_and_free(json);
 }

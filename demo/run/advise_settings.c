@@ -12,6 +12,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <thud/thud_lists.h>
 #include <unistd.h>
 
 /* Shapes up to which each is tried against each: beyond, a step takes as long as many others. */
@@ -30,12 +31,38 @@ static int compare(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* A run_watch: keeps the shortest time of each step. */
-static bool keep_time(thud_world *world, const run_outcome *so_far, void *context) {
-    (void)world;
-    advise_setting *setting = context;
+/* What a run is watched for. */
+typedef struct keeping {
+    advise_setting *setting;
+    const scene *scene;
+    thud_body_id *bodies; /* of the scene */
+} keeping;
+
+/* A run_watch: a new world gives the scene's bodies the first slots, in their order. */
+static bool keep_bodies(thud_world *world, void *context) {
+    const keeping *k = context;
+    for (int i = 0; i < k->scene->body_count; i++)
+        if (thud_world_get_body_at(world, i, &k->bodies[i]) != THUD_OK)
+            k->bodies[i] = (thud_body_id){0};
+    return true;
+}
+
+static void keep_ends(const keeping *k, const thud_world *world) {
+    for (int i = 0; i < k->scene->body_count; i++) {
+        thud_body_state body;
+        bool exists = thud_body_get_state(world, k->bodies[i], &body) == THUD_OK;
+        k->setting->ends[i] = exists ? body.center : (thud_pos){NAN, NAN};
+    }
+}
+
+/* A run_watch: keeps the shortest time of each step, and where the bodies end. */
+static bool keep(thud_world *world, const run_outcome *so_far, void *context) {
+    const keeping *k = context;
+    advise_setting *setting = k->setting;
     double *ms = &setting->step_ms[so_far->steps - 1], now = 1000 * so_far->stats.step_seconds;
     *ms = setting->runs > 0 ? fmin(*ms, now) : now;
+    if (so_far->steps == setting->how.steps && setting->runs == 0)
+        keep_ends(k, world);
     return true;
 }
 
@@ -64,12 +91,20 @@ static bool out_of_memory(void) {
 
 bool advise_run(advise_setting *setting, const scene *s) {
     run_outcome outcome;
-    run_watch watch = {.stepped = keep_time, .context = setting};
+    keeping kept = {setting, s, NULL};
+    run_watch watch = {.built = keep_bodies, .stepped = keep, .context = &kept};
     if (!setting->step_ms)
         setting->step_ms = malloc((size_t)setting->how.steps * sizeof *setting->step_ms);
-    if (!setting->step_ms)
+    if (!setting->ends)
+        setting->ends = malloc(((size_t)s->body_count + 1) * sizeof *setting->ends);
+    kept.bodies = malloc(((size_t)s->body_count + 1) * sizeof *kept.bodies);
+    if (!setting->step_ms || !setting->ends || !kept.bodies) {
+        free(kept.bodies);
         return out_of_memory();
-    if (!run_scene(&setting->how, s, &watch, &outcome))
+    }
+    bool done = run_scene(&setting->how, s, &watch, &outcome);
+    free(kept.bodies);
+    if (!done)
         return false;
     if (setting->runs == 0) {
         setting->outcome = outcome;
@@ -84,6 +119,8 @@ bool advise_run(advise_setting *setting, const scene *s) {
 
 void advise_setting_free(advise_setting *setting) {
     free(setting->step_ms);
+    free(setting->ends);
+    setting->ends = NULL;
     setting->step_ms = NULL;
 }
 
@@ -137,18 +174,24 @@ static void list_settings(const run_options *options, advise_series *out) {
         }
 }
 
-/* Finds the advised setting and the nearest one. */
+/* Finds the advised setting and the nearest one. Of settings that take as long as the cheapest, the
+ * most accurate is advised, and of those that are equal the first of the list. */
 static void choose(advise_series *out) {
+    double cheapest = INFINITY;
+    for (int i = 0; i < out->count; i++)
+        if (advise_meets(&out->settings[i]))
+            cheapest = fmin(cheapest, out->settings[i].ms);
     out->advised = out->nearest = -1;
     for (int i = 0; i < out->count; i++) {
         const advise_setting *s = &out->settings[i];
         const advise_setting *best = out->advised < 0 ? NULL : &out->settings[out->advised];
         const advise_setting *near = out->nearest < 0 ? NULL : &out->settings[out->nearest];
-        if (advise_meets(s) && (!best || s->ms < best->ms))
+        if (advise_meets(s) && s->ms <= ADVISE_EQUAL * cheapest &&
+            (!best || s->error < best->error))
             out->advised = i;
         bool fits = s->ms <= s->how.budget, near_fits = near && near->ms <= near->how.budget;
-        bool better =
-            near && (s->error < near->error || (s->error == near->error && s->ms < near->ms));
+        bool better = near && (s->error < near->error ||
+                               (s->error == near->error && s->ms * ADVISE_EQUAL < near->ms));
         if (!near || fits > near_fits || (fits == near_fits && better))
             out->nearest = i;
     }

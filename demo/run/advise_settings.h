@@ -12,6 +12,10 @@
 
 enum { ADVISE_SETTINGS_MAX = 32 };
 
+/* Times that differ by less than this factor count as equal: the machine's noise is no reason to
+ * advise one setting rather than another. */
+#define ADVISE_EQUAL 1.05
+
 typedef struct advise_setting {
     run_options how;     /* runs it once */
     run_outcome outcome; /* of its first run */
@@ -20,13 +24,16 @@ typedef struct advise_setting {
     double ms, ms_max;   /* their mean, and the largest */
     double ms_median;    /* their median */
     int runs;
+    thud_pos *ends; /* where the bodies of the scene are after the last step of the first run;
+                       NaN: destroyed; owned */
 } advise_setting;
 
 typedef struct advise_series {
     advise_setting settings[ADVISE_SETTINGS_MAX];
     int count;
     int now;     /* the setting that the command line names */
-    int advised; /* the cheapest that meets the error within the budget; -1: none */
+    int advised; /* the most accurate of the cheapest that meet the error within the budget;
+                    -1: none */
     int nearest; /* the one with the smallest error within the budget, or of all if none is */
 } advise_series;
 

@@ -31,6 +31,103 @@ static void print_setting(const char *lead, const advise_setting *setting) {
     print_command(&setting->how);
 }
 
+static void print_link(advise_link link) {
+    if (link.program)
+        printf("at most %g kB linked (%s)", link.kilobytes, link.program);
+    else
+        printf("what is linked is not measured");
+}
+
+/* A part that was left out: what it saves, and what changes. */
+static void print_off(const advise_off *off, const advise_setting *base, const advise_link *link) {
+    const advise_setting *setting = &off->setting;
+    double saved = base->ms - setting->ms;
+    long long bytes =
+        (long long)base->outcome.stats.bytes - (long long)setting->outcome.stats.bytes;
+    printf("  %s: %s %.4f ms a step (%.0f %%)", off->name, saved >= 0 ? "saves" : "adds",
+           fabs(saved), base->ms > 0 ? 100 * fabs(saved) / base->ms : 0);
+    printf(", %s %lld bytes; ", bytes >= 0 ? "saves" : "adds", bytes >= 0 ? bytes : -bytes);
+    if (off->link.program && (!link->program || off->link.kilobytes != link->kilobytes)) {
+        print_link(off->link);
+        printf("; ");
+    }
+    print_error(setting);
+    if (off->same)
+        printf(", no bit changes.\n");
+    else if (isinf(off->moved))
+        printf(", some bodies are there in one run only.\n");
+    else
+        printf(", bodies end up to %.3g length scales away.\n", off->moved);
+    print_command(&setting->how);
+}
+
+/* The parts that can be left out, or those that cannot; of the former those that save something, or
+ * those that do not. */
+static void print_group(const advice *a, const char *title, bool needless, bool saves) {
+    const advise_offs *offs = &a->offs;
+    bool any = false;
+    for (int i = 0; i < offs->count; i++) {
+        const advise_off *off = &offs->offs[i];
+        if (off->needless != needless || (needless && off->saves != saves))
+            continue;
+        if (!any)
+            printf("%s\n", title);
+        print_off(off, &a->series.settings[offs->base], &offs->link);
+        any = true;
+    }
+}
+
+static void print_offs(const advice *a) {
+    char name[ADVISE_NAME_MAX];
+    advise_name(&a->series.settings[a->offs.base].how, name);
+    printf("\nParts left out, one at a time, at %s (", name);
+    print_link(a->offs.link);
+    printf("). A part is not required\nif the error is as asked for without it, and no body ends "
+           "further away than that.\n");
+    print_group(a, "Switch off:", true, true);
+    print_group(a, "Not required, but off it saves nothing:", true, false);
+    print_group(a, "Required:", false, false);
+}
+
+static void print_size(const char *lead, const advise_size *size) {
+    printf("%ssize %d, %d bodies: ", lead, size->size, size->bodies);
+    print_error(&size->setting);
+    printf(", %.4f ms a step; stack of %d, masses %.3g times, speed %.3g of the thinnest shape a "
+           "step.\n",
+           size->setting.ms, size->uses.stack, size->uses.mass_ratio, size->uses.speed);
+    print_command(&size->setting.how);
+}
+
+static void print_growth(const advice *a) {
+    const advise_growth *g = &a->growth;
+    printf("\nWhere it breaks first as it grows: ");
+    if (g->why_not) {
+        printf("not measured, as %s.\n", g->why_not);
+        return;
+    }
+    if (g->missed >= 0) {
+        const advise_size *missed = &g->sizes[g->missed];
+        if (missed->broken == ADVISE_TOO_SLOW)
+            printf("in time: a step then takes more than %.4g ms.\n", g->budget_ms);
+        else if (missed->setting.outcome.passed > 0)
+            printf("in accuracy: bodies then pass through what stands.\n");
+        else
+            printf("in accuracy: the error is then larger than asked for.\n");
+        print_size("  First broken: ", missed);
+    } else {
+        printf("not found; %s.\n", g->gave_up ? "larger sizes take too long to measure here"
+                                              : "the largest size holds");
+    }
+    if (g->held >= 0)
+        print_size("  Largest that holds: ", &g->sizes[g->held]);
+    else
+        printf("  No size that was tried holds.\n");
+    if (g->missed >= 0 && g->gave_up)
+        printf("  Sizes between were not measured, as they take too long here.\n");
+    printf("  Ratios of masses and speeds are those that come with the size; they were not changed "
+           "alone.\n");
+}
+
 static void print_table(const advise_series *series) {
     printf("\nAll settings that were tried (error in length scales, ms of a step, runs):\n");
     for (int i = 0; i < series->count; i++) {
@@ -70,5 +167,7 @@ void advise_print_text(const advice *a) {
     run_options count = series->settings[series->now].how;
     count.uses = true;
     print_command(&count);
+    print_offs(a);
+    print_growth(a);
     print_table(series);
 }

@@ -3,6 +3,7 @@
 
 #include "level.h"
 #include "scenes.h"
+#include "without.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -32,7 +33,8 @@ static bool load_level(const run_options *options, scene *s) {
     return loaded;
 }
 
-bool run_load(const run_options *options, scene *s) {
+/* Loads it whole. False after a message. */
+static bool load_whole(const run_options *options, scene *s) {
     const scene_info *info = scenes_find(options->source);
     bool is_path = strpbrk(options->source, "./") != NULL;
     if (!info && !is_path) {
@@ -55,5 +57,12 @@ bool run_load(const run_options *options, scene *s) {
         fprintf(stderr, "thud-run: out of memory\n");
         return false;
     }
+    return true;
+}
+
+bool run_load(const run_options *options, scene *s) {
+    if (!load_whole(options, s))
+        return false;
+    without_change_scene(s, options->without);
     return true;
 }

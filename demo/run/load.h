@@ -5,7 +5,8 @@
 #include "options.h"
 #include "scene.h"
 
-/* Loads the built-in scene or the level that the command line names. False after a message. A
+/* Loads the built-in scene or the level that the command line names, without the
+ * parts that it leaves out. False after a message. A
  * source with a dot or a slash is a level's path; names of scenes have neither. */
 bool run_load(const run_options *options, scene *s);
 

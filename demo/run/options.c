@@ -3,6 +3,7 @@
 
 #include "choices.h"
 #include "scenes.h"
+#include "without.h"
 
 #include <errno.h>
 #include <math.h>
@@ -13,6 +14,10 @@
 /* The largest error that is asked for where the command line names none, length scales: that from
  * which thud_step_error counts an overlap. */
 static const double MAX_ERROR = 0.005;
+
+/* Seconds that larger sizes may take to measure: where the command line names none, and the most.
+ */
+static const double PATIENCE = 20, PATIENCE_MAX = 1e6;
 
 /* Timed runs: where the command line names no number, and the largest number. */
 enum { REPEATS = 3, REPEATS_MAX = 100 };
@@ -76,8 +81,19 @@ static bool parse_valued(const char *option, const char *value, run_options *out
     if (strcmp(option, "--broadphase") == 0)
         return choose(option, "grid, sweep or all", value, broadphase_find(value),
                       &out->broadphase);
+    if (strcmp(option, "--without") == 0) {
+        out->without |= without_find(value);
+        if (without_find(value) == 0)
+            fprintf(stderr,
+                    "thud-run: --without takes names of parts with commas between them, "
+                    "not '%s'; see thud-run --help\n",
+                    value);
+        return without_find(value) != 0;
+    }
     if (strcmp(option, "--max-error") == 0)
         return parse_amount(option, value, THUD_MAX_ERROR_MAX, &out->max_error);
+    if (strcmp(option, "--patience") == 0)
+        return parse_amount(option, value, PATIENCE_MAX, &out->patience);
     if (strcmp(option, "--budget") == 0)
         return parse_amount(option, value, 1000 * THUD_TIME_BUDGET_MAX, &out->budget);
     if (strcmp(option, "--picture") == 0) {
@@ -129,7 +145,8 @@ static bool check(const run_options *options, bool only_for_advice) {
     if (!options->source)
         fprintf(stderr, "thud-run: which scene or level? See thud-run --help and --list\n");
     else if (only_for_advice && !options->advise)
-        fprintf(stderr, "thud-run: --max-error, --budget, --repeat and --picture are for "
+        fprintf(stderr, "thud-run: --max-error, --budget, --repeat, --patience and "
+                        "--picture are for "
                         "--advise\n");
     else if (options->advise && options->steps > ADVISE_STEPS_MAX)
         fprintf(stderr, "thud-run: --advise takes at most %d steps, not %ld\n", ADVISE_STEPS_MAX,
@@ -140,19 +157,20 @@ static bool check(const run_options *options, bool only_for_advice) {
 }
 
 bool run_options_parse(int count, char **arguments, run_options *out) {
-    static const char *const with_value[] = {"--max-error", "--budget",    "--repeat",
-                                             "--picture", /* for --advise alone */
+    static const char *const with_value[] = {"--max-error", "--budget",    "--patience",
+                                             "--repeat",    "--picture", /* for --advise alone */
                                              "--steps",     "--size",      "--quality",
                                              "--workers",   "--detection", "--broadphase",
-                                             "--substeps"};
-    enum { ONLY_FOR_ADVICE = 4 };
+                                             "--substeps",  "--without"};
+    enum { ONLY_FOR_ADVICE = 5 };
     *out = (run_options){.steps = 600,
                          .quality = QUALITY_DEFAULT,
                          .detection = DETECTION_DEFAULT,
                          .broadphase = BROADPHASE_DEFAULT,
                          .max_error = MAX_ERROR,
                          .budget = INFINITY,
-                         .repeats = REPEATS};
+                         .repeats = REPEATS,
+                         .patience = PATIENCE};
     bool only_for_advice = false;
     for (int i = 1; i < count; i++) {
         const char *argument = arguments[i];
@@ -205,44 +223,55 @@ void run_command(const run_options *o, char *out) {
         if (counts[i].value > 0)
             used += snprintf(out + used, (size_t)(RUN_COMMAND_MAX - used), " %s %d", counts[i].name,
                              counts[i].value);
+    const char *between = " --without ";
+    for (int i = 0; i < WITHOUT_PARTS; i++)
+        if (o->without & 1u << i) {
+            used += snprintf(out + used, (size_t)(RUN_COMMAND_MAX - used), "%s%s", between,
+                             without_name(i));
+            between = ",";
+        }
 }
 
 void run_print_help(void) {
-    puts("thud-run LEVEL|SCENE [options]: runs a scene or a level without a display.\n"
-         "\n"
-         "SCENE is the name of a built-in scene (--list shows them), LEVEL a map of the Tiled\n"
-         "editor (.tmj or .tmx), with the tilesets and templates beside it; all that of it cannot\n"
-         "be modelled is listed on standard error. Prints the time of a step by stage, the worst\n"
-         "penetration and the worst errors that a step reported in the whole run, and at its end\n"
-         "the contacts, the energy (against height 0) and the hash of the state, which is the\n"
-         "same on every machine.\n"
-         "\n"
-         "  --steps N            steps of 1/60 s to run (600)\n"
-         "  --size N             how big a built-in scene is, see --list\n"
-         "  --quality Q          draft, default, high or exact\n"
-         "  --detection D        overlap, continuous (the default), bisect or swept\n"
-         "  --broadphase B       grid (the default), sweep or all\n"
-         "  --substeps N         substeps of a step, 1 to 64 (those of the quality)\n"
-         "  --workers N          threads to work on (1); the state is the same with any number\n"
-         "  --no-sleeping        resting bodies stay awake\n"
-         "  --skip-unsupported   leave out what a level has that cannot be modelled\n"
-         "  --json               print one JSON object instead\n"
-         "  --uses               print instead what the scene has, and what the run used of it:\n"
-         "                       bodies that turned, bounced, slid or slept, contacts solved\n"
-         "                       directly, the height of stacks, ratios of masses, speeds\n"
-         "  --advise             measure what the scene requires, and say which setting is the\n"
-         "                       cheapest that meets --max-error within --budget; this makes\n"
-         "                       dozens of runs\n"
-         "  --max-error E        the largest error, in length scales (0.005): the deepest overlap\n"
-         "                       or the widest gap of a joint in any step; bodies that pass\n"
-         "                       through what stands meet no error\n"
-         "  --budget MS          milliseconds that a step may take in the mean (any)\n"
-         "  --repeat N           timed runs of the settings that come into question (3)\n"
-         "  --picture FILE.svg   also draw the error of each setting over its time\n"
-         "  --list               list the built-in scenes\n"
-         "  --help               this text\n"
-         "\n"
-         "Exit status: 0 done, 1 the scene cannot be loaded or run, 2 wrong arguments.");
+    puts(
+        "thud-run LEVEL|SCENE [options]: runs a scene or a level without a display.\n"
+        "\n"
+        "SCENE is the name of a built-in scene (--list shows them), LEVEL a map of the Tiled\n"
+        "editor (.tmj or .tmx), with the tilesets and templates beside it; all that of it cannot\n"
+        "be modelled is listed on standard error. Prints the time of a step by stage, the worst\n"
+        "penetration and the worst errors that a step reported in the whole run, and at its end\n"
+        "the contacts, the energy (against height 0) and the hash of the state, which is the\n"
+        "same on every machine.\n"
+        "\n"
+        "  --steps N            steps of 1/60 s to run (600)\n"
+        "  --size N             how big a built-in scene is, see --list\n"
+        "  --quality Q          draft, default, high or exact\n"
+        "  --detection D        overlap, continuous (the default), bisect or swept\n"
+        "  --broadphase B       grid (the default), sweep or all\n"
+        "  --substeps N         substeps of a step, 1 to 64 (those of the quality)\n"
+        "  --workers N          threads to work on (1); the state is the same with any number\n"
+        "  --no-sleeping        resting bodies stay awake\n"
+        "  --skip-unsupported   leave out what a level has that cannot be modelled\n"
+        "  --json               print one JSON object instead\n"
+        "  --without PARTS      leave out parts, with commas between them: obbs (upright ones\n"
+        "                       become AABBs, which never turn), turning, friction, bounce, sleep,\n"
+        "                       direct (islands), joints, sensors, fields, rules, events\n"
+        "  --uses               print instead what the scene has, and what the run used of it:\n"
+        "                       bodies that turned, bounced, slid or slept, contacts solved\n"
+        "                       directly, the height of stacks, ratios of masses, speeds\n"
+        "  --advise             measure what the scene requires, and say which setting is the\n"
+        "                       cheapest that meets --max-error within --budget; this makes\n"
+        "                       dozens of runs\n"
+        "  --max-error E        the largest error, in length scales (0.005): the deepest overlap\n"
+        "                       or the widest gap of a joint in any step; bodies that pass\n"
+        "                       through what stands meet no error\n"
+        "  --budget MS          milliseconds that a step may take in the mean (any)\n"
+        "  --repeat N           timed runs of the settings that come into question (3)\n"
+        "  --picture FILE.svg   also draw the error of each setting over its time\n"
+        "  --list               list the built-in scenes\n"
+        "  --help               this text\n"
+        "\n"
+        "Exit status: 0 done, 1 the scene cannot be loaded or run, 2 wrong arguments.");
 }
 
 void run_print_list(void) {

@@ -14,12 +14,14 @@ typedef struct run_options {
     int workers;                        /* threads, the calling one included; 0 means 1 */
     int substeps;                       /* of a step; 0: those of the quality */
     int quality, detection, broadphase; /* indices in the lists of choices.h */
+    unsigned without;                   /* bits of without.h */
     bool json, skip_unsupported, no_sleeping, list, help;
     bool uses;           /* also count what the run uses */
     bool advise;         /* advise instead of running once; what follows is for this alone */
     double max_error;    /* the largest error that the advised setting may have, length scales */
     double budget;       /* ms a step that it may take; infinite: any */
     int repeats;         /* timed runs of each setting that comes into question */
+    double patience;     /* s that larger sizes may take to measure together */
     const char *picture; /* path of a picture to write; null: none */
 } run_options;
 

@@ -8,6 +8,7 @@
 #include "choices.h"
 #include "passing.h"
 #include "pool.h"
+#include "without.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -39,6 +40,8 @@ static thud_world *build(const run_options *options, const scene *s, pool *threa
     def.clock = seconds_now;
     def.log = log_to_stderr;
     def.job_system = pool_job_system(threads);
+    thud_quality quality;
+    without_change_world(&def, &quality, options->without);
     thud_world *world;
     int failed_body;
     thud_result result = scene_build_thud(s, &def, &world, NULL, &failed_body);
