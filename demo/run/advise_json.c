@@ -109,8 +109,11 @@ bool advise_print_json(const advice *a) {
     cJSON_AddNumberToObject(json, "max_error", a->options->max_error);
     cJSON_AddItemToObject(json, "budget_ms", finite_or_null(a->options->budget));
     cJSON *settings = cJSON_AddArrayToObject(json, "settings");
-    for (int i = 0; i < series->count; i++)
-        cJSON_AddItemToArray(settings, setting_of(&series->settings[i]));
+    for (int i = 0; i < series->count; i++) {
+        cJSON *setting = setting_of(&series->settings[i]);
+        add_link(setting, advise_link_of(&series->settings[i].how, a->scene));
+        cJSON_AddItemToArray(settings, setting);
+    }
     cJSON_AddNumberToObject(json, "now", series->now);
     cJSON_AddItemToObject(json, "advised",
                           series->advised < 0 ? cJSON_CreateNull()
@@ -122,7 +125,6 @@ bool advise_print_json(const advice *a) {
     cJSON_AddItemToObject(used, "counts", uses_json(&a->uses, a->used.hash));
     cJSON_AddItemToObject(used, "command", command_of(&count));
     cJSON_AddNumberToObject(json, "base", a->offs.base);
-    add_link(json, a->offs.link);
     cJSON_AddItemToObject(json, "off", offs_of(a));
     cJSON_AddItemToObject(json, "growth", growth_of(&a->growth));
     return run_print_and_free(json);

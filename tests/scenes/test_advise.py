@@ -229,8 +229,6 @@ class Parts(unittest.TestCase):
         told = advice("tall_stack", "--size", "8", "--steps", "60", "--repeat", "1", "--max-error", "0.01")
         off = self.off(told)
         self.assertTrue(off["obbs"]["needless"])
-        if told["link_program"] and off["obbs"]["link_program"]:
-            self.assertLess(off["obbs"]["link_kB"], told["link_kB"])
         without = uses("tall_stack", "--size", "8", "--steps", "5", "--without", "obbs")
         self.assertEqual((without["obbs"], without["aabbs"]), (0, 9))
 
@@ -256,14 +254,18 @@ class Parts(unittest.TestCase):
         with open("tests/web/package/size.test.mjs", encoding="utf-8") as file:
             bounds = {name: float(bound) for name, bound in
                       re.findall(r'{ name: "(\w+)", bound: ([0-9.]+)', file.read())}
-        seen = set()
-        for arguments in (("circle_pit", "--size", "9"), ("ragdolls", "--size", "1"), ("pyramid", "--size", "3")):
-            told = advice(*arguments, "--steps", "10", "--repeat", "1", "--max-error", "1")
-            for part in (told, *told["off"]):
+        def linked(told):
+            for part in (*told["settings"], *told["off"]):
                 if part["link_program"]:
                     self.assertEqual(part["link_kB"], bounds[part["link_program"]])
-                    seen.add(part["link_program"])
-        self.assertTrue(seen & {"boxes", "everything"}, seen)
+            return {s["name"]: s["link_program"] for s in told["settings"]}
+        def of(*arguments):
+            return linked(advice(*arguments, "--steps", "10", "--repeat", "1"))
+        pit, heap = of("circle_pit", "--size", "9"), of("pyramid", "--size", "3")
+        self.assertEqual((pit["draft"], pit["default"], pit["draft, swept"]), ("boxes", "everything", None))
+        self.assertEqual((heap["draft"], heap["default"]), ("everything", "everything"))
+        # No program of the size test has joints and boxes.
+        self.assertIsNone(of("ragdolls", "--size", "1")["draft"])
 
 
 class Growth(unittest.TestCase):
