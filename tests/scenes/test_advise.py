@@ -271,7 +271,7 @@ class Parts(unittest.TestCase):
 class Growth(unittest.TestCase):
     def test_what_breaks_first_is_measured_and_repeats(self):
         told = advice("tall_stack", "--size", "8", "--steps", "30", "--repeat", "1", "--max-error",
-                      "0.003", patience="5")
+                      "0.003", patience="2")
         growth = told["growth"]
         sizes = growth["sizes"]
         self.assertEqual(sizes[0]["size"], 8)
@@ -291,7 +291,7 @@ class Growth(unittest.TestCase):
 
     def test_a_budget_that_no_crowd_keeps_breaks_in_time(self):
         told = advice("gas", "--size", "50", "--steps", "20", "--repeat", "1", "--budget", "0.2",
-                      "--max-error", "1", patience="5")
+                      "--max-error", "1", patience="2")
         growth = told["growth"]
         self.assertEqual(growth["budget_ms"], 0.2)
         self.assertEqual(growth["sizes"][growth["missed"]]["broken"], "time")
