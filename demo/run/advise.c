@@ -26,7 +26,7 @@ static bool measure(advice *a) {
     bool done = advise_measure(a->options, a->scene, &a->series) &&
                 uses_count(a->options, a->scene, &a->used, &a->uses) &&
                 advise_switch_off(&a->series, a->scene, &a->offs) &&
-                advise_grow(&a->series.settings[a->offs.base].how, &a->growth);
+                advise_grow(&a->series.settings[a->offs.base].how, a->scene, &a->growth);
     if (isatty(STDERR_FILENO))
         fprintf(stderr, "\r%50s\r", "");
     return done;

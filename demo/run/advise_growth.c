@@ -10,6 +10,8 @@
 #include <stdio.h>
 #include <time.h>
 
+/* Fewer steps show nothing. */
+enum { STEPS_MIN = 4 };
 /* The range is narrow enough where the broken size has at most this times as many bodies. */
 static const double NEAR = 1.1;
 
@@ -65,11 +67,51 @@ static void sort_in(advise_growth *g) {
         *kept = last;
 }
 
-bool advise_grow(const run_options *how, advise_growth *out) {
+/* Runs the scene with one factor. False after a message. */
+static bool try_factor(advise_strain *out, double factor, run_options how) {
+    advise_setting *setting = &out->tried[out->count];
+    *setting = (advise_setting){.how = how};
+    out->factors[out->count++] = factor;
+    scene s;
+    if (!run_load(&how, &s))
+        return false;
+    bool done = advise_run(setting, &s);
+    scene_free(&s);
+    out->broke = setting->error > how.max_error;
+    return done;
+}
+
+static bool strain_speed(const run_options *how, advise_strain *out) {
+    for (int k = 0; k < ADVISE_FACTORS_MAX && !out->broke; k++) {
+        double factor = (double)(1 << k);
+        run_options faster = *how;
+        faster.rate /= factor;
+        faster.steps = (long)round((double)how->steps / factor);
+        if (faster.steps < STEPS_MIN || faster.rate * THUD_TIME_STEP_MAX < 1)
+            return true;
+        if (!try_factor(out, factor, faster))
+            return false;
+    }
+    return true;
+}
+
+static bool strain_mass(const run_options *how, const scene *s, advise_strain *out) {
+    double density = 0;
+    for (int i = 0; i < s->shape_count; i++)
+        density = fmax(density, s->shapes[i].material.density);
+    for (int k = 0; k < ADVISE_FACTORS_MAX && !out->broke; k++) {
+        run_options heavier = *how;
+        heavier.heavier *= pow(10, k);
+        if (density * heavier.heavier > THUD_DENSITY_MAX || heavier.heavier > RUN_HEAVIER_MAX)
+            return true;
+        if (!try_factor(out, pow(10, k), heavier))
+            return false;
+    }
+    return true;
+}
+
+static bool grow_sizes(const run_options *how, advise_growth *out) {
     const scene_info *info = scenes_find(how->source);
-    *out = (advise_growth){.held = -1,
-                           .missed = -1,
-                           .budget_ms = isfinite(how->budget) ? how->budget : 1000.0 / 60};
     if (!info) {
         out->why_not = "a level has one size";
         return true;
@@ -95,7 +137,40 @@ bool advise_grow(const run_options *how, advise_growth *out) {
     return true;
 }
 
+bool advise_grow(const run_options *how, const scene *s, advise_growth *out) {
+    *out = (advise_growth){.held = -1,
+                           .missed = -1,
+                           .budget_ms = isfinite(how->budget) ? how->budget : 1000.0 / 60};
+    if (!grow_sizes(how, out))
+        return false;
+    if (scene_has_fields(s) || s->fields.breaks != 0)
+        out->no_speeds = "its fields and rules act by numbers of steps";
+    else if (!strain_speed(how, &out->faster))
+        return false;
+    return strain_mass(how, s, &out->heavier);
+}
+
+advise_first advise_first_of(const advise_growth *g) {
+    advise_first first = {"", INFINITY};
+    const advise_strain *strains[] = {&g->faster, &g->heavier};
+    static const char *const NAMES[] = {"speed", "mass"};
+    if (g->missed >= 0)
+        first = (advise_first){g->sizes[g->missed].broken == ADVISE_TOO_SLOW ? "time" : "size",
+                               (double)g->sizes[g->missed].size / g->sizes[0].size};
+    for (int i = 0; i < 2; i++)
+        if (strains[i]->broke && strains[i]->factors[strains[i]->count - 1] < first.factor)
+            first = (advise_first){NAMES[i], strains[i]->factors[strains[i]->count - 1]};
+    return first;
+}
+
+static void free_strain(advise_strain *strain) {
+    for (int i = 0; i < strain->count; i++)
+        advise_setting_free(&strain->tried[i]);
+}
+
 void advise_growth_free(advise_growth *growth) {
     for (int i = 0; i < growth->count; i++)
         advise_setting_free(&growth->sizes[i].setting);
+    free_strain(&growth->faster);
+    free_strain(&growth->heavier);
 }

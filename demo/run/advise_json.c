@@ -73,6 +73,16 @@ static cJSON *offs_of(const advice *a) {
     return list;
 }
 
+static cJSON *strain_of(const advise_strain *strain) {
+    cJSON *list = cJSON_CreateArray();
+    for (int i = 0; i < strain->count; i++) {
+        cJSON *row = setting_of(&strain->tried[i]);
+        cJSON_AddNumberToObject(row, "factor", strain->factors[i]);
+        cJSON_AddItemToArray(list, row);
+    }
+    return list;
+}
+
 static cJSON *growth_of(const advise_growth *g) {
     static const char *const BROKEN[] = {"holds", "time", "error"};
     cJSON *json = cJSON_CreateObject();
@@ -96,6 +106,13 @@ static cJSON *growth_of(const advise_growth *g) {
     cJSON_AddItemToObject(json, "missed",
                           g->missed < 0 ? cJSON_CreateNull() : cJSON_CreateNumber(g->missed));
     cJSON_AddBoolToObject(json, "gave_up", g->gave_up);
+    cJSON_AddItemToObject(json, "no_speeds_as",
+                          g->no_speeds ? cJSON_CreateString(g->no_speeds) : cJSON_CreateNull());
+    cJSON_AddItemToObject(json, "faster", strain_of(&g->faster));
+    cJSON_AddItemToObject(json, "heavier", strain_of(&g->heavier));
+    advise_first first = advise_first_of(g);
+    cJSON_AddStringToObject(json, "first", first.what);
+    cJSON_AddItemToObject(json, "first_factor", finite_or_null(first.factor));
     return json;
 }
 

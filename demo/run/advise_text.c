@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 static void print_command(const run_options *how) {
     char command[RUN_COMMAND_MAX];
@@ -98,34 +99,59 @@ static void print_size(const char *lead, const advise_size *size) {
     print_command(&size->setting.how);
 }
 
-static void print_growth(const advice *a) {
-    const advise_growth *g = &a->growth;
-    printf("\nWhere it breaks first as it grows: ");
-    if (g->why_not) {
-        printf("not measured, as %s.\n", g->why_not);
+/* A series with one value times larger and larger factors. */
+static void print_strain(const char *what, const char *unit, const advise_strain *strain) {
+    if (strain->count == 0) {
+        printf("  %s: not measured, as no larger value is valid.\n", what);
         return;
     }
-    if (g->missed >= 0) {
-        const advise_size *missed = &g->sizes[g->missed];
-        if (missed->broken == ADVISE_TOO_SLOW)
-            printf("in time: a step then takes more than %.4g ms.\n", g->budget_ms);
-        else if (missed->setting.outcome.passed > 0)
-            printf("in accuracy: bodies then pass through what stands.\n");
-        else
-            printf("in accuracy: the error is then larger than asked for.\n");
-        print_size("  First broken: ", missed);
-    } else {
-        printf("not found; %s.\n", g->gave_up ? "larger sizes take too long to measure here"
-                                              : "the largest size holds");
+    const advise_setting *last = &strain->tried[strain->count - 1];
+    printf("  %s: %s at %g times %s: ", what, strain->broke ? "breaks" : "still holds",
+           strain->factors[strain->count - 1], unit);
+    print_error(last);
+    printf(".\n");
+    print_command(&last->how);
+}
+
+static void print_sizes(const advise_growth *g) {
+    if (g->why_not) {
+        printf("  Size: not measured, as %s.\n", g->why_not);
+        return;
     }
+    if (g->missed < 0)
+        printf("  Size: %s.\n",
+               g->gave_up ? "larger ones take too long to measure here" : "the largest holds");
+    else if (g->gave_up)
+        printf("  Size: between the two, sizes take too long to measure here.\n");
     if (g->held >= 0)
-        print_size("  Largest that holds: ", &g->sizes[g->held]);
+        print_size("  Holds: ", &g->sizes[g->held]);
+    if (g->missed >= 0)
+        print_size(g->sizes[g->missed].broken == ADVISE_TOO_SLOW ? "  Breaks in time: "
+                                                                 : "  Breaks in accuracy: ",
+                   &g->sizes[g->missed]);
+}
+
+static void print_growth(const advice *a) {
+    const advise_growth *g = &a->growth;
+    advise_first first = advise_first_of(g);
+    printf("\nWhere it breaks first as it grows (a step takes more than %.4g ms, or the error is "
+           "larger than asked for):\n",
+           g->budget_ms);
+    if (!*first.what)
+        printf("nothing that was tried breaks it.\n");
+    else if (first.factor <= 1)
+        printf("it does not hold as it is.\n");
     else
-        printf("  No size that was tried holds.\n");
-    if (g->missed >= 0 && g->gave_up)
-        printf("  Sizes between were not measured, as they take too long here.\n");
-    printf("  Ratios of masses and speeds are those that come with the size; they were not changed "
-           "alone.\n");
+        printf("in %s, at %.3g times what it has.\n",
+               strcmp(first.what, "time") == 0 ? "time as its size grows" : first.what,
+               first.factor);
+    print_sizes(g);
+    if (g->no_speeds)
+        printf("  Speed: not measured, as %s.\n", g->no_speeds);
+    else
+        print_strain("Speed", "the speed of all that moves, by so many times fewer steps a second",
+                     &g->faster);
+    print_strain("Mass", "the mass of the heaviest body, the highest of equal ones", &g->heavier);
 }
 
 static void print_table(const advise_series *series) {

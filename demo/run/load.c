@@ -60,9 +60,40 @@ static bool load_whole(const run_options *options, scene *s) {
     return true;
 }
 
+/* The mass of a body. */
+static double mass_of(const scene *s, const scene_body *body) {
+    double mass = 0;
+    for (int i = 0; i < body->shape_count; i++) {
+        const scene_shape *shape = &s->shapes[body->first_shape + i];
+        double area = shape->kind == SCENE_CIRCLE ? 3.141592653589793 * shape->hx * shape->hx
+                                                  : 4 * shape->hx * shape->hy;
+        mass += shape->sensor ? 0 : area * shape->material.density;
+    }
+    return mass;
+}
+
+/* Makes the heaviest dynamic body, and of equal ones the highest, so many times as heavy. */
+static void make_heavier(scene *s, double factor) {
+    const scene_body *heaviest = NULL;
+    double most = 0, top = 0;
+    for (int i = 0; i < s->body_count; i++) {
+        const scene_body *body = &s->bodies[i];
+        double mass = mass_of(s, body), height = -(body->x * s->gravity_x + body->y * s->gravity_y);
+        if (body->kind != SCENE_DYNAMIC || mass < most || (mass == most && height <= top))
+            continue;
+        heaviest = body;
+        most = mass;
+        top = height;
+    }
+    for (int i = 0; heaviest && i < heaviest->shape_count; i++)
+        s->shapes[heaviest->first_shape + i].material.density *= factor;
+}
+
 bool run_load(const run_options *options, scene *s) {
     if (!load_whole(options, s))
         return false;
     without_change_scene(s, options->without);
+    if (options->heavier != 1)
+        make_heavier(s, options->heavier);
     return true;
 }

@@ -6,8 +6,8 @@
 #include "scene.h"
 
 /* Loads the built-in scene or the level that the command line names, without the
- * parts that it leaves out. False after a message. A
- * source with a dot or a slash is a level's path; names of scenes have neither. */
+ * parts that it leaves out, and with the heaviest body as heavy as it says. False after a message.
+ * A source with a dot or a slash is a level's path; names of scenes have neither. */
 bool run_load(const run_options *options, scene *s);
 
 #endif

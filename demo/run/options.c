@@ -19,6 +19,8 @@ static const double MAX_ERROR = 0.005;
  */
 static const double PATIENCE = 20, PATIENCE_MAX = 1e6;
 
+static const double RATE = 60, RATE_MAX = 1e5; /* steps a second */
+
 /* Timed runs: where the command line names no number, and the largest number. */
 enum { REPEATS = 3, REPEATS_MAX = 100 };
 
@@ -42,12 +44,14 @@ static bool parse_number(const char *option, const char *text, long low, long hi
     return true;
 }
 
-/* Parses a finite number from 0 to `high`. False after a message. */
-static bool parse_amount(const char *option, const char *text, double high, double *out) {
+/* Parses a number from `low` to `high`. False after a message. */
+static bool parse_amount(const char *option, const char *text, double low, double high,
+                         double *out) {
     char *end;
     double value = strtod(text, &end);
-    if (end == text || *end != '\0' || !(value >= 0 && value <= high)) {
-        fprintf(stderr, "thud-run: %s takes a number from 0 to %g, not '%s'\n", option, high, text);
+    if (end == text || *end != '\0' || !(value >= low && value <= high)) {
+        fprintf(stderr, "thud-run: %s takes a number from %g to %g, not '%s'\n", option, low, high,
+                text);
         return false;
     }
     *out = value;
@@ -91,11 +95,15 @@ static bool parse_valued(const char *option, const char *value, run_options *out
         return without_find(value) != 0;
     }
     if (strcmp(option, "--max-error") == 0)
-        return parse_amount(option, value, THUD_MAX_ERROR_MAX, &out->max_error);
+        return parse_amount(option, value, 0, THUD_MAX_ERROR_MAX, &out->max_error);
+    if (strcmp(option, "--rate") == 0)
+        return parse_amount(option, value, 1 / THUD_TIME_STEP_MAX, RATE_MAX, &out->rate);
+    if (strcmp(option, "--heavier") == 0)
+        return parse_amount(option, value, 1 / RUN_HEAVIER_MAX, RUN_HEAVIER_MAX, &out->heavier);
     if (strcmp(option, "--patience") == 0)
-        return parse_amount(option, value, PATIENCE_MAX, &out->patience);
+        return parse_amount(option, value, 0, PATIENCE_MAX, &out->patience);
     if (strcmp(option, "--budget") == 0)
-        return parse_amount(option, value, 1000 * THUD_TIME_BUDGET_MAX, &out->budget);
+        return parse_amount(option, value, 0, 1000 * THUD_TIME_BUDGET_MAX, &out->budget);
     if (strcmp(option, "--picture") == 0) {
         out->picture = value;
         return true;
@@ -161,7 +169,8 @@ bool run_options_parse(int count, char **arguments, run_options *out) {
                                              "--repeat",    "--picture", /* for --advise alone */
                                              "--steps",     "--size",      "--quality",
                                              "--workers",   "--detection", "--broadphase",
-                                             "--substeps",  "--without"};
+                                             "--substeps",  "--without",   "--rate",
+                                             "--heavier"};
     enum { ONLY_FOR_ADVICE = 5 };
     *out = (run_options){.steps = 600,
                          .quality = QUALITY_DEFAULT,
@@ -170,7 +179,9 @@ bool run_options_parse(int count, char **arguments, run_options *out) {
                          .max_error = MAX_ERROR,
                          .budget = INFINITY,
                          .repeats = REPEATS,
-                         .patience = PATIENCE};
+                         .patience = PATIENCE,
+                         .rate = RATE,
+                         .heavier = 1};
     bool only_for_advice = false;
     for (int i = 1; i < count; i++) {
         const char *argument = arguments[i];
@@ -223,6 +234,11 @@ void run_command(const run_options *o, char *out) {
         if (counts[i].value > 0)
             used += snprintf(out + used, (size_t)(RUN_COMMAND_MAX - used), " %s %d", counts[i].name,
                              counts[i].value);
+    if (o->rate != RATE)
+        used += snprintf(out + used, (size_t)(RUN_COMMAND_MAX - used), " --rate %.17g", o->rate);
+    if (o->heavier != 1)
+        used +=
+            snprintf(out + used, (size_t)(RUN_COMMAND_MAX - used), " --heavier %.17g", o->heavier);
     const char *between = " --without ";
     for (int i = 0; i < WITHOUT_PARTS; i++)
         if (o->without & 1u << i) {
@@ -243,7 +259,9 @@ void run_print_help(void) {
         "the contacts, the energy (against height 0) and the hash of the state, which is the\n"
         "same on every machine.\n"
         "\n"
-        "  --steps N            steps of 1/60 s to run (600)\n"
+        "  --steps N            steps to run (600)\n"
+        "  --rate HZ            steps a second of the scene (60)\n"
+        "  --heavier F          the heaviest body, of equal ones the highest, is F times as heavy\n"
         "  --size N             how big a built-in scene is, see --list\n"
         "  --quality Q          draft, default, high or exact\n"
         "  --detection D        overlap, continuous (the default), bisect or swept\n"
@@ -267,6 +285,7 @@ void run_print_help(void) {
         "                       through what stands meet no error\n"
         "  --budget MS          milliseconds that a step may take in the mean (any)\n"
         "  --repeat N           timed runs of the settings that come into question (3)\n"
+        "  --patience S         seconds that larger sizes of the scene may take to measure (20)\n"
         "  --picture FILE.svg   also draw the error of each setting over its time\n"
         "  --list               list the built-in scenes\n"
         "  --help               this text\n"

@@ -4,6 +4,9 @@
 
 #include <thud/thud.h>
 
+/* Most that --heavier takes. */
+#define RUN_HEAVIER_MAX 1e6
+
 /* Most steps of a run whose times are kept one by one. */
 enum { ADVISE_STEPS_MAX = 1000000 };
 
@@ -14,6 +17,8 @@ typedef struct run_options {
     int workers;                        /* threads, the calling one included; 0 means 1 */
     int substeps;                       /* of a step; 0: those of the quality */
     int quality, detection, broadphase; /* indices in the lists of choices.h */
+    double rate;                        /* steps a second of the scene */
+    double heavier;                     /* factor of the mass of the heaviest body; 1: as it is */
     unsigned without;                   /* bits of without.h */
     bool json, skip_unsupported, no_sleeping, list, help;
     bool uses;           /* also count what the run uses */

@@ -36,6 +36,7 @@ static thud_world *build(const run_options *options, const scene *s, pool *threa
     def.detection = DETECTIONS[options->detection].detection;
     def.broadphase = BROADPHASES[options->broadphase].broadphase;
     def.substeps = options->substeps;
+    def.time_step = 1 / options->rate;
     def.sleeping = !options->no_sleeping;
     def.clock = seconds_now;
     def.log = log_to_stderr;

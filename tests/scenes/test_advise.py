@@ -187,6 +187,8 @@ class Advice(unittest.TestCase):
                           ["gas", "--max-error", "0.1"], ["gas", "--budget", "1"],
                           ["gas", "--picture", "x.svg"], ["gas", "--patience", "1"],
                           ["gas", "--advise", "--patience", "-1"],
+                          ["gas", "--rate", "0"], ["gas", "--rate", "0.5"], ["gas", "--heavier", "0"],
+                          ["gas", "--heavier", "1e7"], ["gas", "--rate", "fast"],
                           ["gas", "--without", "mass"], ["gas", "--without", ""],
                           ["gas", "--without", "friction,,bounce"], ["gas", "--without"], ["--advise"]):
             done = run(*arguments, code=2)
@@ -196,7 +198,8 @@ class Advice(unittest.TestCase):
 
     def test_help_tells_of_advice(self):
         text = run("--help").stdout
-        for option in ("--advise", "--max-error", "--budget", "--picture", "--substeps", "--repeat"):
+        for option in ("--advise", "--max-error", "--budget", "--picture", "--substeps", "--repeat", "--rate",
+                       "--heavier", "--without", "--uses", "--patience"):
             self.assertIn(option, text)
 
 
@@ -297,12 +300,40 @@ class Growth(unittest.TestCase):
         self.assertEqual(growth["sizes"][growth["missed"]]["broken"], "time")
         self.assertGreater(growth["sizes"][growth["missed"]]["ms"], 0.2)
 
+    def test_speed_and_mass_grow_alone_until_the_first_breaks(self):
+        told = advice("tall_stack", "--size", "6", "--steps", "64", "--repeat", "1", "--max-error", "0.01")
+        growth = told["growth"]
+        breaks = []
+        for name, values in (("speed", growth["faster"]), ("mass", growth["heavier"])):
+            base = 2 if name == "speed" else 10
+            self.assertEqual([row["factor"] for row in values], [base ** k for k in range(len(values))])
+            wrong = [row["error"] is None or row["error"] > 0.01 for row in values]
+            self.assertFalse(any(wrong[:-1]), name)
+            breaks += [(values[-1]["factor"], name)] if wrong[-1] else []
+            found = repeat(values[-1]["command"])
+            self.assertEqual(found["hash"], values[-1]["hash"])
+        self.assertTrue(breaks)
+        if growth["first"] in ("speed", "mass"):
+            self.assertEqual((growth["first_factor"], growth["first"]), min(breaks))
+
+    def test_rate_and_mass_of_the_heaviest_change_what_they_name(self):
+        self.assertEqual(uses("tall_stack", "--size", "5", "--steps", "9")["mass_ratio"], 1)
+        self.assertEqual(uses("tall_stack", "--size", "5", "--steps", "9", "--heavier", "50")["mass_ratio"], 50)
+        speeds = [uses("bullets", "--size", "2", "--steps", "9", "--rate", rate)["speed"]
+                  for rate in ("60", "30")]
+        self.assertAlmostEqual(speeds[1] / speeds[0], 2, delta=0.01)
+
+    def test_speeds_of_scenes_with_fields_are_not_measured(self):
+        growth = advice("boats", "--size", "1", "--steps", "8", "--repeat", "1")["growth"]
+        self.assertEqual(growth["faster"], [])
+        self.assertIn("fields", growth["no_speeds_as"])
+
     def test_what_is_not_measured_is_said(self):
         level = run(LEVEL, "--advise", "--steps", "5", "--repeat", "1").stdout
-        self.assertIn("not measured, as a level has one size", level)
+        self.assertIn("Size: not measured, as a level has one size", level)
         impatient = run("gas", "--size", "20", "--advise", "--steps", "5", "--repeat", "1",
                         "--patience", "0").stdout
-        self.assertIn("larger sizes take too long to measure here", impatient)
+        self.assertIn("Size: larger ones take too long to measure here", impatient)
 
 
 class Uses(unittest.TestCase):
