@@ -156,6 +156,8 @@ static bool check(const run_options *options, bool only_for_advice) {
         fprintf(stderr, "thud-run: --max-error, --budget, --repeat, --patience and "
                         "--picture are for "
                         "--advise\n");
+    else if (options->advise && options->uses)
+        fprintf(stderr, "thud-run: --advise tells what --uses does; give one of them\n");
     else if (options->advise && options->steps > ADVISE_STEPS_MAX)
         fprintf(stderr, "thud-run: --advise takes at most %d steps, not %ld\n", ADVISE_STEPS_MAX,
                 options->steps);

@@ -182,7 +182,7 @@ class Advice(unittest.TestCase):
                           ["gas", "--advise", "--budget", "1e9"],
                           ["gas", "--advise", "--repeat", "0"],
                           ["gas", "--advise", "--repeat", "101"],
-                          ["gas", "--advise", "--steps", "1000001"],
+                          ["gas", "--advise", "--steps", "1000001"], ["gas", "--advise", "--uses"],
                           ["gas", "--substeps", "0"], ["gas", "--substeps", "65"],
                           ["gas", "--max-error", "0.1"], ["gas", "--budget", "1"],
                           ["gas", "--picture", "x.svg"], ["gas", "--patience", "1"],
