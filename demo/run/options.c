@@ -3,11 +3,26 @@
 
 #include "choices.h"
 #include "scenes.h"
+#include "without.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* The largest error that is asked for where the command line names none, length scales: that from
+ * which thud_step_error counts an overlap. */
+static const double MAX_ERROR = 0.005;
+
+/* Seconds that larger sizes may take to measure: where the command line names none, and the most.
+ */
+static const double PATIENCE = 20, PATIENCE_MAX = 1e6;
+
+static const double RATE = 60, RATE_MAX = 1e5; /* steps a second */
+
+/* Timed runs: where the command line names no number, and the largest number. */
+enum { REPEATS = 3, REPEATS_MAX = 100 };
 
 /* Prints an error message; returns false. */
 static bool complain(const char *what, const char *argument) {
@@ -23,6 +38,20 @@ static bool parse_number(const char *option, const char *text, long low, long hi
     if (end == text || *end != '\0' || errno == ERANGE || value < low || value > high) {
         fprintf(stderr, "thud-run: %s takes a whole number from %ld to %ld, not '%s'\n", option,
                 low, high, text);
+        return false;
+    }
+    *out = value;
+    return true;
+}
+
+/* Parses a number from `low` to `high`. False after a message. */
+static bool parse_amount(const char *option, const char *text, double low, double high,
+                         double *out) {
+    char *end;
+    double value = strtod(text, &end);
+    if (end == text || *end != '\0' || !(value >= low && value <= high)) {
+        fprintf(stderr, "thud-run: %s takes a number from %g to %g, not '%s'\n", option, low, high,
+                text);
         return false;
     }
     *out = value;
@@ -56,11 +85,44 @@ static bool parse_valued(const char *option, const char *value, run_options *out
     if (strcmp(option, "--broadphase") == 0)
         return choose(option, "grid, sweep or all", value, broadphase_find(value),
                       &out->broadphase);
-    bool workers = strcmp(option, "--workers") == 0;
-    if (!parse_number(option, value, 1, workers ? THUD_WORKERS_MAX : 1000000000, &number))
-        return false;
-    *(workers ? &out->workers : &out->size) = (int)number;
-    return true;
+    if (strcmp(option, "--without") == 0) {
+        out->without |= without_find(value);
+        if (without_find(value) == 0)
+            fprintf(stderr,
+                    "thud-run: --without takes names of parts with commas between them, "
+                    "not '%s'; see thud-run --help\n",
+                    value);
+        return without_find(value) != 0;
+    }
+    if (strcmp(option, "--max-error") == 0)
+        return parse_amount(option, value, 0, THUD_MAX_ERROR_MAX, &out->max_error);
+    if (strcmp(option, "--rate") == 0)
+        return parse_amount(option, value, 1 / THUD_TIME_STEP_MAX, RATE_MAX, &out->rate);
+    if (strcmp(option, "--heavier") == 0)
+        return parse_amount(option, value, 1 / RUN_HEAVIER_MAX, RUN_HEAVIER_MAX, &out->heavier);
+    if (strcmp(option, "--patience") == 0)
+        return parse_amount(option, value, 0, PATIENCE_MAX, &out->patience);
+    if (strcmp(option, "--budget") == 0)
+        return parse_amount(option, value, 0, 1000 * THUD_TIME_BUDGET_MAX, &out->budget);
+    if (strcmp(option, "--picture") == 0) {
+        out->picture = value;
+        return true;
+    }
+    const struct {
+        const char *name;
+        long high;
+        int *out;
+    } counts[] = {{"--workers", THUD_WORKERS_MAX, &out->workers},
+                  {"--substeps", THUD_SUBSTEPS_MAX, &out->substeps},
+                  {"--repeat", REPEATS_MAX, &out->repeats},
+                  {"--size", 1000000000, &out->size}};
+    for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++)
+        if (strcmp(option, counts[i].name) == 0) {
+            bool ok = parse_number(option, value, 1, counts[i].high, &number);
+            *counts[i].out = ok ? (int)number : *counts[i].out;
+            return ok;
+        }
+    return false;
 }
 
 /* Parses an option without a value. False after a message. */
@@ -71,6 +133,10 @@ static bool parse_plain(const char *option, run_options *out) {
         out->skip_unsupported = true;
     else if (strcmp(option, "--no-sleeping") == 0)
         out->no_sleeping = true;
+    else if (strcmp(option, "--uses") == 0)
+        out->uses = true;
+    else if (strcmp(option, "--advise") == 0)
+        out->advise = true;
     else if (strcmp(option, "--list") == 0)
         out->list = true;
     else if (strcmp(option, "--help") == 0 || strcmp(option, "-h") == 0)
@@ -80,19 +146,52 @@ static bool parse_plain(const char *option, run_options *out) {
     return true;
 }
 
+/* Whether the options go together. False after a message. */
+static bool check(const run_options *options, bool only_for_advice) {
+    if (options->help || options->list)
+        return true;
+    if (!options->source)
+        fprintf(stderr, "thud-run: which scene or level? See thud-run --help and --list\n");
+    else if (only_for_advice && !options->advise)
+        fprintf(stderr, "thud-run: --max-error, --budget, --repeat, --patience and "
+                        "--picture are for "
+                        "--advise\n");
+    else if (options->advise && options->uses)
+        fprintf(stderr, "thud-run: --advise tells what --uses does; give one of them\n");
+    else if (options->advise && options->steps > ADVISE_STEPS_MAX)
+        fprintf(stderr, "thud-run: --advise takes at most %d steps, not %ld\n", ADVISE_STEPS_MAX,
+                options->steps);
+    else
+        return true;
+    return false;
+}
+
 bool run_options_parse(int count, char **arguments, run_options *out) {
-    static const char *const with_value[] = {"--steps",   "--size",      "--quality",
-                                             "--workers", "--detection", "--broadphase"};
+    static const char *const with_value[] = {"--max-error", "--budget",    "--patience",
+                                             "--repeat",    "--picture", /* for --advise alone */
+                                             "--steps",     "--size",      "--quality",
+                                             "--workers",   "--detection", "--broadphase",
+                                             "--substeps",  "--without",   "--rate",
+                                             "--heavier"};
+    enum { ONLY_FOR_ADVICE = 5 };
     *out = (run_options){.steps = 600,
                          .quality = QUALITY_DEFAULT,
                          .detection = DETECTION_DEFAULT,
-                         .broadphase = BROADPHASE_DEFAULT};
+                         .broadphase = BROADPHASE_DEFAULT,
+                         .max_error = MAX_ERROR,
+                         .budget = INFINITY,
+                         .repeats = REPEATS,
+                         .patience = PATIENCE,
+                         .rate = RATE,
+                         .heavier = 1};
+    bool only_for_advice = false;
     for (int i = 1; i < count; i++) {
         const char *argument = arguments[i];
-        bool valued = false;
-        for (size_t k = 0; k < sizeof with_value / sizeof with_value[0]; k++)
-            valued |= strcmp(argument, with_value[k]) == 0;
-        if (valued) {
+        size_t valued = 0, options = sizeof with_value / sizeof with_value[0];
+        while (valued < options && strcmp(argument, with_value[valued]) != 0)
+            valued++;
+        only_for_advice |= valued < ONLY_FOR_ADVICE;
+        if (valued < options) {
             if (!parse_valued(argument, arguments[++i], out))
                 return false;
         } else if (argument[0] == '-') {
@@ -104,36 +203,96 @@ bool run_options_parse(int count, char **arguments, run_options *out) {
             out->source = argument;
         }
     }
-    if (!out->source && !out->help && !out->list) {
-        fprintf(stderr, "thud-run: which scene or level? See thud-run --help and --list\n");
-        return false;
-    }
-    return true;
+    return check(out, only_for_advice);
+}
+
+/* Whether a shell takes the text as it is. */
+static bool is_plain(const char *text) {
+    return text[strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                             "_-./+,:@%")] == '\0';
+}
+
+void run_command(const run_options *o, char *out) {
+    const char *quote = is_plain(o->source) ? "" : "\"";
+    int used = snprintf(out, RUN_COMMAND_MAX, "thud-run %s%.900s%s --steps %ld", quote, o->source,
+                        quote, o->steps);
+    struct {
+        const char *name, *value;
+    } words[] = {{"--quality", QUALITIES[o->quality]->name},
+                 {"--detection", o->detection ? DETECTIONS[o->detection].name : NULL},
+                 {"--broadphase", o->broadphase ? BROADPHASES[o->broadphase].name : NULL},
+                 {"--no-sleeping", o->no_sleeping ? "" : NULL},
+                 {"--uses", o->uses ? "" : NULL},
+                 {"--skip-unsupported", o->skip_unsupported ? "" : NULL}};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
+        if (words[i].value)
+            used += snprintf(out + used, (size_t)(RUN_COMMAND_MAX - used), " %s%s%s", words[i].name,
+                             *words[i].value ? " " : "", words[i].value);
+    struct {
+        const char *name;
+        int value;
+    } counts[] = {{"--size", o->size}, {"--substeps", o->substeps}, {"--workers", o->workers}};
+    for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++)
+        if (counts[i].value > 0)
+            used += snprintf(out + used, (size_t)(RUN_COMMAND_MAX - used), " %s %d", counts[i].name,
+                             counts[i].value);
+    if (o->rate != RATE)
+        used += snprintf(out + used, (size_t)(RUN_COMMAND_MAX - used), " --rate %.17g", o->rate);
+    if (o->heavier != 1)
+        used +=
+            snprintf(out + used, (size_t)(RUN_COMMAND_MAX - used), " --heavier %.17g", o->heavier);
+    const char *between = " --without ";
+    for (int i = 0; i < WITHOUT_PARTS; i++)
+        if (o->without & 1u << i) {
+            used += snprintf(out + used, (size_t)(RUN_COMMAND_MAX - used), "%s%s", between,
+                             without_name(i));
+            between = ",";
+        }
 }
 
 void run_print_help(void) {
-    puts("thud-run LEVEL|SCENE [options]: runs a scene or a level without a display.\n"
-         "\n"
-         "SCENE is the name of a built-in scene (--list shows them), LEVEL a map of the Tiled\n"
-         "editor (.tmj or .tmx), with the tilesets and templates beside it; all that of it cannot\n"
-         "be modelled is listed on standard error. Prints the time of a step by stage, the worst\n"
-         "penetration and the worst errors that a step reported in the whole run, and at its end\n"
-         "the contacts, the energy (against height 0) and the hash of the state, which is the\n"
-         "same on every machine.\n"
-         "\n"
-         "  --steps N            steps of 1/60 s to run (600)\n"
-         "  --size N             how big a built-in scene is, see --list\n"
-         "  --quality Q          draft, default, high or exact\n"
-         "  --detection D        overlap, continuous (the default), bisect or swept\n"
-         "  --broadphase B       grid (the default), sweep or all\n"
-         "  --workers N          threads to work on (1); the state is the same with any number\n"
-         "  --no-sleeping        resting bodies stay awake\n"
-         "  --skip-unsupported   leave out what a level has that cannot be modelled\n"
-         "  --json               print one JSON object instead\n"
-         "  --list               list the built-in scenes\n"
-         "  --help               this text\n"
-         "\n"
-         "Exit status: 0 done, 1 the scene cannot be loaded or run, 2 wrong arguments.");
+    puts(
+        "thud-run LEVEL|SCENE [options]: runs a scene or a level without a display.\n"
+        "\n"
+        "SCENE is the name of a built-in scene (--list shows them), LEVEL a map of the Tiled\n"
+        "editor (.tmj or .tmx), with the tilesets and templates beside it; all that of it cannot\n"
+        "be modelled is listed on standard error. Prints the time of a step by stage, the worst\n"
+        "penetration and the worst errors that a step reported in the whole run, and at its end\n"
+        "the contacts, the energy (against height 0) and the hash of the state, which is the\n"
+        "same on every machine.\n"
+        "\n"
+        "  --steps N            steps to run (600)\n"
+        "  --rate HZ            steps a second of the scene (60)\n"
+        "  --heavier F          the heaviest body, of equal ones the highest, is F times as heavy\n"
+        "  --size N             how big a built-in scene is, see --list\n"
+        "  --quality Q          draft, default, high or exact\n"
+        "  --detection D        overlap, continuous (the default), bisect or swept\n"
+        "  --broadphase B       grid (the default), sweep or all\n"
+        "  --substeps N         substeps of a step, 1 to 64 (those of the quality)\n"
+        "  --workers N          threads to work on (1); the state is the same with any number\n"
+        "  --no-sleeping        resting bodies stay awake\n"
+        "  --skip-unsupported   leave out what a level has that cannot be modelled\n"
+        "  --json               print one JSON object instead\n"
+        "  --without PARTS      leave out parts, with commas between them: obbs (upright ones\n"
+        "                       become AABBs, which never turn), turning, friction, bounce, sleep,\n"
+        "                       direct (islands), joints, sensors, fields, rules, events\n"
+        "  --uses               print instead what the scene has, and what the run used of it:\n"
+        "                       bodies that turned, bounced, slid or slept, contacts solved\n"
+        "                       directly, the height of stacks, ratios of masses, speeds\n"
+        "  --advise             measure what the scene requires, and say which setting is the\n"
+        "                       cheapest that meets --max-error within --budget; this makes\n"
+        "                       dozens of runs\n"
+        "  --max-error E        the largest error, in length scales (0.005): the deepest overlap\n"
+        "                       or the widest gap of a joint in any step; bodies that pass\n"
+        "                       through what stands meet no error\n"
+        "  --budget MS          milliseconds that a step may take in the mean (any)\n"
+        "  --repeat N           timed runs of the settings that come into question (3)\n"
+        "  --patience S         seconds that larger sizes of the scene may take to measure (20)\n"
+        "  --picture FILE.svg   also draw the error of each setting over its time\n"
+        "  --list               list the built-in scenes\n"
+        "  --help               this text\n"
+        "\n"
+        "Exit status: 0 done, 1 the scene cannot be loaded or run, 2 wrong arguments.");
 }
 
 void run_print_list(void) {

@@ -4,18 +4,41 @@
 
 #include <thud/thud.h>
 
+/* Most that --heavier takes. */
+#define RUN_HEAVIER_MAX 1e6
+
+/* Most steps of a run whose times are kept one by one. */
+enum { ADVISE_STEPS_MAX = 1000000 };
+
 typedef struct run_options {
     const char *source; /* a built-in scene's name or a level's path */
     long steps;
     int size;                           /* of a built-in scene; 0: its default */
     int workers;                        /* threads, the calling one included; 0 means 1 */
+    int substeps;                       /* of a step; 0: those of the quality */
     int quality, detection, broadphase; /* indices in the lists of choices.h */
+    double rate;                        /* steps a second of the scene */
+    double heavier;                     /* factor of the mass of the heaviest body; 1: as it is */
+    unsigned without;                   /* bits of without.h */
     bool json, skip_unsupported, no_sleeping, list, help;
+    bool uses;           /* also count what the run uses */
+    bool advise;         /* advise instead of running once; what follows is for this alone */
+    double max_error;    /* the largest error that the advised setting may have, length scales */
+    double budget;       /* ms a step that it may take; infinite: any */
+    int repeats;         /* timed runs of each setting that comes into question */
+    double patience;     /* s that larger sizes may take to measure together */
+    const char *picture; /* path of a picture to write; null: none */
 } run_options;
 
 /* Parses the arguments. False, after a message on stderr, if one is unknown or has no valid value,
  * or if no scene is named. */
 bool run_options_parse(int count, char **arguments, run_options *out);
+
+/* Most characters of a command, its terminating 0 included. */
+enum { RUN_COMMAND_MAX = 1200 };
+
+/* Writes the command line that runs what the options say once, into RUN_COMMAND_MAX characters. */
+void run_command(const run_options *options, char *out);
 
 void run_print_help(void);
 void run_print_list(void);

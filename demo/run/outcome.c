@@ -4,7 +4,13 @@
 
 #include <cjson/cJSON.h>
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
+
+double run_error_of(const run_outcome *o, const scene *s) {
+    double length = fmax(o->penetration_max, o->worst.joint_gap_max);
+    return o->passed > 0 || o->quarantined > 0 ? INFINITY : fmax(0, length) / s->length_scale;
+}
 
 static double energy_of(const run_outcome *o) {
     return o->measure.kinetic_energy + o->measure.potential_energy;
@@ -37,6 +43,8 @@ void run_print_text(const run_outcome *o, const scene *s, const run_options *opt
     printf("memory       %" PRIu64 " bytes\n", o->stats.bytes);
     if (o->quarantined > 0)
         printf("quarantined  %ld bodies became non-finite and were frozen\n", o->quarantined);
+    if (o->passed > 0)
+        printf("passed       %ld times a body went through what stands\n", o->passed);
     printf("hash         %016" PRIx64 "\n", o->hash);
 }
 
@@ -69,11 +77,18 @@ bool run_print_json(const run_outcome *o, const scene *s, const run_options *opt
     cJSON_AddNumberToObject(json, "energy", energy_of(o));
     cJSON_AddNumberToObject(json, "bytes", (double)o->stats.bytes);
     cJSON_AddNumberToObject(json, "quarantined", (double)o->quarantined);
-    cJSON *last = cJSON_AddStringToObject(json, "hash", hash);
-    char *text = last ? cJSON_Print(json) : NULL;
+    cJSON_AddNumberToObject(json, "passed", (double)o->passed);
+    cJSON_AddStringToObject(json, "hash", hash);
+    return run_print_and_free(json);
+}
+
+bool run_print_and_free(cJSON *json) {
+    char *text = json ? cJSON_Print(json) : NULL;
     cJSON_Delete(json);
-    if (!text)
+    if (!text) {
+        fprintf(stderr, "thud-run: out of memory\n");
         return false;
+    }
     puts(text);
     cJSON_free(text);
     return true;

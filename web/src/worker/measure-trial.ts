@@ -38,14 +38,18 @@ export class Trial {
   #ruler: Ruler | null = null;
   #step = 0;
 
-  /** Opens the scene. With `setting`, Box2D is measured; without, thud. */
+  /**
+   * Opens the scene. With `setting`, Box2D is measured; without, thud. `sleep`: bodies fall asleep
+   * as the scene lets them; else none does.
+   */
   static async open(
     { box2d, open }: Laboratory,
     request: SceneRequest,
     setting?: Box2DSetting,
+    sleep = false,
   ): Promise<Trial> {
     const session = await open(request);
-    return new Trial(session, box2d, recordOf(session.world), setting);
+    return new Trial(session, box2d, recordOf(session.world), setting, sleep);
   }
 
   private constructor(
@@ -53,6 +57,7 @@ export class Trial {
     box2d: Box2D | null,
     watched: Watched | undefined,
     setting: Box2DSetting | undefined,
+    sleep: boolean,
   ) {
     this.#session = session;
     this.#watched = watched;
@@ -66,6 +71,7 @@ export class Trial {
         ? new Box2DWorld(box2d, session.world, { ...watched, ...setting })
         : null;
     watched?.forwardTo(this.#box2dWorld);
+    if (sleep) return;
     // A step in which all bodies sleep does not show what an engine can do.
     session.world.setSleeping(false);
     this.#box2dWorld?.setSleeping(false);
@@ -81,6 +87,10 @@ export class Trial {
   /** Number of bodies of the thud world. */
   get bodies(): number {
     return this.#session.world.stats().bodies;
+  }
+
+  get world(): World {
+    return this.#session.world;
   }
 
   get size(): number {

@@ -9,6 +9,7 @@
 import { mean, percentile, START_UP, typical } from "../shared/step-times";
 import { BOX2D, labelOf, type SeriesSetting, THUD } from "./measure-settings";
 import { type Laboratory, Trial, warmUp } from "./measure-trial";
+import { countUses, type SceneUses } from "./measure-uses";
 import type { SceneRequest } from "./protocol";
 
 export interface SeriesRow {
@@ -36,6 +37,8 @@ export interface Series {
   /** The number of steps planned for each setting; a slow setting makes fewer. */
   steps: number;
   rows: SeriesRow[];
+  /** What the scene used at the visitor's settings; null where it came with a link. */
+  uses: SceneUses | null;
   /**
    * What the scene has and Box2D is not given: where not empty, Box2D's rows are of another scene.
    */
@@ -94,6 +97,8 @@ export async function measure(
 
   tell(0, "Warming up");
   await warmUp(laboratory, request, WARM_UP);
+  tell(0, "What the scene uses");
+  const uses = await countUses(laboratory, request, SPAN, PATIENCE);
   const runs: Runs[] = [];
   const series = { timeStep: 0, bodies: 0, steps: 0 };
   const misses = new Set<string>();
@@ -135,7 +140,7 @@ export async function measure(
     typical: typical(times),
     p99: percentile(times, 0.99),
   }));
-  return { ...series, rows, misses: [...misses], withoutBox2D };
+  return { ...series, rows, uses, misses: [...misses], withoutBox2D };
 }
 
 /**

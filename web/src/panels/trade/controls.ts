@@ -66,7 +66,7 @@ function explained<T extends string>(
   };
 }
 
-interface Slider {
+export interface Slider {
   element: HTMLElement;
   input: HTMLInputElement;
   /** Moves the slider to a place. `text`: the value's text if the place is only near it. */
@@ -75,7 +75,7 @@ interface Slider {
 
 /** A slider with the places 0 to `most`. `textOf` gives the text of a place; `act` is called with
  * the place when the visitor releases the slider. */
-function slider(
+export function slider(
   name: string,
   label: string,
   hint: string,

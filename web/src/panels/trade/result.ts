@@ -178,7 +178,7 @@ function lengthen(data: unknown): Result | null {
   }
   const named = (names: readonly string[], values: readonly unknown[]) =>
     Object.fromEntries(names.map((name, i) => [name, values[i]]));
-  const result = { ...named(TEXTS, texts), ...named(NUMBERS, numbers), rows: found, misses } as Result;
+  const result = { ...named(TEXTS, texts), ...named(NUMBERS, numbers), rows: found, uses: null, misses } as Result;
   return Number.isNaN(Date.parse(result.date)) ? null : result;
 }
 

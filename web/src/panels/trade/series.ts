@@ -9,6 +9,7 @@ import { messageOf } from "../../shared/error";
 import type { SeriesRow } from "../../worker/measure";
 import { labelOf } from "../../worker/measure-settings";
 import { missesText } from "../misses";
+import { createAdvice } from "./advice";
 import type { Laboratory } from "./laboratory";
 import { Plane, type PlanePoint } from "./plane";
 import { Work } from "./work";
@@ -82,7 +83,8 @@ function view(app: App, result: Result, elsewhere: boolean): HTMLElement[] {
     : make("p", { class: "explained" }, `On this device: ${whereMeasured(result)}.`);
   const title = make("h4", {}, titleOf(result));
   const first = misses === "" ? [] : [make("p", { class: "misses" }, misses)];
-  return [title, ...first, where, plane.element, tableOf(result), actions(app, result)];
+  const advice = createAdvice(app, result);
+  return [title, ...first, where, plane.element, tableOf(result), actions(app, result), advice];
 }
 
 /** The row whose points are joined by a line in the plot. thud's qualities are one, its soft

@@ -1,0 +1,35 @@
+/* advise_off.h: what a scene does not require, found by runs without it. */
+#ifndef THUD_RUN_ADVISE_OFF_H
+#define THUD_RUN_ADVISE_OFF_H
+
+#include "advise_link.h"
+#include "advise_settings.h"
+#include "without.h"
+
+/* A part of the scene or of the engine that was left out. */
+typedef struct advise_off {
+    const char *name;       /* as after --without; "detection": looks at the end of steps only */
+    advise_setting setting; /* the run without it */
+    double moved;  /* length scales: the furthest that a body ended from where it ends with it */
+    bool same;     /* no bit of any body differs */
+    bool needless; /* the error is within the limit without it, and no body ends further off than
+                      this limit */
+    bool saves;    /* time, a hundredth of the memory, or linked code */
+    advise_link link;
+} advise_off;
+
+enum { ADVISE_OFFS_MAX = WITHOUT_PARTS + 1 };
+
+typedef struct advise_offs {
+    int base; /* index of the setting at which all was left out: the advised one, or the nearest */
+    advise_link link; /* of that setting */
+    advise_off offs[ADVISE_OFFS_MAX];
+    int count;
+} advise_offs;
+
+/* Runs the scene without each part that it has. False after a message; *out has to be freed in
+ * either case. */
+bool advise_switch_off(const advise_series *series, const scene *s, advise_offs *out);
+void advise_offs_free(advise_offs *offs);
+
+#endif
