@@ -229,6 +229,13 @@ static thud_result vertex_at(double y) {
     return thud_terrain_check(&line);
 }
 
+static thud_result capsule(place *p, const row *r, double x) {
+    thud_capsule one = {0, 0, 1, 1, 1};
+    (void)p;
+    put(&one, r, x);
+    return thud_capsule_check(&one);
+}
+
 static thud_result polygon_at(double x) {
     const thud_pos points[] = {{x, 0}, {0, THUD_POLYGON_PLACE_MAX}, {0, -THUD_POLYGON_PLACE_MAX}};
     return thud_polygon_check(points, 3, NULL);

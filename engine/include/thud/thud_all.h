@@ -5,6 +5,7 @@
 
 #include "thud.h"
 #include "thud_approximate.h"
+#include "thud_capsule.h"
 #include "thud_casts.h"
 #include "thud_detection.h"
 #include "thud_draw.h"

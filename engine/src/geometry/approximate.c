@@ -56,7 +56,7 @@ typedef struct work {
     search searches[SEARCHES];
     thud_pos points[THUD_POLYGON_POINTS_MAX];
     td_convex triangles[THUD_POLYGON_POINTS_MAX];
-    td_piece stack[TD_PIECE_STACK];
+    td_cover_piece stack[TD_PIECE_STACK];
     double ys[THUD_POLYGON_POINTS_MAX + 4 * THUD_APPROXIMATE_SHAPES_MAX];
     td_interval intervals[THUD_POLYGON_POINTS_MAX + 3 * THUD_APPROXIMATE_SHAPES_MAX];
     td_cover_line lines[SEARCHES][THUD_POLYGON_POINTS_MAX + TD_COVER_LINES];

@@ -74,18 +74,19 @@ enum {
 };
 
 /* A convex piece of a set, or the part of a circle between an arc and its chord. */
-typedef struct td_piece {
+typedef struct td_cover_piece {
     thud_pos corners[TD_PIECE_CORNERS];
     int count; /* of corners. 0: the part from corners[0] to corners[1] of the circle, whose
                   tangents there meet in corners[2] */
     int depth, nearest;
-} td_piece;
+} td_cover_piece;
 
 /* An upper bound of the distance of the points of `from` from the union of `to`. `points`: where
  * that union is a polygon, its outline, by which pieces deep inside are found at once; else null.
  * `stack` has room for TD_PIECE_STACK pieces. `known`: a lower bound of what else the result will
  * be compared with; the bound need not be more precise where it is below. */
 double td_cover_distance(const td_convex *from, const td_convex *to, int count,
-                         const thud_pos *points, int point_count, double known, td_piece *stack);
+                         const thud_pos *points, int point_count, double known,
+                         td_cover_piece *stack);
 
 #endif

@@ -107,7 +107,8 @@ typedef struct bounds {
 } bounds;
 
 /* The greatest distance of a corner from one set; lowers the distance of each from the union. */
-static double farthest(const td_convex *set, const td_piece *piece, int corners, double *nearest) {
+static double farthest(const td_convex *set, const td_cover_piece *piece, int corners,
+                       double *nearest) {
     double most = 0.0;
     for (int k = 0; k < corners; k++) {
         double distance = distance_from(set, piece->corners[k]);
@@ -137,7 +138,7 @@ static double depth_in(const thud_pos *points, int count, thud_pos p) {
 }
 
 /* Whether a piece is in the polygon, by a circle around it; false where that is not clear. */
-static bool is_deep(const td_piece *piece, const thud_pos *points, int count) {
+static bool is_deep(const td_cover_piece *piece, const thud_pos *points, int count) {
     int corners = piece->count > 0 ? piece->count : 3;
     thud_pos centre = {0.0, 0.0};
     double reach = 0.0;
@@ -154,7 +155,7 @@ static bool is_deep(const td_piece *piece, const thud_pos *points, int count) {
 
 /* Sets piece->nearest to the set that gives the upper bound. Sets that are too far away to change
  * either bound are passed over; the set that was nearest to the whole is tried first. */
-static bounds bounds_of(td_piece *piece, const td_convex *to, int count) {
+static bounds bounds_of(td_cover_piece *piece, const td_convex *to, int count) {
     int corners = piece->count > 0 ? piece->count : 3;
     double nearest[TD_PIECE_CORNERS], reach = 0.0;
     thud_pos first = piece->corners[0];
@@ -185,7 +186,8 @@ static bounds bounds_of(td_piece *piece, const td_convex *to, int count) {
 /* ---- cuts ---- */
 
 /* Adds the two parts of a piece on either side of the line through `at` with this normal. */
-static void cut_along(const td_piece *piece, thud_pos at, double nx, double ny, td_piece out[2]) {
+static void cut_along(const td_cover_piece *piece, thud_pos at, double nx, double ny,
+                      td_cover_piece out[2]) {
     out[0].count = out[1].count = 0;
     for (int i = 0; i < piece->count; i++) {
         thud_pos p = piece->corners[i], q = piece->corners[i + 1 < piece->count ? i + 1 : 0];
@@ -207,7 +209,7 @@ static void cut_along(const td_piece *piece, thud_pos at, double nx, double ny, 
 }
 
 /* Cuts from corner 0 to the opposite one, which makes no new corners. */
-static void cut_across(const td_piece *piece, td_piece out[2]) {
+static void cut_across(const td_cover_piece *piece, td_cover_piece out[2]) {
     int half = piece->count / 2;
     out[0].count = out[1].count = 0;
     for (int i = 0; i <= half; i++) {
@@ -219,7 +221,7 @@ static void cut_across(const td_piece *piece, td_piece out[2]) {
 }
 
 /* Cuts a piece in the middle of its greatest extent. */
-static void cut_middle(const td_piece *piece, td_piece out[2]) {
+static void cut_middle(const td_cover_piece *piece, td_cover_piece out[2]) {
     int a = 0, b = 1;
     double most = -1.0;
     for (int i = 0; i < piece->count; i++) {
@@ -238,7 +240,7 @@ static void cut_middle(const td_piece *piece, td_piece out[2]) {
 
 /* Cuts a piece along that side of a polygon beyond which it extends the most, of those on both
  * sides of which it lies. False where there is none. */
-static bool cut_at_side(const td_piece *piece, const td_convex *set, td_piece out[2]) {
+static bool cut_at_side(const td_cover_piece *piece, const td_convex *set, td_cover_piece out[2]) {
     int side = TD_NONE;
     double most = 1e-6;
     for (int edge = 0; edge < set->count; edge++) {
@@ -261,26 +263,27 @@ static bool cut_at_side(const td_piece *piece, const td_convex *set, td_piece ou
 }
 
 /* The part of the circle `of` between the arc from a to b and its chord. */
-static td_piece arc_of(const td_convex *of, thud_pos a, thud_pos b) {
+static td_cover_piece arc_of(const td_convex *of, thud_pos a, thud_pos b) {
     double ax = a.x - of->x, ay = a.y - of->y, bx = b.x - of->x, by = b.y - of->y;
     double square = of->reach * of->reach, far = square / (square + ax * bx + ay * by);
-    return (td_piece){.corners = {a, b, {of->x + far * (ax + bx), of->y + far * (ay + by)}}};
+    return (td_cover_piece){.corners = {a, b, {of->x + far * (ax + bx), of->y + far * (ay + by)}}};
 }
 
 /* Cuts an arc in halves, which leaves a triangle below. */
-static int cut_arc(const td_piece *piece, const td_convex *of, td_piece out[3]) {
+static int cut_arc(const td_cover_piece *piece, const td_convex *of, td_cover_piece out[3]) {
     thud_pos a = piece->corners[0], b = piece->corners[1];
     double x = 0.5 * (a.x + b.x) - of->x, y = 0.5 * (a.y + b.y) - of->y;
     double to_edge = of->reach / length_of(x, y);
     thud_pos middle = {of->x + x * to_edge, of->y + y * to_edge};
     out[0] = arc_of(of, a, middle);
     out[1] = arc_of(of, middle, b);
-    out[2] = (td_piece){.corners = {a, middle, b}, .count = 3};
+    out[2] = (td_cover_piece){.corners = {a, middle, b}, .count = 3};
     return 3;
 }
 
 /* Cuts a piece of the set `of`. Returns the number of parts. */
-static int cut(const td_piece *piece, const td_convex *of, const td_convex *to, td_piece out[3]) {
+static int cut(const td_cover_piece *piece, const td_convex *of, const td_convex *to,
+               td_cover_piece out[3]) {
     if (piece->count == 0) {
         return cut_arc(piece, of, out);
     }
@@ -293,9 +296,9 @@ static int cut(const td_piece *piece, const td_convex *of, const td_convex *to, 
 }
 
 /* The pieces of a whole set. */
-static int pieces_of(const td_convex *of, td_piece *out) {
+static int pieces_of(const td_convex *of, td_cover_piece *out) {
     if (of->count > 0) {
-        out[0] = (td_piece){.count = of->count};
+        out[0] = (td_cover_piece){.count = of->count};
         for (int i = 0; i < of->count; i++) {
             out[0].corners[i] = of->corners[i];
         }
@@ -303,7 +306,7 @@ static int pieces_of(const td_convex *of, td_piece *out) {
     }
     double x = of->x, y = of->y, r = of->reach;
     const thud_pos at[4] = {{x + r, y}, {x, y + r}, {x - r, y}, {x, y - r}};
-    out[0] = (td_piece){.corners = {at[0], at[1], at[2], at[3]}, .count = 4};
+    out[0] = (td_cover_piece){.corners = {at[0], at[1], at[2], at[3]}, .count = 4};
     for (int i = 0; i < 4; i++) {
         out[i + 1] = arc_of(of, at[i], at[(i + 1) % 4]);
     }
@@ -311,11 +314,12 @@ static int pieces_of(const td_convex *of, td_piece *out) {
 }
 
 double td_cover_distance(const td_convex *from, const td_convex *to, int count,
-                         const thud_pos *points, int point_count, double known, td_piece *stack) {
+                         const thud_pos *points, int point_count, double known,
+                         td_cover_piece *stack) {
     int height = pieces_of(from, stack);
     double upper = 0.0, lower = known, precision = PRECISION;
     for (int done = 1; height > 0; done++) {
-        td_piece piece = stack[--height];
+        td_cover_piece piece = stack[--height];
         if (points && is_deep(&piece, points, point_count)) {
             continue;
         }
@@ -327,7 +331,7 @@ double td_cover_distance(const td_convex *from, const td_convex *to, int count,
             upper = td_max_double(upper, of_piece.upper);
             continue;
         }
-        td_piece parts[3];
+        td_cover_piece parts[3];
         int made = cut(&piece, from, &to[piece.nearest], parts);
         for (int i = 0; i < made; i++) {
             if (parts[i].count == 1 || parts[i].count == 2) {
