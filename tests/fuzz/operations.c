@@ -128,6 +128,10 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(linkage),
     PLAYS(joint_at),
     PLAYS(log),
+    PLAYS(angle_of),
+    PLAYS(approximate),
+    PLAYS(capsule),
+    PLAYS(line_capsule),
 };
 
 void session_play(fuzz_session *s) {
