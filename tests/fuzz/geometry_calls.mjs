@@ -28,7 +28,7 @@ export const GEOMETRY_CALLS = {
       ...(s.below(2) ? {} : { kinds: s.pick(["both", "circles", "boxes", "none"]) }),
       ...(s.below(2) ? {} : { distance: s.number(0, 1) }),
     }),
-  capsuleOf: (s) => geometry.capsuleOf({ ...placed(s), kind: "circle", radius: 1 }, s.vector()),
+  capsuleOf: (s) => geometry.capsuleOf(s.engine, { ...placed(s), kind: "circle", radius: 1 }, s.vector()),
   capsuleClosest: (s) => geometry.capsuleClosest(s.engine, capsule(s), capsuleOrShape(s)),
   capsuleTimeOfImpact: (s) =>
     geometry.capsuleTimeOfImpact(

@@ -150,7 +150,7 @@ test("capsules meet when worked out by hand, and where their circle does", () =>
     const [moving, way, rest] = [circle(number(), number()), [number(), number()], circle(number(), number(), 0.5)];
     const way0 = { way: [0, 0] };
     const hit = geometry.timeOfImpact(engine, moving, { way }, rest, way0) !== null;
-    const swept = geometry.capsuleClosest(engine, geometry.capsuleOf(moving, way), rest);
+    const swept = geometry.capsuleClosest(engine, geometry.capsuleOf(engine, moving, way), rest);
     assert.equal(swept.overlaps, hit);
   }
 });
@@ -164,6 +164,8 @@ test("what is no capsule is refused", () => {
   const good = capsule([0, 0], [1, 0], 1);
   const wrong = [good, [0, 0], circle(0, 0), [0, 0], -1];
   assert.throws(() => geometry.capsuleTimeOfImpact(engine, ...wrong), { code: "invalid" });
+  for (const way of [[NaN, 0], [2e15, 0]])
+    assert.throws(() => geometry.capsuleOf(engine, circle(0, 0), way), { code: "invalid" });
   const line = { kind: "flat", slope: 1e9 };
   assert.throws(() => geometry.capsuleClosestOnTerrain(engine, line, good), { code: "invalid" });
 });

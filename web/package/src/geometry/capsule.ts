@@ -23,9 +23,18 @@ export interface Capsule {
  * What a moving circle covers on its way: a shape at rest overlaps this capsule exactly where the
  * circle hits it. `way`: the displacement of the circle.
  */
-export function capsuleOf(circle: PlacedShape & { kind: "circle" }, way: Vec2): Capsule {
+export function capsuleOf(
+  engine: Engine,
+  circle: PlacedShape & { kind: "circle" },
+  way: Vec2,
+): Capsule {
   const { center, radius } = circle;
-  return { kind: "capsule", from: center, to: [center[0] + way[0], center[1] + way[1]], radius };
+  const to: Vec2 = [center[0] + way[0], center[1] + way[1]];
+  const capsule: Capsule = { kind: "capsule", from: center, to, radius };
+  // The call refuses what is no circle, and a way that leads out of range.
+  putSides(engine, capsule, circle);
+  checkGeometry("capsuleOf", engine.exports.api_capsule_closest());
+  return capsule;
 }
 
 /** Writes a capsule to the slots from `at` on. */
