@@ -223,7 +223,7 @@ void play_approximate(fuzz_session *s) {
     }
     thud_approximate_options options = {
         .shapes_max = next_choice(&s->bytes, s->bytes.hostile ? 9 : 6),
-        .kinds = (thud_approximate_kinds)next_choice(&s->bytes, s->bytes.hostile ? 4 : 3),
+        .kinds = (thud_approximate_kind)next_choice(&s->bytes, s->bytes.hostile ? 4 : 3),
         .distance = next_choice(&s->bytes, 2) ? (double)pick_size(s) : 0};
     struct {
         thud_geometry shapes[9];

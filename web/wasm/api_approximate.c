@@ -6,14 +6,14 @@
 /* The shapes that were found last. */
 static struct placed shapes[THUD_APPROXIMATE_SHAPES_MAX];
 
-/* `most`: the greatest count of shapes; `kinds`: a thud_approximate_kinds; `distance`: the error
+/* `most`: the greatest count of shapes; `kinds`: a thud_approximate_kind; `distance`: the error
  * that is good enough, a length. Slots out: approximation; where the points are no polygon, only
  * its `reason`. */
 int api_approximate(const thud_pos *points, int count, double most, int kinds, double distance) {
     thud_geometry found[THUD_APPROXIMATE_SHAPES_MAX];
     thud_approximation errors;
     thud_approximate_options options = {.shapes_max = api_to_int(most),
-                                        .kinds = (thud_approximate_kinds)kinds,
+                                        .kinds = (thud_approximate_kind)kinds,
                                         .distance = distance};
     const char *reason = NULL;
     thud_result result = thud_polygon_check(points, count, &reason);

@@ -31,16 +31,16 @@ extern "C" {
 THUD_API thud_result thud_polygon_check(const thud_pos *points, int count, const char **out_reason);
 
 /* The kinds of shapes that thud_approximate uses. */
-typedef enum thud_approximate_kinds {
+typedef enum thud_approximate_kind {
     THUD_APPROXIMATE_BOTH = 0,
     THUD_APPROXIMATE_CIRCLES,
     THUD_APPROXIMATE_BOXES /* OBBs */
-} thud_approximate_kinds;
+} thud_approximate_kind;
 
 /* The options of thud_approximate. Zero-initialise it and set shapes_max. */
 typedef struct thud_approximate_options {
-    int shapes_max;               /* [1, THUD_APPROXIMATE_SHAPES_MAX] */
-    thud_approximate_kinds kinds; /* default THUD_APPROXIMATE_BOTH */
+    int shapes_max;              /* [1, THUD_APPROXIMATE_SHAPES_MAX] */
+    thud_approximate_kind kinds; /* default THUD_APPROXIMATE_BOTH */
     double distance; /* the error that is good enough, length, [0, THUD_COORDINATE_MAX]: no more
                         shapes are added once thud_approximation.distance is at most this.
                         Default 0, which only a polygon made up of boxes reaches, within rounding */

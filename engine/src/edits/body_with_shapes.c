@@ -44,8 +44,7 @@ static thud_result create(thud_world *w, thud_body_id body, const thud_body_shap
     case THUD_SHAPE_AABB:
         return thud_shape_create_aabb(w, body, def, offset, half, out);
     case THUD_SHAPE_OBB:
-        return thud_shape_create_obb(w, body, def, offset, half, td_angle_of(at->c, at->s),
-                                     out);
+        return thud_shape_create_obb(w, body, def, offset, half, td_angle_of(at->c, at->s), out);
     case THUD_SHAPE_TERRAIN:
         break;
     }

@@ -65,7 +65,7 @@ typedef struct work {
     double area;
     thud_pos origin;
     double scale; /* of the caller's lengths in ours */
-    thud_approximate_kinds kinds;
+    thud_approximate_kind kinds;
 } work;
 
 /* ---- the search for one shape ---- */

@@ -28,7 +28,7 @@ typedef struct answer {
     thud_approximation found;
 } answer;
 
-static answer approximate(const outline_points *p, int most, thud_approximate_kinds kinds) {
+static answer approximate(const outline_points *p, int most, thud_approximate_kind kinds) {
     answer a;
     thud_approximate_options options = {.shapes_max = most, .kinds = kinds};
     memset(&a, 0, sizeof a);
@@ -280,7 +280,7 @@ static void errors_of_random_polygons_hold_for_dense_samples(void **state) {
     source r = {77};
     for (int i = 0; i < case_count(CASES); i++) {
         outline_points p = draw_polygon(&r);
-        answer a = approximate(&p, 1 + draw_below(&r, 20), (thud_approximate_kinds)(i % 3));
+        answer a = approximate(&p, 1 + draw_below(&r, 20), (thud_approximate_kind)(i % 3));
         sampled s = sample(&p, &a);
         assert_true(s.distance <= a.found.distance);
         assert_true(a.found.distance <= fmax((s.distance + s.cell) * 17.0 / 16.0,
@@ -317,7 +317,7 @@ static void more_shapes_are_never_worse(void **state) {
         outline_points p = draw_polygon(&r);
         double area = 1e300, distance = 1e300, first = 0.0;
         for (int most = 1; most <= 16; most++) {
-            answer a = approximate(&p, most, (thud_approximate_kinds)(i % 3));
+            answer a = approximate(&p, most, (thud_approximate_kind)(i % 3));
             double wrong = a.found.missed + a.found.extra;
             assert_true(wrong <= area && a.found.distance <= distance);
             area = wrong;
@@ -421,8 +421,8 @@ static void options_out_of_range_are_refused(void **state) {
     const thud_approximate_options bad[] = {
         {.shapes_max = 0},
         {.shapes_max = MOST + 1},
-        {.shapes_max = 1, .kinds = (thud_approximate_kinds)3},
-        {.shapes_max = 1, .kinds = (thud_approximate_kinds)-1},
+        {.shapes_max = 1, .kinds = (thud_approximate_kind)3},
+        {.shapes_max = 1, .kinds = (thud_approximate_kind)-1},
         {.shapes_max = 1, .distance = -1e-9},
         {.shapes_max = 1, .distance = NAN},
     };

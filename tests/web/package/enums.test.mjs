@@ -38,7 +38,7 @@ const TWINS = [
   ["thud_joint_kind", "THUD_JOINT_", joints.JOINT_KINDS],
   ["thud_direction", "THUD_DIRECTION_", joints.DIRECTIONS],
   ["thud_rule_kind", "THUD_RULE_", rules.RULE_KINDS],
-  ["thud_approximate_kinds", "THUD_APPROXIMATE_", approximate.APPROXIMATE_KINDS],
+  ["thud_approximate_kind", "THUD_APPROXIMATE_", approximate.APPROXIMATE_KINDS],
   ["thud_cover", "THUD_COVER_", fields.COVERS],
 ];
 
