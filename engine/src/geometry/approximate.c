@@ -179,7 +179,7 @@ static void improve(const work *w, const search *s, candidate *best, double from
 /* The distance of a point from the segment from a to b, and the direction of that. */
 static double from_segment(thud_pos p, thud_pos a, thud_pos b, thud_pos *along) {
     double x = b.x - a.x, y = b.y - a.y, length = __builtin_sqrt(x * x + y * y);
-    *along = (thud_pos){x / length, y / length};
+    *along = length > 0.0 ? (thud_pos){x / length, y / length} : (thud_pos){1.0, 0.0};
     double t = td_clamp((p.x - a.x) * along->x + (p.y - a.y) * along->y, 0.0, length);
     double dx = p.x - a.x - t * along->x, dy = p.y - a.y - t * along->y;
     return __builtin_sqrt(dx * dx + dy * dy);

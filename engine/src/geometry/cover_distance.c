@@ -129,7 +129,8 @@ static double depth_in(const thud_pos *points, int count, thud_pos p) {
         if ((a.y > p.y) != (b.y > p.y) && px < py * (x / y)) {
             inside = !inside;
         }
-        double t = td_clamp((px * x + py * y) / (x * x + y * y), 0.0, 1.0);
+        double square = x * x + y * y; /* 0 where rounding has made two points one */
+        double t = square > 0.0 ? td_clamp((px * x + py * y) / square, 0.0, 1.0) : 0.0;
         double dx = px - t * x, dy = py - t * y;
         least = td_min_double(least, dx * dx + dy * dy);
     }
