@@ -196,6 +196,28 @@ def props():
         {"firstgid": more, "source": "tiles/things.tsj"}])
 
 
+def polygons():
+    """Polygons that shapes approximate: at rest and moving, turned, of a tile, heavier, one that is
+    ground all the same, one of edges that cross, and one without the property."""
+    objects = balls(12, 640)
+    star = points((0, -40), (12, -12), (40, 0), (12, 12), (0, 40), (-12, 12), (-40, 0), (-12, -12))
+    wedge = points((0, 0), (70, -20), (50, 30), (10, 24))
+    some = {"approximate": 5}
+    moving = {"approximate": 4, "body": "dynamic"}
+    objects.add(120, 330, polygon=star, custom=some)
+    objects.add(300, 300, polygon=star, rotation=30, custom={"approximate": 12})
+    objects.add(200, 120, polygon=wedge, custom=moving)
+    objects.add(330, 140, polygon=wedge, rotation=-70, custom={**moving, "density": 3})
+    objects.add(460, 100, polygon=star, rotation=10, custom=moving)
+    objects.add(420, 330, gid=SLOPE | FLIP_X, width=64, height=48, rotation=45,
+                custom={"approximate": "3"})
+    objects.add(0, 0, polygon=points((0, 440), (300, 460), (640, 430), (640, 480), (0, 480)),
+                custom=some)
+    objects.add(520, 300, polygon=points((0, 0), (60, 60), (60, 0), (0, 50)), custom=some)
+    objects.add(560, 200, polygon=wedge, custom={"approximate": 0})
+    return map_of([object_layer(objects)], tilesets=[{"firstgid": 1, "source": "tiles/ground.tsx"}])
+
+
 def landscape(columns, rows):
     """Cells of which some rows compress well and others badly."""
     cells = [0] * (columns * rows)
@@ -394,7 +416,7 @@ def write_xml(name, content):
 
 def main():
     maps = {"shapes": shapes(), "hills": hills(), "props": props(), "infinite": infinite_map(),
-            "unmarked": unmarked(), "wrong": wrong(), "joints": joints(), "loose": loose(), "csv": packed_map(None)}
+            "unmarked": unmarked(), "wrong": wrong(), "polygons": polygons(), "joints": joints(), "loose": loose(), "csv": packed_map(None)}
     for packing in PACKINGS:
         maps[packing or "base64"] = packed_map(packing)
     for name, content in maps.items():

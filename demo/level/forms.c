@@ -222,20 +222,49 @@ static bool line_fits(const level_reader *r, const level_values *v, level_form *
     return true;
 }
 
-/* Prepares one form, see level_forms_settle. Every polygon has become ground before; all of its
- * lower side, whose highest point is `foot`, must reach down to `lowest` (y points down). False if
- * the form has to be removed. */
+/* Whether the ground line that a polygon has become reaches down to `lowest` with all of its lower
+ * side, whose highest point is `foot`. y points down. */
+static bool reaches_down(const level_form *form, double lowest) {
+    return form->y + form->foot >= lowest;
+}
+
+/* Whether a polygon has to be approximated: its properties say so, and it is no ground. */
+static bool is_approximated(const level_physics *physics, level_forms *forms, int index,
+                            double degrees, double lowest) {
+    level_form copy = forms->items[index];
+    if (copy.kind != LEVEL_POLYGON || copy.physics.approximate == 0)
+        return false;
+    if (!level_form_points(forms, &copy, copy.count))
+        return false;
+    memcpy(copy.points, forms->items[index].points, (size_t)copy.count * sizeof *copy.points);
+    level_form_turn(&copy, 0, 0, degrees);
+    bool ground =
+        physics->kind == SCENE_STATIC && level_form_to_ground(&copy) && reaches_down(&copy, lowest);
+    free(copy.points);
+    return !ground;
+}
+
+/* The smallest half extent that the engine takes, pixels. */
+static double smallest(const level_reader *r) {
+    return SMALLEST * r->s->length_scale * r->pixels_per_unit;
+}
+
+/* Prepares one form, see level_forms_settle. False if the form has to be removed. */
 static bool settle(const level_reader *r, const level_values *v, const level_physics *physics,
                    level_form *form, double degrees, double lowest) {
     if (!form->points)
         return size_fits(r, v, form);
     level_form_turn(form, 0, 0, degrees);
-    if (form->kind == LEVEL_POLYGON && !level_form_to_ground(v, form))
+    if (form->kind == LEVEL_POLYGON && !level_form_to_ground(form)) {
+        level_complain(v, LEVEL_SKIP,
+                       "a polygon that neither boxes make up nor a ground line cannot be modelled; "
+                       "with the property 'approximate' shapes cover it");
         return false;
-    if (form->ground && !(form->y + form->foot >= lowest)) {
+    }
+    if (form->ground && !reaches_down(form, lowest)) {
         level_complain(v, LEVEL_SKIP,
                        "a polygon is ground only if it reaches down to the map's lower edge: all "
-                       "below a line is solid");
+                       "below a line is solid; with the property 'approximate' shapes cover it");
         return false;
     }
     if (physics->kind != SCENE_STATIC) {
@@ -247,13 +276,19 @@ static bool settle(const level_reader *r, const level_values *v, const level_phy
 
 void level_forms_settle(const level_reader *r, const level_values *v, const level_physics *physics,
                         level_forms *forms, double degrees, double lowest) {
-    int kept = 0;
-    for (int i = 0; i < forms->count; i++) {
-        if (settle(r, v, physics, &forms->items[i], degrees, lowest))
+    int kept = 0, count = forms->count;
+    for (int i = 0; i < count; i++) {
+        bool approximated = is_approximated(physics, forms, i, degrees, lowest);
+        if (approximated)
+            level_approximate(v, forms, i, smallest(r));
+        if (!approximated && settle(r, v, physics, &forms->items[i], degrees, lowest))
             forms->items[kept++] = forms->items[i];
         else
             free(forms->items[i].points);
     }
+    for (int i = count; i < forms->count; i++)
+        if (size_fits(r, v, &forms->items[i]))
+            forms->items[kept++] = forms->items[i];
     forms->count = kept;
 }
 

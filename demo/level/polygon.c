@@ -1,6 +1,8 @@
 /* polygon.c: polygons for which the engine has shapes: those that boxes make up, and ground, which
- * becomes a terrain line. */
+ * becomes a terrain line; and polygons that shapes approximate. */
 #include "reader.h"
+
+#include <thud/thud_approximate.h>
 
 #include <math.h>
 #include <stdlib.h>
@@ -158,7 +160,7 @@ static void reverse(scene_point *p, int count) {
 
 /* Seen once around, the polygon has to consist of an upper side of edges to the right, a vertical
  * wall or none, a lower side of edges to the left, and a vertical wall or none. */
-bool level_form_to_ground(const level_values *v, level_form *form) {
+bool level_form_to_ground(level_form *form) {
     scene_point *p = form->points;
     int count = form->count;
     double near = 1e-3 * extent(p, count), area = 0;
@@ -180,8 +182,6 @@ bool level_form_to_ground(const level_values *v, level_form *form) {
         first < count && upper < count ? malloc((size_t)(upper + 1) * sizeof *line) : NULL;
     if (!line || lower == 0 || upper + right + lower + left != count) {
         free(line);
-        level_complain(v, LEVEL_SKIP,
-                       "a polygon that neither boxes make up nor a ground line cannot be modelled");
         return false;
     }
     form->foot = p[(first + upper + right) % count].y;
@@ -195,4 +195,52 @@ bool level_form_to_ground(const level_values *v, level_form *form) {
     form->points = line;
     form->count = upper + 1;
     return true;
+}
+
+/* ---- polygons that are approximated ---- */
+
+/* The count of points is not bounded here: thud_polygon_check refuses too many. */
+static thud_result approximate(const level_form *form, thud_geometry *shapes,
+                               thud_approximation *found, const char **reason) {
+    thud_pos *points = malloc((size_t)form->count * sizeof *points);
+    for (int i = 0; points && i < form->count; i++)
+        points[i] = (thud_pos){form->points[i].x, form->points[i].y};
+    thud_approximate_options options = {.shapes_max = form->physics.approximate};
+    thud_result result =
+        points ? thud_polygon_check(points, form->count, reason) : THUD_ERROR_MEMORY;
+    if (result == THUD_OK)
+        result = thud_approximate(points, form->count, &options, shapes, found);
+    free(points);
+    return result;
+}
+
+/* The shapes overlap, so that the density is reduced to give them the polygon's mass. */
+void level_approximate(const level_values *v, level_forms *forms, int index, double smallest) {
+    const level_form polygon = forms->items[index];
+    thud_geometry shapes[THUD_APPROXIMATE_SHAPES_MAX];
+    thud_approximation found;
+    const char *reason = "";
+    thud_result result = approximate(&polygon, shapes, &found, &reason);
+    if (result != THUD_OK) {
+        forms->failed = forms->failed || result == THUD_ERROR_MEMORY;
+        level_complain(v, LEVEL_SKIP, "%s, so that it cannot be approximated", reason);
+        return;
+    }
+    for (int i = 0; i < found.count; i++) {
+        const thud_geometry *shape = &shapes[i];
+        bool round = shape->kind == THUD_SHAPE_CIRCLE;
+        double hy = round ? shape->hx : shape->hy, angle = 0, c, s;
+        if (shape->hx < smallest || hy < smallest)
+            continue;
+        thud_angle_of(shape->s, shape->c, &angle);
+        level_form spare, *form = level_forms_add(forms, round ? LEVEL_CIRCLE : LEVEL_BOX, &spare);
+        form->x = polygon.x + shape->x;
+        form->y = polygon.y + shape->y;
+        form->hx = shape->hx;
+        form->hy = hy;
+        form->rotation = level_turn(angle / 0.017453292519943295, &c, &s);
+        form->physics = polygon.physics;
+        form->physics.material.density /= 1 + found.overlap + found.extra - found.missed;
+    }
+    level_complain(v, LEVEL_NOTE, "its polygon is approximated by %d shapes", found.count);
 }

@@ -2,6 +2,8 @@
  * the map, and checks their types and ranges. */
 #include "reader.h"
 
+#include <thud/thud_limits.h>
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,6 +26,7 @@ static const char *const KNOWN[] = {
     "category",
     "mask",
     "group",
+    "approximate",
     "solid",
     "gravity_x",
     "gravity_y",
@@ -238,6 +241,7 @@ level_physics level_read_physics(level_values *v) {
     p.category = (uint32_t)level_whole_number(v, "category", 1, 0, UINT32_MAX);
     p.mask = (uint32_t)level_whole_number(v, "mask", UINT32_MAX, 0, UINT32_MAX);
     p.group = (int32_t)level_whole_number(v, "group", 0, INT32_MIN, INT32_MAX);
+    p.approximate = (int)level_whole_number(v, "approximate", 0, 0, THUD_APPROXIMATE_SHAPES_MAX);
     return p;
 }
 

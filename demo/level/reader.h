@@ -139,6 +139,7 @@ typedef struct level_physics {
     scene_material material;
     uint32_t category, mask;
     int32_t group;
+    int approximate; /* the greatest count of shapes that cover a polygon; 0: none do */
 } level_physics;
 
 level_physics level_read_physics(level_values *v);
@@ -228,8 +229,11 @@ bool level_read_forms(level_values *v, const cJSON *object, level_forms *forms);
 /* Adds a polygon as the boxes that make it up, if there are such, else as itself. */
 void level_read_polygon(const scene_point *points, int count, level_forms *forms);
 /* Replaces a polygon, in the rotation that it has in the map, by the line of its upper side. False
- * after a report if it has none. */
-bool level_form_to_ground(const level_values *v, level_form *form);
+ * if it has none, or if memory runs out. */
+bool level_form_to_ground(level_form *form);
+/* Adds circles and boxes that approximate the polygon forms->items[index], at most as many as its
+ * physics say, without those smaller than `smallest` pixels. Adds none after a report. */
+void level_approximate(const level_values *v, level_forms *forms, int index, double smallest);
 
 /* Rotates a form about its frame's origin, then moves the origin to (x, y). */
 void level_form_turn(level_form *form, double x, double y, double degrees);
@@ -239,9 +243,9 @@ void level_form_flip(level_form *form, uint32_t gid, double *width, double *heig
 /* Scales a form. False after a report, if it would become an ellipse or a slanted box. */
 bool level_form_scale(const level_values *v, level_form *form, double sx, double sy);
 /* Prepares the forms of a body for the engine: removes, after a report, those that it cannot model,
- * replaces polygons by ground, and lets lines run from left to right. `degrees` is the body's
- * rotation, which is applied to the points of lines and polygons. A polygon is ground if it reaches
- * down to `lowest`, pixels below the body. */
+ * replaces polygons by ground or by shapes that approximate them, and lets lines run from left to
+ * right. `degrees` is the body's rotation, which is applied to the points of lines and polygons. A
+ * polygon is ground if it reaches down to `lowest`, pixels below the body. */
 void level_forms_settle(const level_reader *r, const level_values *v, const level_physics *physics,
                         level_forms *forms, double degrees, double lowest);
 

@@ -10,7 +10,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         play_approach,     play_shape_ray,   play_minkowski,     play_bisectable,
         play_sincos,       play_volume_fit,  play_volume_points, play_volume_merge,
         play_volume_tests, play_line_sample, play_line_shape,    play_line_impact,
-        play_line_ray,     play_foot};
+        play_line_ray,     play_foot,        play_angle_of,      play_approximate,
+        play_capsule,      play_line_capsule};
     static const double units[] = {1, 1, 0.015625, 1000};
     static fuzz_session session;
     fuzz_session *s = &session;

@@ -7,7 +7,37 @@ const moving = (s) => [placed(s), motion(s), placed(s), motion(s)];
 const kind = (s) => s.pick(["circle", "aabb", "obb", "terrain"]);
 const points = (s) => Array.from({ length: s.below(7) }, () => s.vector());
 
+const capsule = (s) => (
+  { kind: "capsule", from: s.vector(), to: s.vector(), radius: s.number(0.1, 2) }
+);
+const capsuleOrShape = (s) => (s.below(2) ? capsule(s) : placed(s));
+// Random points are hardly ever a polygon; around a circle they are one.
+const polygon = (s) =>
+  s.below(3) === 0
+    ? points(s)
+    : Array.from({ length: 3 + s.below(9) }, (_, i) => {
+        const length = 12;
+        const far = s.number(0.5, 3);
+        return [far * Math.cos((6.28 * i) / length), far * Math.sin((6.28 * i) / length)];
+      });
+
 export const GEOMETRY_CALLS = {
+  approximate: (s) =>
+    geometry.approximate(s.engine, polygon(s), {
+      shapes: s.below(6),
+      ...(s.below(2) ? {} : { kinds: s.pick(["both", "circles", "boxes", "none"]) }),
+      ...(s.below(2) ? {} : { distance: s.number(0, 1) }),
+    }),
+  capsuleOf: (s) => geometry.capsuleOf(s.engine, { ...placed(s), kind: "circle", radius: 1 }, s.vector()),
+  capsuleClosest: (s) => geometry.capsuleClosest(s.engine, capsule(s), capsuleOrShape(s)),
+  capsuleTimeOfImpact: (s) =>
+    geometry.capsuleTimeOfImpact(
+      s.engine,
+      ...[capsule(s), s.vector(), capsuleOrShape(s), s.vector(), s.number(0, 1)],
+    ),
+  capsuleClosestOnTerrain: (s) => geometry.capsuleClosestOnTerrain(s.engine, s.line(), capsule(s)),
+  capsuleTimeOfImpactOnTerrain: (s) =>
+    geometry.capsuleTimeOfImpactOnTerrain(s.engine, s.line(), capsule(s), s.vector(), s.number(0, 1)),
   closest: (s) => geometry.closest(s.engine, placed(s), placed(s)),
   timeOfImpact: (s) => geometry.timeOfImpact(s.engine, ...moving(s), s.number(0, 1)),
   timeOfCollision: (s) => geometry.timeOfCollision(s.engine, ...moving(s), s.number(1e-6, 1)),

@@ -134,6 +134,10 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(texture_get),
     PLAYS(line_texture),
     PLAYS(prediction),
+    PLAYS(angle_of),
+    PLAYS(approximate),
+    PLAYS(capsule),
+    PLAYS(line_capsule),
 };
 
 void session_play(fuzz_session *s) {

@@ -48,7 +48,9 @@ fuzz_operation play_mover, play_mover_settings, play_mover_place, play_snapshot,
 fuzz_operation play_restore_damaged;
 /* operations_geometry.c */
 fuzz_operation play_check, play_pair, play_pair_impact, play_pair_collision, play_approach;
-fuzz_operation play_shape_ray, play_minkowski, play_bisectable, play_sincos;
+thud_capsule pick_capsule(fuzz_session *s);
+fuzz_operation play_shape_ray, play_minkowski, play_bisectable, play_sincos, play_angle_of;
+fuzz_operation play_approximate, play_capsule;
 /* operations_volumes.c */
 fuzz_operation play_volume_fit, play_volume_points, play_volume_merge, play_volume_tests;
 /* operations_joints.c */
@@ -69,5 +71,6 @@ fuzz_operation play_saved, play_rollback;
 fuzz_operation play_texture, play_texture_get, play_line_texture;
 /* operations_lines.c: terrain lines without a world */
 fuzz_operation play_line_sample, play_line_shape, play_line_impact, play_line_ray, play_foot;
+fuzz_operation play_line_capsule;
 
 #endif

@@ -185,3 +185,117 @@ void play_sincos(fuzz_session *s) {
         check_unit_vector(s, out.sine, out.cosine);
     }
 }
+
+/* The angle of a sine and a cosine, of which not all belong together. */
+void play_angle_of(fuzz_session *s) {
+    double angle = pick_angle(s), other = pick_coordinate(s), sine = other, cosine = other, found;
+    if (COUNTED(thud_sincos(angle, &sine, &cosine)) == THUD_OK && next_choice(&s->bytes, 4) == 0) {
+        sine = other;
+    }
+    PURE(s, found, thud_angle_of(sine, cosine, &found));
+    if (s->result == THUD_OK) {
+        note_number(s, found);
+        if (fabs(found) > 3.2) {
+            fuzz_fail(s, "an angle of %g", found);
+        }
+    }
+}
+
+/* A polygon approximated by shapes; few random points are a polygon, so half of them are put around
+ * a circle. */
+void play_approximate(fuzz_session *s) {
+    thud_pos points[PICK_POINTS];
+    int count = next_count(&s->bytes, PICK_POINTS);
+    count = count > PICK_POINTS ? -1 : count;
+    bool around = next_choice(&s->bytes, 2) == 0;
+    for (int i = 0; i < PICK_POINTS; i++) {
+        points[i] = i < count ? (thud_pos){pick_coordinate(s), pick_coordinate(s)} : (thud_pos){0};
+        double sine = 0, cosine = 0, far = fabs(points[i].x) + s->unit;
+        if (around && i < count) {
+            thud_sincos(6.283 * i / count, &sine, &cosine);
+            points[i] = (thud_pos){far * cosine, far * sine};
+        }
+    }
+    const char *reason = "";
+    bool valid = COUNTED(thud_polygon_check(points, count, &reason)) == THUD_OK;
+    if (valid == (reason != NULL)) {
+        fuzz_fail(s, "thud_polygon_check: a reason, or none");
+    }
+    thud_approximate_options options = {
+        .shapes_max = next_choice(&s->bytes, s->bytes.hostile ? 9 : 6),
+        .kinds = (thud_approximate_kind)next_choice(&s->bytes, s->bytes.hostile ? 4 : 3),
+        .distance = next_choice(&s->bytes, 2) ? (double)pick_size(s) : 0};
+    struct {
+        thud_geometry shapes[9];
+        thud_approximation found;
+    } out;
+    PURE(s, out, thud_approximate(points, count, &options, out.shapes, &out.found));
+    if (s->result != THUD_OK) {
+        return;
+    }
+    if (!valid || out.found.count < 1 || out.found.count > options.shapes_max ||
+        !(out.found.missed >= 0 && out.found.extra >= 0 && out.found.overlap >= 0)) {
+        fuzz_fail(s, "thud_approximate: %d shapes, missed %g", out.found.count, out.found.missed);
+    }
+    note_number(s, out.found.distance);
+    for (int i = 0; i < out.found.count; i++) {
+        if (COUNTED(thud_geometry_check(&out.shapes[i])) != THUD_OK) {
+            fuzz_fail(s, "thud_approximate: a shape that is none");
+        }
+    }
+}
+
+/* ---- capsules ---- */
+
+thud_capsule pick_capsule(fuzz_session *s) {
+    thud_capsule c = {pick_coordinate(s), pick_coordinate(s), pick_coordinate(s),
+                      pick_coordinate(s), (double)pick_size(s)};
+    return c;
+}
+
+/* Capsules against a shape and each other; motions that turn are refused. */
+void play_capsule(fuzz_session *s) {
+    thud_capsule a = pick_capsule(s), b = pick_capsule(s);
+    thud_geometry shape = pick_geometry(s);
+    thud_motion motion_a = pick_motion(s), motion_b = pick_motion(s);
+    motion_a.turn = next_choice(&s->bytes, 8) == 0 ? motion_a.turn : 0;
+    motion_b.turn = 0;
+    double target = next_choice(&s->bytes, 2) ? (double)pick_size(s) : 0;
+    bool valid = COUNTED(thud_capsule_check(&a)) == THUD_OK;
+    thud_closest closest;
+    thud_capsule covered;
+    struct {
+        bool hit;
+        double time;
+    } impact;
+    for (int i = 0; i < 2; i++) {
+        if (i == 0) {
+            PURE(s, closest, thud_capsule_closest(&a, &shape, &closest));
+        } else {
+            PURE(s, closest, thud_capsules_closest(&a, &b, &closest));
+        }
+        if (s->result == THUD_OK) {
+            note_number(s, closest.distance);
+            check_unit_vector(s, closest.nx, closest.ny);
+        }
+        if (s->result == THUD_OK && !valid) {
+            fuzz_fail(s, "a capsule that is none has a distance");
+        }
+        if (i == 0) {
+            PURE(s, impact,
+                 thud_capsule_time_of_impact(&a, motion_a, &shape, motion_b, target, &impact.hit,
+                                             &impact.time));
+        } else {
+            PURE(s, impact,
+                 thud_capsules_time_of_impact(&a, motion_a, &b, motion_b, target, &impact.hit,
+                                              &impact.time));
+        }
+        if (s->result == THUD_OK) {
+            check_fraction(s, impact.time);
+        }
+    }
+    PURE(s, covered, thud_capsule_of_motion(&shape, motion_a, &covered));
+    if (s->result == THUD_OK && COUNTED(thud_capsule_check(&covered)) != THUD_OK) {
+        fuzz_fail(s, "thud_capsule_of_motion: a capsule that is none");
+    }
+}

@@ -141,3 +141,27 @@ void play_foot(fuzz_session *s) {
         normal_of(s, &g, foot.nx, foot.ny);
     }
 }
+
+void play_line_capsule(fuzz_session *s) {
+    ground g;
+    pick_ground(s, &g);
+    thud_capsule capsule = pick_capsule(s);
+    thud_motion motion = pick_motion(s);
+    motion.turn = 0;
+    thud_closest closest;
+    struct {
+        bool hit;
+        double time;
+    } impact;
+    PURE(s, closest, thud_terrain_capsule_closest(&g.line, &capsule, &closest));
+    if (s->result == THUD_OK) {
+        finite_of(s, &g, closest.distance);
+        normal_of(s, &g, closest.nx, closest.ny);
+    }
+    PURE(s, impact,
+         thud_terrain_capsule_time_of_impact(&g.line, &capsule, motion, 0, &impact.hit,
+                                             &impact.time));
+    if (s->result == THUD_OK && g.valid && !(impact.time >= 0 && impact.time <= 1)) {
+        fuzz_fail(s, "a capsule meets the line at %g", impact.time);
+    }
+}

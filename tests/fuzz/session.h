@@ -7,6 +7,8 @@
 #include "decoder.h"
 
 #include <thud/thud.h>
+#include <thud/thud_approximate.h>
+#include <thud/thud_capsule.h>
 #include <thud/thud_casts.h>
 #include <thud/thud_joint.h>
 #include <thud/thud_listeners.h>

@@ -116,7 +116,8 @@ def check_function(name, returned, arguments, exported):
     if name.startswith("thud_shape_") and not any("thud_world *" in t for t in types):
         yield f"shapes: {name} has no world: geometry is thud_geometry_..."
     if types and types[0] == "const thud_geometry *" and \
-            not name.startswith(("thud_geometry_", "thud_minkowski_", "thud_volume_")):
+            not name.startswith(("thud_geometry_", "thud_minkowski_", "thud_volume_",
+                                 "thud_capsule_")):
         yield f"shapes: {name} is geometry, and is not named thud_geometry_..."
 
 

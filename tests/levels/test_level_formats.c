@@ -54,7 +54,7 @@ static void map_is_the_same_as_json_and_as_xml(void **state) {
     (void)state;
     static const char *const NAMES[] = {"shapes", "hills",  "props",  "infinite", "unmarked",
                                         "wrong",  "csv",    "base64", "zlib",     "gzip",
-                                        "zstd",   "joints", "loose"};
+                                        "zstd",   "joints", "loose",  "polygons"};
     for (size_t i = 0; i < sizeof NAMES / sizeof NAMES[0]; i++) {
         char json[32], xml[32];
         level_report of_json, of_xml;
@@ -87,6 +87,44 @@ static void layer_is_the_same_however_it_is_packed(void **state) {
         scene_free(&packed);
     }
     scene_free(&plain);
+}
+
+/* The polygons of the map are what tools/make_test_levels.py says: which of them become how many
+ * shapes, and what is said of each. */
+static void polygons_are_approximated_by_at_most_as_many_shapes_as_they_say(void **state) {
+    (void)state;
+    level_report report;
+    scene s = read_file("polygons.tmj", &report);
+    static const struct {
+        uint32_t id;
+        int most, least;
+    } EXPECTED[] = {{13, 5, 2}, {14, 12, 6}, {15, 4, 1}, {16, 4, 1}, {17, 4, 2}, {18, 3, 1}};
+    for (size_t i = 0; i < sizeof EXPECTED / sizeof EXPECTED[0]; i++) {
+        int count = body_of(&s, EXPECTED[i].id)->shape_count;
+        assert_true(count <= EXPECTED[i].most && count >= EXPECTED[i].least);
+        char said[60];
+        snprintf(said, sizeof said, "object %u: its polygon is approximated by %d shapes",
+                 EXPECTED[i].id, count);
+        assert_true(says(&report, LEVEL_NOTE, said));
+    }
+    const scene_body *ground = body_of(&s, 19);
+    assert_int_equal(s.shapes[ground->first_shape].kind, SCENE_TERRAIN_IRREGULAR);
+    assert_true(
+        says(&report, LEVEL_SKIP, "object 20: edges of a polygon cross or touch each other"));
+    assert_true(says(&report, LEVEL_SKIP, "object 21: a polygon is ground only if"));
+    /* The wedge's area by the shoelace formula is 2000 pixels; its mass, at density 3, is that of
+     * 2000 / 32^2 m^2. */
+    const scene_body *heavy = body_of(&s, 16);
+    double mass = 0;
+    for (int i = 0; i < heavy->shape_count; i++) {
+        const scene_shape *shape = &s.shapes[heavy->first_shape + i];
+        double area = shape->kind == SCENE_CIRCLE ? 3.141592653589793 * shape->hx * shape->hx
+                                                  : 4 * shape->hx * shape->hy;
+        mass += area * shape->material.density;
+    }
+    assert_true(fabs(mass - 3 * 2000.0 / 1024) < 0.01);
+    scene_free(&s);
+    level_report_free(&report);
 }
 
 /* Reads a map with a tile in one cell and collision shapes for that tile. */
@@ -297,6 +335,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(map_is_the_same_as_json_and_as_xml),
         cmocka_unit_test(layer_is_the_same_however_it_is_packed),
+        cmocka_unit_test(polygons_are_approximated_by_at_most_as_many_shapes_as_they_say),
         cmocka_unit_test(collision_shape_lies_as_its_tile_is_flipped),
         cmocka_unit_test(collision_shape_that_leans_leans_the_other_way_in_a_flipped_tile),
         cmocka_unit_test(slope_is_ground_where_all_below_it_is_solid),

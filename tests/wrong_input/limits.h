@@ -216,6 +216,16 @@
          thud_minkowski_contains(&p->sum, x, 0, &p->hit))                                          \
     CALL(thud_minkowski_cast, dx, -THUD_VOLUME_MAX, THUD_VOLUME_MAX,                               \
          thud_minkowski_cast(&p->sum, (thud_segment){0, 0, x, 0}, &p->hit, &p->x, &p->y, &p->z))   \
+    FIELD(thud_capsule, y2, y2, -THUD_COORDINATE_MAX, THUD_COORDINATE_MAX, capsule)                \
+    FIELD(thud_capsule, radius, radius, OPEN(0), THUD_COORDINATE_MAX, capsule)                     \
+    CALL(thud_capsule_time_of_impact, target, 0, THUD_COORDINATE_MAX,                              \
+         thud_capsule_time_of_impact(&(thud_capsule){0, 0, 1, 1, 1}, p->rest, &p->box, p->rest, x, \
+                                     &p->hit, &p->x))                                              \
+    CALL(thud_polygon_check, points, -THUD_POLYGON_PLACE_MAX, THUD_POLYGON_PLACE_MAX,              \
+         polygon_at(x))                                                                            \
+    FIELD(thud_approximate_options, shapes_max, shapes_max, 1, THUD_APPROXIMATE_SHAPES_MAX,        \
+          approximation)                                                                           \
+    FIELD(thud_approximate_options, distance, distance, 0, THUD_COORDINATE_MAX, approximation)     \
     FIELD(thud_terrain, slope, slope, -THUD_TERRAIN_SLOPE_MAX, THUD_TERRAIN_SLOPE_MAX, plane)      \
     FIELD(thud_terrain, x0, x0, -THUD_TERRAIN_PLACE_MAX, THUD_TERRAIN_PLACE_MAX, grid)             \
     FIELD(thud_terrain, spacing, spacing, OPEN(0), THUD_TERRAIN_PLACE_MAX, grid)                   \

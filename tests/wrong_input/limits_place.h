@@ -4,6 +4,8 @@
 
 #include "engine_support.h"
 
+#include <thud/thud_approximate.h>
+#include <thud/thud_capsule.h>
 #include <thud/thud_casts.h>
 #include <thud/thud_edits.h>
 #include <thud/thud_fields.h>

@@ -248,6 +248,28 @@ static thud_result textured(double x, const float *table) {
                                     &sample, &friction);
 }
 
+static thud_result capsule(place *p, const row *r, double x) {
+    thud_capsule one = {0, 0, 1, 1, 1};
+    (void)p;
+    put(&one, r, x);
+    return thud_capsule_check(&one);
+}
+
+static thud_result polygon_at(double x) {
+    const thud_pos points[] = {{x, 0}, {0, THUD_POLYGON_PLACE_MAX}, {0, -THUD_POLYGON_PLACE_MAX}};
+    return thud_polygon_check(points, 3, NULL);
+}
+
+static thud_result approximation(place *p, const row *r, double x) {
+    const thud_pos points[] = {{0, 0}, {1, 0}, {0, 1}};
+    static thud_geometry shapes[THUD_APPROXIMATE_SHAPES_MAX];
+    thud_approximate_options options = {.shapes_max = 1};
+    thud_approximation found;
+    (void)p;
+    put(&options, r, x);
+    return thud_approximate(points, 3, &options, shapes, &found);
+}
+
 /* ---- the table ---- */
 
 #define OPEN(x) (x)
@@ -384,6 +406,24 @@ static void directions_are_of_length_1_within_their_limit(void **state) {
     }
 }
 
+static void polygons_have_points_and_area_within_their_limits(void **state) {
+    (void)state;
+    static thud_pos points[THUD_POLYGON_POINTS_MAX + 1];
+    const int most = THUD_POLYGON_POINTS_MAX;
+    for (int i = 0; i <= most; i++) {
+        points[i] = (thud_pos){i, 0.125 * i * i};
+    }
+    assert_int_equal(thud_polygon_check(points, most, NULL), THUD_OK);
+    assert_int_equal(thud_polygon_check(points, most + 1, NULL), THUD_ERROR_INVALID);
+    assert_int_equal(thud_polygon_check(points, 3, NULL), THUD_OK);
+    assert_int_equal(thud_polygon_check(points, 2, NULL), THUD_ERROR_INVALID);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const double height = THUD_POLYGON_AREA_MIN * (1 + sign * 1e-9);
+        const thud_pos box[] = {{0, 0}, {1, 0}, {1, height}, {0, height}};
+        assert_int_equal(thud_polygon_check(box, 4, NULL), sign < 0 ? THUD_ERROR_INVALID : THUD_OK);
+    }
+}
+
 static void steps_hold_what_turns_to_the_limit(void **state) {
     (void)state;
     place p;
@@ -399,6 +439,7 @@ static void steps_hold_what_turns_to_the_limit(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_are_taken_at_each_limit_and_refused_beyond),
+        cmocka_unit_test(polygons_have_points_and_area_within_their_limits),
         cmocka_unit_test(steps_hold_what_turns_to_the_limit),
         cmocka_unit_test(directions_are_of_length_1_within_their_limit),
     };

@@ -3,6 +3,7 @@
  * the shapes and their motions from the slots geometry_pair; api.h has the conventions. */
 #include "api.h"
 
+#include <thud/thud_capsule.h>
 #include <thud/thud_minkowski.h>
 #include <thud/thud_terrain.h>
 
@@ -378,4 +379,57 @@ int api_volume_around_line(int kind, double x_min, double x_max) {
     thud_volume v;
     thud_result result = thud_volume_around_terrain((thud_shape_kind)kind, &line, x_min, x_max, &v);
     return put_volume(result, &v);
+}
+
+/* ---- capsules ---- */
+
+static thud_capsule capsule_of(const struct capsule *c) {
+    return (thud_capsule){c->from[0], c->from[1], c->to[0], c->to[1], c->radius};
+}
+
+/* Capsule a against shape or capsule b. Slots in: capsule_pair. Slots out: closest_features. */
+int api_capsule_closest(void) {
+    const struct capsule_pair *p = &api_slots.capsule_pair;
+    thud_capsule a = capsule_of(&p->a), other = capsule_of(&p->capsule_b);
+    thud_geometry b = placed(&p->shape_b);
+    thud_closest c;
+    thud_result result = p->is_capsule != 0.0 ? thud_capsules_closest(&a, &other, &c)
+                                              : thud_capsule_closest(&a, &b, &c);
+    return put_closest(result, &c, result == THUD_OK && c.distance <= 0.0);
+}
+
+/* Both move; as api_geometry_time_of_impact. Slots in: capsule_pair. Slots out: meeting. */
+int api_capsule_time_of_impact(double target) {
+    const struct capsule_pair *p = &api_slots.capsule_pair;
+    thud_capsule a = capsule_of(&p->a), other = capsule_of(&p->capsule_b);
+    thud_geometry b = placed(&p->shape_b);
+    thud_motion by_a = {p->motion_a[0], p->motion_a[1], 0.0};
+    thud_motion by_b = {p->motion_b[0], p->motion_b[1], 0.0};
+    bool hit = false;
+    double time = 1.0;
+    thud_result result =
+        p->is_capsule != 0.0
+            ? thud_capsules_time_of_impact(&a, by_a, &other, by_b, target, &hit, &time)
+            : thud_capsule_time_of_impact(&a, by_a, &b, by_b, target, &hit, &time);
+    return put_meeting(result, hit, time, false);
+}
+
+/* The line is a, capsule a is b. Slots in: capsule_pair. Slots out: closest_features. */
+int api_line_capsule_closest(void) {
+    thud_capsule capsule = capsule_of(&api_slots.capsule_pair.a);
+    thud_closest c;
+    thud_result result = thud_terrain_capsule_closest(&line, &capsule, &c);
+    return put_closest(result, &c, result == THUD_OK && c.distance <= 0.0);
+}
+
+/* Capsule a moves. Slots in: capsule_pair. Slots out: meeting. */
+int api_line_capsule_time_of_impact(double target) {
+    const struct capsule_pair *p = &api_slots.capsule_pair;
+    thud_capsule capsule = capsule_of(&p->a);
+    thud_motion motion_a = {p->motion_a[0], p->motion_a[1], 0.0};
+    bool hit = false;
+    double time = 1.0;
+    thud_result result =
+        thud_terrain_capsule_time_of_impact(&line, &capsule, motion_a, target, &hit, &time);
+    return put_meeting(result, hit, time, false);
 }

@@ -320,6 +320,25 @@ struct volume {
     double kind, center[2], half_extents[2], turn[2];
 };
 
+/* The ends of the segment, and the radius. */
+struct capsule {
+    double from[2], to[2], radius;
+};
+
+/* A capsule against a shape, or against another capsule. */
+struct capsule_pair {
+    struct capsule a, capsule_b;
+    struct placed shape_b;
+    double is_capsule, motion_a[2], motion_b[2];
+};
+
+/* The shapes are rows of `placed`. `reason`: the address of a text that says why the points are no
+ * polygon; 0: they are one. */
+struct approximation {
+    struct list shapes;
+    double missed, extra, overlap, distance, reason;
+};
+
 union api_slots {
     double all[64];
     struct list list;
@@ -372,6 +391,8 @@ union api_slots {
     struct meeting meeting;
     struct crossing crossing;
     struct volume volume;
+    struct capsule_pair capsule_pair;
+    struct approximation approximation;
 };
 _Static_assert(sizeof(union api_slots) == 64 * sizeof(double), "JavaScript sees 64 slots");
 

@@ -4,6 +4,8 @@
 #define THUD_ALL_H
 
 #include "thud.h"
+#include "thud_approximate.h"
+#include "thud_capsule.h"
 #include "thud_casts.h"
 #include "thud_detection.h"
 #include "thud_draw.h"

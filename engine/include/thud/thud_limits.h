@@ -84,6 +84,10 @@
                                   */
 #define THUD_VOLUME_MAX 1e16     /* the same of bounding volumes and Minkowski sums */
 #define THUD_TOLERANCE_MIN 1e-15 /* of a time of collision, as a fraction of the motion */
+#define THUD_POLYGON_PLACE_MAX 1e12 /* |x|, |y| of points */
+#define THUD_POLYGON_POINTS_MAX 256
+#define THUD_POLYGON_AREA_MIN 1e-3 /* of the square of the larger of width and height */
+#define THUD_APPROXIMATE_SHAPES_MAX 64
 /* The squared length of (c, s) of a shape and of `up` of a mover must differ from 1 by less than
  * this. */
 #define THUD_UNIT_ERROR 1e-5

@@ -1,4 +1,4 @@
-/* thud_math.h: the two vector types of all thud headers, and sine and cosine.
+/* thud_math.h: the two vector types of all thud headers, sine and cosine, and angles.
  *
  * Calls of a world take a place as a thud_pos by value, and relative quantities as a thud_vec2:
  * velocities, forces, normals, and offsets and sizes in a body's frame. Two quantities are passed
@@ -33,6 +33,12 @@ typedef struct thud_pos {
  * compiler and processor, which the C library does not guarantee. The error is below 1e-15.
  * THUD_ERROR_NULL, THUD_ERROR_INVALID. */
 THUD_API thud_result thud_sincos(double angle, double *out_sine, double *out_cosine);
+
+/* The angle in (-pi, pi], rad, with this sine and cosine, whose squares have the sum 1 within
+ * THUD_UNIT_ERROR; with the same bits everywhere, as thud_sincos. It says at which angle the OBB of
+ * a thud_geometry is. The error is below 1e-15 where the sum is 1. THUD_ERROR_NULL,
+ * THUD_ERROR_INVALID. */
+THUD_API thud_result thud_angle_of(double sine, double cosine, double *out_angle);
 
 #ifdef __cplusplus
 }

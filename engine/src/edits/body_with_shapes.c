@@ -4,25 +4,10 @@
 
 #include "base/rotation.h"
 #include "base/trig.h"
-#include "edits/edit.h"
 #include "geometry/shape_instance.h"
 #include "state/body.h"
 #include "state/handles.h"
 #include "state/shape.h"
-
-/* atan2(s, c) without the C library, whose bits differ between platforms. The first guess replaces
- * the unit circle by the diamond |c| + |s| = 1, and is off by at most 0.08 rad. Each iteration adds
- * sin(target - angle), which leaves an error of error^3 / 6: four iterations reach rounding. */
-double td_edit_angle_of(double c, double s) {
-    double quarters = 1.0 - c / (td_abs(c) + td_abs(s)); /* |angle| / (pi / 2), [0, 2] */
-    double angle = (s < 0.0 ? -0.5 : 0.5) * TD_PI * quarters;
-    for (int i = 0; i < 4; i++) {
-        double sine, cosine;
-        td_sincos(angle, &sine, &cosine);
-        angle += s * cosine - c * sine;
-    }
-    return angle;
-}
 
 /* Why a shape of the body to be made is refused, or null: the checks of thud_shape_create_circle
  * and so on, against the def in place of a body. */
@@ -59,8 +44,7 @@ static thud_result create(thud_world *w, thud_body_id body, const thud_body_shap
     case THUD_SHAPE_AABB:
         return thud_shape_create_aabb(w, body, def, offset, half, out);
     case THUD_SHAPE_OBB:
-        return thud_shape_create_obb(w, body, def, offset, half, td_edit_angle_of(at->c, at->s),
-                                     out);
+        return thud_shape_create_obb(w, body, def, offset, half, td_angle_of(at->c, at->s), out);
     case THUD_SHAPE_TERRAIN:
         break;
     }

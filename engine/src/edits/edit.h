@@ -6,9 +6,6 @@
 
 #include "state/world.h"
 
-/* The angle in (-pi, pi] with this cosine and sine, rad, with the same bits on every platform. */
-double td_edit_angle_of(double c, double s);
-
 /* As td_find_body and td_find_shape, but THUD_ERROR_LOCKED inside a callback. */
 thud_result td_edit_body(const thud_world *w, thud_body_id id, td_body_index *index);
 thud_result td_edit_shape(const thud_world *w, thud_shape_id id, int *index);

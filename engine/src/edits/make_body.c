@@ -2,7 +2,7 @@
  * default, into the defs of thud_body_create_with_shapes. */
 #include "thud/thud_make.h"
 
-#include "edits/edit.h"
+#include "base/trig.h"
 #include "state/handles.h"
 #include "thud/thud_edits.h"
 
@@ -10,7 +10,7 @@ static thud_body_def body_def(const thud_body_options *options, const thud_geome
     thud_body_def def = thud_default_body_def();
     def.kind = options->kind;
     def.position = (thud_pos){at->x, at->y};
-    def.angle = at->kind == THUD_SHAPE_OBB ? td_edit_angle_of(at->c, at->s) : 0.0;
+    def.angle = at->kind == THUD_SHAPE_OBB ? td_angle_of(at->c, at->s) : 0.0;
     def.velocity = options->velocity;
     def.angular_velocity = options->angular_velocity;
     def.gravity_scale = options->weightless ? 0.0f : def.gravity_scale;

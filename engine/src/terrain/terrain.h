@@ -53,9 +53,14 @@ int td_terrain_vertices_left_of(const thud_terrain *terrain, double x);
 td_segment td_terrain_segment(const thud_terrain *terrain, int segment, double x_min, double x_max);
 
 /* terrain_closest.c: does what thud_terrain_closest does, for a shape that is moved by `offset` and
- * known to be valid; it may be a circle of radius 0. The points of *out are relative to the moved
- * centre. */
+ * known to be valid; it may be a circle of radius 0 or a box of thickness 0. The points of *out are
+ * relative to the moved centre. */
 void td_terrain_closest(const thud_terrain *terrain, const thud_geometry *shape, thud_pos offset,
                         thud_closest *out);
+
+/* terrain_toi.c: does what thud_terrain_time_of_impact does, for input known to be valid; the shape
+ * may be as above. */
+void td_terrain_time_of_impact(const thud_terrain *terrain, const thud_geometry *shape,
+                               thud_motion motion, double target, bool *out_hit, double *out_time);
 
 #endif

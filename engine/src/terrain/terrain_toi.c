@@ -6,14 +6,17 @@
  * seen as a box of thickness 0 (geometry/toi.c). */
 #include "terrain/grown_ground.h"
 
-bool thud_terrain_overlap(const thud_terrain *t, const thud_geometry *shape) {
-    if (td_terrain_readable(t) != THUD_OK || thud_geometry_check(shape) != THUD_OK) {
-        return false;
-    }
+/* As thud_terrain_overlap, for input known to be valid. */
+static bool overlaps(const thud_terrain *t, const thud_geometry *shape) {
     td_grown grown = td_grown_by(t, shape, (thud_pos){0.0, 0.0});
     td_piece top;
     double height;
     return td_grown_highest(&grown, 0.0, 0.0, &top, &height) && height >= 0.0;
+}
+
+bool thud_terrain_overlap(const thud_terrain *t, const thud_geometry *shape) {
+    return td_terrain_readable(t) == THUD_OK && thud_geometry_check(shape) == THUD_OK &&
+           overlaps(t, shape);
 }
 
 /* Where the motion has an impact with the edge from p to q, sets *hit, and lowers *time to the
@@ -36,21 +39,12 @@ static void impact_with_edge(const thud_geometry *shape, thud_motion motion, thu
     *hit = *hit || hit_here;
 }
 
-thud_result thud_terrain_time_of_impact(const thud_terrain *t, const thud_geometry *shape,
-                                        thud_motion motion, double target, bool *out_hit,
-                                        double *out_time) {
-    if (!t || !shape || !out_hit || !out_time) {
-        return THUD_ERROR_NULL;
-    }
-    thud_result readable = td_terrain_readable(t);
-    if (readable != THUD_OK || thud_geometry_check(shape) != THUD_OK || !td_motion_valid(motion) ||
-        !td_target_valid(target)) {
-        return readable != THUD_OK ? readable : THUD_ERROR_INVALID;
-    }
-    *out_hit = thud_terrain_overlap(t, shape);
+void td_terrain_time_of_impact(const thud_terrain *t, const thud_geometry *shape,
+                               thud_motion motion, double target, bool *out_hit, double *out_time) {
+    *out_hit = overlaps(t, shape);
     *out_time = *out_hit ? 0.0 : 1.0;
     if (*out_hit) {
-        return THUD_OK;
+        return;
     }
     /* Places are relative to the shape's centre, so that no precision is lost far from the
      * origin. */
@@ -64,7 +58,7 @@ thud_result thud_terrain_time_of_impact(const thud_terrain *t, const thud_geomet
         double height = t->slope * shape->x - shape->y;
         thud_pos p = {left, height + t->slope * left}, q = {right, height + t->slope * right};
         impact_with_edge(&here, motion, p, q, target, out_hit, out_time);
-        return THUD_OK;
+        return;
     }
     int first, last;
     thud_terrain_segments(t, shape->x + left, shape->x + right, &first, &last);
@@ -79,5 +73,19 @@ thud_result thud_terrain_time_of_impact(const thud_terrain *t, const thud_geomet
             impact_with_edge(&here, motion, q, (thud_pos){q.x, low}, target, out_hit, out_time);
         }
     }
+}
+
+thud_result thud_terrain_time_of_impact(const thud_terrain *t, const thud_geometry *shape,
+                                        thud_motion motion, double target, bool *out_hit,
+                                        double *out_time) {
+    if (!t || !shape || !out_hit || !out_time) {
+        return THUD_ERROR_NULL;
+    }
+    thud_result readable = td_terrain_readable(t);
+    if (readable != THUD_OK || thud_geometry_check(shape) != THUD_OK || !td_motion_valid(motion) ||
+        !td_target_valid(target)) {
+        return readable != THUD_OK ? readable : THUD_ERROR_INVALID;
+    }
+    td_terrain_time_of_impact(t, shape, motion, target, out_hit, out_time);
     return THUD_OK;
 }

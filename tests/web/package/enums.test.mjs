@@ -6,13 +6,14 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import * as fields from "../../../web/package/dist/fields/field-types.js";
+import * as approximate from "../../../web/package/dist/geometry/approximate.js";
 import * as joints from "../../../web/package/dist/joint-types.js";
 import * as rules from "../../../web/package/dist/rules/rule-types.js";
 import * as types from "../../../web/package/dist/types.js";
 import * as views from "../../../web/package/dist/view-types.js";
 import { root } from "../support/package.mjs";
 
-const headers = ["thud", "thud_draw", "thud_fields", "thud_joint", "thud_rules"]
+const headers = ["thud", "thud_approximate", "thud_draw", "thud_fields", "thud_joint", "thud_rules"]
   .map((name) => readFileSync(`${root}engine/include/thud/${name}.h`, "utf8"))
   .join("\n")
   .replace(/\/\*[^]*?\*\//g, "");
@@ -37,6 +38,7 @@ const TWINS = [
   ["thud_joint_kind", "THUD_JOINT_", joints.JOINT_KINDS],
   ["thud_direction", "THUD_DIRECTION_", joints.DIRECTIONS],
   ["thud_rule_kind", "THUD_RULE_", rules.RULE_KINDS],
+  ["thud_approximate_kind", "THUD_APPROXIMATE_", approximate.APPROXIMATE_KINDS],
   ["thud_cover", "THUD_COVER_", fields.COVERS],
 ];
 

@@ -101,6 +101,11 @@ export interface ReadOptions {
    * all that it uses.
    */
   open?: FileOpener;
+  /**
+   * The engine that approximates polygons by shapes, for maps with the property `approximate`; they
+   * need it. Default: none.
+   */
+  engine?: Engine;
 }
 
 /** The error of a level that cannot be used; its message has the first three problems. */
@@ -121,6 +126,8 @@ export class LevelError extends ThudError {
 export interface Reader {
   readonly level: Level;
   readonly report: Report;
+  /** What approximates polygons. */
+  readonly engine: Engine | undefined;
   readonly tileWidth: number;
   readonly tileHeight: number;
   /** The height of the map, pixels. */
@@ -170,21 +177,21 @@ export async function readLevel(
   content: FileContent,
   options: ReadOptions = {},
 ): Promise<Level> {
-  checkOptions("readLevel", options, ["skip", "open"]);
+  checkOptions("readLevel", options, ["skip", "open", "engine"]);
   let report = new Report();
   let read: Reader | null = null;
   try {
     const json = await parseDocument(content);
     const library = new Library(options.open);
     if (isRecord(json)) await library.prepare(json);
-    read = await readMap(name, json, report, library, false);
+    read = await readMap(name, json, report, library, false, options.engine);
     if (read && read.level.bodies.length === 0 && read.unmarked > 0) {
       report = new Report();
       library.forgetReports();
       const what = "nothing in this map says what collides, so every tile does";
       const way = "'solid' says it for a layer, a tileset, a tile or a tile object";
       report.add("note", 0, `${what}: ${way}`);
-      read = await readMap(name, json, report, library, true);
+      read = await readMap(name, json, report, library, true, options.engine);
     }
   } catch (error) {
     report.add("fatal", 0, messageOf(error));
@@ -252,6 +259,7 @@ async function readMap(
   report: Report,
   library: Library,
   allSolid: boolean,
+  engine: Engine | undefined,
 ): Promise<Reader | null> {
   if (!isRecord(json) || json.type !== "map") {
     report.add("fatal", 0, 'this is not a Tiled map: no "type": "map"');
@@ -262,7 +270,7 @@ async function readMap(
     return null;
   }
   report.noteUnknown(json, 0, "map", "any");
-  const reader = readMapValues(name, json, report, library, allSolid);
+  const reader = readMapValues(name, json, report, library, allSolid, engine);
   if (!reader) {
     report.add("fatal", 0, "the map's own values cannot be used");
     return null;
@@ -282,6 +290,7 @@ function readMapValues(
   report: Report,
   library: Library,
   allSolid: boolean,
+  engine: Engine | undefined,
 ): Reader | null {
   const v = new Values(report, [json], 0, "map");
   const columns = v.required(json, "width", 1, 1e6);
@@ -324,6 +333,7 @@ function readMapValues(
   return {
     level,
     report,
+    engine,
     library,
     tileWidth,
     tileHeight,

@@ -49,9 +49,9 @@ export function createSetting(
       if (!reader) throw new Error("readLevel comes before buildLevel.");
       return reader.buildLevel(thud, level, choices);
     },
-    async readLevel(...request) {
+    async readLevel(name, content, options) {
       reader ??= await loadReader();
-      return reader.readLevel(...request);
+      return reader.readLevel(name, content, { engine: thud, ...options });
     },
     createMover(world, options) {
       if (!mover) throw new Error("Movers could not be loaded.");

@@ -31,11 +31,13 @@ export interface Form {
   /** The highest point of that polygon's lower side, pixels below y. */
   foot: number;
   material: ShapeOptions;
+  /** Of a polygon: the greatest count of shapes that approximate it; 0: none do. */
+  approximate: number;
 }
 
 /** A form of this kind; fields that are not given are 0, false, null or empty. */
 export function form(kind: Form["kind"], more: Partial<Form> = {}): Form {
-  const none = { x: 0, y: 0, hx: 0, hy: 0, rotation: 0, ground: false, foot: 0 };
+  const none = { x: 0, y: 0, hx: 0, hy: 0, rotation: 0, ground: false, foot: 0, approximate: 0 };
   return { kind, ...none, points: null, material: {}, ...more };
 }
 

@@ -4,7 +4,7 @@
  */
 import type { LevelShape, Reader } from "../level.js";
 import { FAR, type Form, form, RADIANS, turn } from "./form.js";
-import { readPolygon, toGround } from "./polygon.js";
+import { approximated, readPolygon, toGround } from "./polygon.js";
 import { grid, isRecord, type Json, type JsonRecord, type Physics, type Values } from "./values.js";
 import type { Vec2 } from "../types.js";
 
@@ -153,8 +153,19 @@ function lineFits({ pixelsPerUnit: ppu }: Reader, v: Values, points: Vec2[]): bo
 }
 
 /**
+ * Whether a polygon has to be approximated: its properties say so, and it is no ground. The
+ * arguments are those of settleForms.
+ */
+function isApproximated(physics: Physics, f: Form, degrees: number, lowest: number): boolean {
+  if (f.kind !== "polygon" || f.approximate === 0) return false;
+  const copy = { ...f, points: [...(f.points as Vec2[])] };
+  turnForm(copy, 0, 0, degrees);
+  return !(physics.kind === "static" && toGround(copy) && copy.y + copy.foot >= lowest);
+}
+
+/**
  * The forms of a body that the engine accepts; problems of the others are in the report. Polygons
- * become ground lines, and lines run from left to right. `degrees`: the body's rotation, by which
+ * become ground lines or shapes that approximate them, and lines run from left to right. `degrees`: the body's rotation, by which
  * lines and polygons are turned, since terrain cannot be. A polygon is ground only where its lower
  * side is at `lowest`, pixels below the body, or lower.
  */
@@ -166,13 +177,24 @@ export function settleForms(
   degrees: number,
   lowest: number,
 ): Form[] {
-  return forms.filter((f) => {
+  const added: Form[] = [];
+  const smallest = SMALLEST * reader.level.lengthScale * reader.pixelsPerUnit;
+  const hint = "with the property 'approximate' shapes cover it";
+  const kept = forms.filter((f) => {
+    if (isApproximated(physics, f, degrees, lowest)) {
+      added.push(...approximated(reader.engine, v, f, smallest));
+      return false;
+    }
     if (!f.points) return sizeFits(reader, v, f);
     turnForm(f, 0, 0, degrees);
-    if (f.kind === "polygon" && !toGround(v, f)) return false;
+    if (f.kind === "polygon" && !toGround(f)) {
+      const what = "a polygon that neither boxes make up nor a ground line cannot be modelled";
+      v.complain("skip", `${what}; ${hint}`);
+      return false;
+    }
     if (f.ground && !(f.y + f.foot >= lowest)) {
       const rule = "a polygon is ground only if it reaches down to the map's lower edge";
-      v.complain("skip", `${rule}: all below a line is solid`);
+      v.complain("skip", `${rule}: all below a line is solid; ${hint}`);
       return false;
     }
     if (physics.kind !== "static") {
@@ -181,6 +203,7 @@ export function settleForms(
     }
     return lineFits(reader, v, f.points);
   });
+  return [...kept, ...added.filter((f) => sizeFits(reader, v, f))];
 }
 
 // ---- bodies ----

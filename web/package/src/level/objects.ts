@@ -145,7 +145,8 @@ function addShape(
   if (!forms) return;
   const physics = readPhysics(v);
   if (v.bad) return;
-  for (const f of forms) f.material = physics.material;
+  const { material, approximate } = physics;
+  for (const f of forms) Object.assign(f, { material, approximate });
   const [first] = forms;
   if (forms.length === 1 && !first.points) {
     turnForm(first, x, y, degrees);

@@ -1,7 +1,11 @@
 /**
  * Converts polygons to shapes of the engine: to boxes, where its edges are parallel to the axes or
- * it is a rectangle, or to a ground line. The same arithmetic as demo/level/polygon.c.
+ * it is a rectangle, to a ground line, or to shapes that approximate it. The same arithmetic as
+ * demo/level/polygon.c.
  */
+import type { Engine } from "../engine.js";
+import { ThudError } from "../error.js";
+import { approximate } from "../geometry/approximate.js";
 import { type Form, form, RADIANS, turn } from "./form.js";
 import type { Values } from "./values.js";
 import type { Vec2 } from "../types.js";
@@ -103,12 +107,12 @@ export function readPolygon(points: Vec2[]): Form[] {
 }
 
 /**
- * Replaces a polygon, which is turned already, by the line of its upper side; false, with a problem
- * in the report, where it has none. The polygon must be monotone in x: once around, the upper side
+ * Replaces a polygon, which is turned already, by the line of its upper side; false where it has
+ * none. The polygon must be monotone in x: once around, the upper side
  * runs to the right, then there may be a wall down, the lower side runs to the left, and there may
  * be a wall up.
  */
-export function toGround(v: Values, f: Form): boolean {
+export function toGround(f: Form): boolean {
   const points = f.points as Vec2[];
   const count = points.length;
   const near = 1e-3 * extent(points);
@@ -132,15 +136,49 @@ export function toGround(v: Values, f: Form): boolean {
   const foot = first + upper + right;
   const lower = runOf(foot, -1);
   const left = runOf(foot + lower, 0);
-  if (first === count || lower === 0 || upper + right + lower + left !== count) {
-    const what = "a polygon that neither boxes make up nor a ground line";
-    v.complain("skip", `${what} cannot be modelled`);
-    return false;
-  }
+  if (first === count || lower === 0 || upper + right + lower + left !== count) return false;
   f.foot = at(foot)[1];
   for (let i = 0; i <= lower; i++) f.foot = Math.min(f.foot, at(foot + i)[1]);
   f.kind = "line";
   f.ground = true;
   f.points = Array.from({ length: upper + 1 }, (_, i) => at(first + i));
   return true;
+}
+
+/**
+ * The circles and boxes that approximate a polygon, without those smaller than `smallest` pixels;
+ * none, with a problem in the report, where that fails. They overlap, so that the density is reduced
+ * to give them the polygon's mass.
+ */
+export function approximated(
+  engine: Engine | undefined,
+  v: Values,
+  f: Form,
+  smallest: number,
+): Form[] {
+  if (!engine) {
+    v.complain("skip", "the property 'approximate' needs the option 'engine' of readLevel");
+    return [];
+  }
+  let found;
+  try {
+    found = approximate(engine, f.points as Vec2[], { shapes: f.approximate });
+  } catch (error) {
+    if (!(error instanceof ThudError && error.code === "invalid")) throw error;
+    const reason = error.message.replace("approximate: ", "");
+    v.complain("skip", `${reason}, so that it cannot be approximated`);
+    return [];
+  }
+  const { density = 1 } = f.material;
+  const share = 1 + found.overlap + found.extra - found.missed;
+  const material = { ...f.material, density: density / share };
+  v.complain("note", `its polygon is approximated by ${found.shapes.length} shapes`);
+  return found.shapes.flatMap((shape) => {
+    const [x, y] = [f.x + shape.center[0], f.y + shape.center[1]];
+    const round = shape.kind === "circle";
+    const [hx, hy] = round ? [shape.radius, shape.radius] : [shape.halfWidth, shape.halfHeight];
+    if (hx < smallest || hy < smallest) return [];
+    const rotation = shape.kind === "obb" ? turn(shape.angle / RADIANS).r : 0;
+    return [form(round ? "circle" : "box", { x, y, hx, hy, rotation, material })];
+  });
 }

@@ -230,7 +230,7 @@ function readShape(
   const x = v.required(object, "x", -FAR, FAR);
   const y = v.required(object, "y", -FAR, FAR);
   const degrees = v.optional(object, "rotation", 0, -DEGREES, DEGREES);
-  const { material } = readPhysics(v);
+  const { material, approximate } = readPhysics(v);
   const forms = v.bad ? null : readForms(v, object);
   const turned = isTurned(gid);
   const [w, h] = turned ? [tile.height, tile.width] : [tile.width, tile.height];
@@ -241,6 +241,7 @@ function readShape(
     f.x = f.x - width * 0.5;
     f.y = f.y - height * 0.5;
     f.material = material;
+    f.approximate = approximate;
     return true;
   });
 }

@@ -29,7 +29,7 @@ export interface Problem {
 const KNOWN = new Set(
   (
     "body bodyType fixed_rotation sensor may_sleep velocity_x velocity_y angular_velocity gravity_scale " +
-    "linear_damping angular_damping density friction restitution category mask group solid " +
+    "linear_damping angular_damping density friction restitution category mask group approximate solid " +
     "gravity_x gravity_y pixels_per_unit length_scale camera_x camera_y camera_height character " +
     "title about"
   ).split(" "),
@@ -234,6 +234,8 @@ export interface Physics {
   kind: BodyKind;
   body: BodyOptions;
   material: ShapeOptions;
+  /** The greatest count of shapes that cover a polygon; 0: none do. */
+  approximate: number;
 }
 
 /** Reads the physical properties; v.bad is set where one is wrong. Units are those of the world. */
@@ -259,7 +261,8 @@ export function readPhysics(v: Values): Physics {
     group: v.whole("group", 0, -0x80000000, 0x7fffffff),
     sensor,
   };
-  return { kind, body, material };
+  const approximate = v.whole("approximate", 0, 0, 64);
+  return { kind, body, material, approximate };
 }
 
 /** The nearest multiple of 2^-16, on which all positions of bodies lie. */
