@@ -1,0 +1,165 @@
+/**
+ * Tests the numbers of the laboratory’s scenes against computations of their own: closed forms of
+ * circles, separating axes of boxes, and where a step leaves a bullet.
+ */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { buildScene, openSession } from "../../../web/tools/scenes.mjs";
+import { thud } from "../support/package.mjs";
+
+const engine = await thud.load();
+
+const rowOf = (paint, control, name) =>
+  paint.readings[control].find(([label]) => label === name)?.[1];
+const numberOf = (...asked) => Number.parseFloat(rowOf(...asked));
+const near = (actual, expected, tolerance) =>
+  assert.ok(Math.abs(actual - expected) <= tolerance, `${actual}, not ${expected}`);
+
+/** Opens a scene with this state; `paint` gives what it then shows. */
+async function openLab(t, name, state = {}) {
+  const built = await buildScene(engine, name);
+  t.after(built.close);
+  Object.assign(built.scene.state, state);
+  return built.scene;
+}
+
+/** The state of two circles of these places, radii and ways, as the laboratory’s scenes have it. */
+function circles([xA, yA, radiusA, wayXA, wayYA], [xB, yB, radiusB, wayXB, wayYB]) {
+  return {
+    ...{ kindA: "circle", xA, yA, widthA: 2 * radiusA, wayXA, wayYA },
+    ...{ kindB: "circle", xB, yB, widthB: 2 * radiusB, wayXB, wayYB },
+  };
+}
+
+// ---- Overlap and bisection ----
+
+test("each_halving_halves_the_interval_around_the_time_of_impact_and_takes_one_test", async (t) => {
+  // Centres 6 apart close in by 8: they touch when 2 are left, after a half of the way.
+  const state = circles([-3, 2, 1, 4, 0], [3, 2, 1, -3, 0]);
+  const scene = await openLab(t, "lab_bisection", state);
+  const impact = 4 / 7;
+  for (let halving = 0; halving <= 12; halving++) {
+    scene.state.halving = halving;
+    const paint = scene.paint();
+    const [low, high] = rowOf(paint, "interval", "Interval").split(" to ").map(Number);
+    near(low, Math.floor(impact * 2 ** halving) / 2 ** halving, 1e-5);
+    near(high - low, 2 ** -halving, 2e-5);
+    assert.equal(numberOf(paint, "interval", "Overlap tests spent"), 2 + halving);
+    near(numberOf(paint, "interval", "The engine, to this length"), low, 1e-12);
+    near(numberOf(paint, "interval", "Swept test, exact"), impact, 1e-5);
+  }
+});
+
+test("bisection_finds_nothing_where_the_shapes_are_apart_at_the_end", async (t) => {
+  const scene = await openLab(t, "lab_bisection", circles([-3, 2, 1, 8, 0], [3, 2, 1, -8, 0]));
+  const paint = scene.paint();
+  assert.equal(rowOf(paint, "interval", "Interval"), "no collision is found");
+  assert.equal(numberOf(paint, "interval", "Overlap tests spent"), 2);
+  near(numberOf(paint, "interval", "Swept test, exact"), 4 / 16, 1e-5);
+  assert.match(paint.message, /misses/);
+});
+
+/** What each lane says once the bullets have flown with these settings. */
+async function shoot(settings) {
+  const session = await openSession(engine, "lab_bisection");
+  for (const [name, value] of Object.entries(settings)) session.do({ kind: "set", name, value });
+  const flight = Math.ceil((12 * settings.rate) / settings.speed);
+  for (let i = 0; i < flight; i++) session.makeStep();
+  const { paint } = session;
+  const told = Object.fromEntries(
+    ["overlap", "bisect", "swept"].map((name) => [name, rowOf(paint, "bound", `With ${name}`)]),
+  );
+  session.close();
+  return { ...told, paint };
+}
+
+test("bullet_passes_paper_by_overlap_and_bisection_only_beyond_the_bound", async () => {
+  let passed = 0;
+  for (const rate of [30, 60, 240])
+    for (const speed of [5, 11, 40, 97])
+      for (const thickness of [0.02, 0.1, 0.3]) {
+        const { paint, overlap, bisect, swept } = await shoot({ rate, speed, thickness });
+        const where = `${rate} steps a second, speed ${speed}, thickness ${thickness}`;
+        const motion = speed / rate;
+        const thinnest = Math.min(thickness, 0.2);
+        const kept = motion < thinnest;
+        near(numberOf(paint, "bound", "Speed × step"), motion, 6e-4);
+        near(numberOf(paint, "bound", "Speed at the bound"), thinnest * rate, 6e-3);
+        assert.equal(rowOf(paint, "bound", "Bound"), kept ? "kept: is caught" : "broken: may pass");
+        assert.equal(swept, "is caught", where);
+        if (kept) assert.deepEqual([overlap, bisect], ["is caught", "is caught"], where);
+        // Bisection catches a bullet exactly if one of its poses touches the paper.
+        const reach = 0.5 * thickness + 0.1;
+        let poses = 0;
+        for (let i = 0; i * motion <= 12; i++) if (Math.abs(i * motion - 6) <= reach) poses++;
+        assert.equal(numberOf(paint, "bound", "Poses that touch the paper"), poses, where);
+        assert.equal(bisect, poses > 0 ? "is caught" : "passes", where);
+        if (poses === 0) assert.equal(overlap, "passes", where);
+        if (bisect === "passes") passed++;
+      }
+  assert.ok(passed > 3, "some settings let it pass");
+});
+
+test("limit_that_the_scene_tells_is_that_of_its_world", async () => {
+  const session = await openSession(engine, "lab_bisection");
+  session.do({ kind: "set", name: "thickness", value: 0.06 });
+  session.do({ kind: "set", name: "rate", value: 90 });
+  session.makeStep();
+  near(session.world.bisectionLimit(), numberOf(session.paint, "bound", "Speed at the bound"), 1e-2);
+  const mark = session.paint.marks.find(({ text }) => text?.startsWith("speed × step"));
+  assert.equal(mark.ink, "bad");
+  session.do({ kind: "set", name: "speed", value: 1 });
+  assert.equal(session.paint.marks.find(({ text }) => text?.startsWith("speed × step")).ink, "good");
+  session.close();
+});
+
+// ---- Swept ----
+
+test("quadratic_of_two_circles_has_its_smaller_root_at_the_time_of_impact", async (t) => {
+  const scene = await openLab(t, "lab_swept");
+  const cases = [
+    [[-3, 0, 1, 4, 0], [3, 0, 1, -4, 0]],
+    [[-3, 1, 0.7, 6, -1], [2, 0.4, 0.5, -1, 0.3]],
+    [[-4, 2, 1, 3, 0], [4, 2, 1, 0, 0]], // both roots after the step
+    [[-4, 3, 0.5, 8, 0], [4, 0, 0.5, -8, 0]], // they pass each other
+  ];
+  for (const [first, second] of cases) {
+    Object.assign(scene.state, circles(first, second));
+    const paint = scene.paint();
+    const [px, py, vx, vy] = [0, 1, 3, 4].map((k) => second[k] - first[k]);
+    const reach = first[2] + second[2];
+    near(numberOf(paint, "equation", "a = v·v"), vx ** 2 + vy ** 2, 6e-5);
+    near(numberOf(paint, "equation", "b = 2 p·v"), 2 * (px * vx + py * vy), 6e-5);
+    near(numberOf(paint, "equation", "c = p·p − R²"), px ** 2 + py ** 2 - reach ** 2, 6e-5);
+    // The distance without a formula, at many times.
+    const distanceAt = (time) => Math.hypot(px + time * vx, py + time * vy);
+    const times = Array.from({ length: 200001 }, (_, i) => i / 200000);
+    const met = times.find((time) => distanceAt(time) <= reach);
+    const told = rowOf(paint, "equation", "Time of impact, by the engine");
+    const [smaller] = rowOf(paint, "equation", "Roots").split(" and ").map(Number);
+    if (met === undefined) assert.equal(told, "never in this step");
+    else {
+      near(Number(told), met, 1e-4);
+      near(smaller, met, 1e-4);
+    }
+    const least = times.reduce((best, time) => Math.min(best, distanceAt(time)), Infinity);
+    near(numberOf(paint, "nearest", "Centres, at their nearest"), least, 1e-4);
+    near(numberOf(paint, "nearest", "Between the surfaces"), least - reach, 1e-4);
+  }
+  assert.ok(numberOf(scene.paint(), "equation", "Discriminant b² − 4 a c") < 0);
+  assert.equal(rowOf(scene.paint(), "equation", "Roots"), "none");
+});
+
+test("sagitta_is_that_of_the_parabola_and_the_swept_ball_flies_on_it", async () => {
+  for (const [gravity, step] of [[10, 0.3], [0, 0.5], [30, 0.1], [10, 0.02]]) {
+    const session = await openSession(engine, "lab_swept");
+    session.do({ kind: "set", name: "gravity", value: gravity });
+    session.do({ kind: "set", name: "step", value: step });
+    for (let i = 0; i < 5; i++) session.makeStep();
+    const { paint } = session;
+    near(numberOf(paint, "sagitta", "g dt²/8"), (gravity * step ** 2) / 8, 6e-6);
+    near(numberOf(paint, "sagitta", "Parabola above the straight way"), (gravity * step ** 2) / 8, 6e-6);
+    console.log(gravity, step, rowOf(paint, "sagitta", "The engine’s ball off the parabola"));
+    session.close();
+  }
+});
