@@ -159,7 +159,14 @@ test("sagitta_is_that_of_the_parabola_and_the_swept_ball_flies_on_it", async () 
     const { paint } = session;
     near(numberOf(paint, "sagitta", "g dt²/8"), (gravity * step ** 2) / 8, 6e-6);
     near(numberOf(paint, "sagitta", "Parabola above the straight way"), (gravity * step ** 2) / 8, 6e-6);
-    console.log(gravity, step, rowOf(paint, "sagitta", "The engine’s ball off the parabola"));
+    assert.ok(numberOf(paint, "sagitta", "The engine’s ball off the parabola") < 1e-4);
+    const { trace } = session.scene.state;
+    assert.equal(trace.length, 6);
+    const [x0, y0] = trace[0];
+    trace.forEach(([x, y], i) => {
+      near(x, x0 + 4.6 * i * step, 1e-4);
+      near(y, y0 + 7 * i * step - 0.5 * gravity * (i * step) ** 2, 1e-4);
+    });
     session.close();
   }
 });
