@@ -170,3 +170,61 @@ test("sagitta_is_that_of_the_parabola_and_the_swept_ball_flies_on_it", async () 
     session.close();
   }
 });
+
+// ---- Minkowski ----
+
+test("segment_enters_the_sum_when_the_swept_shapes_meet", async (t) => {
+  const scene = await openLab(t, "lab_minkowski");
+  const tell = (state) => {
+    Object.assign(scene.state, state);
+    const paint = scene.paint();
+    const row = (name) => rowOf(paint, "sum", name);
+    return [row("The segment enters the sum at"), row("The swept shapes meet at")];
+  };
+  // Two circles are a closed form: the sum is a circle of both radii.
+  const round = circles([-3, 0, 1, 0, 0], [3, 0, 0.5, -6, 0]);
+  assert.deepEqual(tell(round), ["0.7500", "0.7500"]);
+  for (const kindA of ["circle", "aabb", "obb"])
+    for (const kindB of ["circle", "aabb", "obb"])
+      for (const wayYB of [-3, 0.5, 4]) {
+        const [enters, meets] = tell({ kindA, kindB, xA: -2, yA: 0, xB: 3, yB: 1, wayXB: -5, wayYB });
+        assert.equal(enters, meets, `${kindA} ${kindB} ${wayYB}`);
+      }
+  assert.deepEqual(tell({ wayYB: 6 }), ["never", "never"]);
+});
+
+/** The area of a polygon. */
+const areaOf = (points) =>
+  points.reduce((sum, [x, y], i) => {
+    const [u, v] = points[(i + 1) % points.length];
+    return sum + 0.5 * (x * v - u * y);
+  }, 0);
+
+test("sum_grows_from_the_shape_itself_to_the_whole_sum", async (t) => {
+  const scene = await openLab(t, "lab_minkowski", {
+    ...{ kindA: "aabb", widthA: 3, heightA: 1.6, kindB: "aabb", widthB: 2, heightB: 1.2 },
+  });
+  for (const grown of [0, 0.25, 0.5, 1]) {
+    scene.state.grown = grown;
+    const outline = scene.paint().marks.find(({ kind, filled }) => kind === "line" && filled).points;
+    near(areaOf(outline.slice(0, -1)), (3 + 2 * grown) * (1.6 + 1.2 * grown), 1e-6);
+  }
+});
+
+test("ground_grows_by_a_shape_and_the_segment_enters_it_when_the_shape_meets_the_ground", async (t) => {
+  const scene = await openLab(t, "lab_minkowski", { against: "terrain" });
+  for (const kindB of ["circle", "aabb", "obb"])
+    for (const wayXB of [-6, -1, 3]) {
+      Object.assign(scene.state, { kindB, xB: 1, yB: 2, wayXB, wayYB: -7 });
+      const paint = scene.paint();
+      const [enters, meets] = ["The segment enters the sum at", "The swept shapes meet at"].map(
+        (name) => numberOf(paint, "sum", name),
+      );
+      // The line of the sum has corners 0.05 apart; between them it is straight.
+      near(enters, meets, 0.002);
+      assert.ok(meets > 0.1 && meets < 1);
+    }
+  // Above level ground a box is half as high as itself when it lies: 4 to -2.3 + 0.6.
+  Object.assign(scene.state, { kindB: "aabb", xB: 6.75, yB: 4, widthB: 0.4, heightB: 1.2, wayXB: 0, wayYB: -8 });
+  near(numberOf(scene.paint(), "sum", "The swept shapes meet at"), (4 + 2.3 - 0.6) / 8, 1e-4);
+});
