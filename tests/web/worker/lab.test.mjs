@@ -228,3 +228,95 @@ test("ground_grows_by_a_shape_and_the_segment_enters_it_when_the_shape_meets_the
   Object.assign(scene.state, { kindB: "aabb", xB: 6.75, yB: 4, widthB: 0.4, heightB: 1.2, wayXB: 0, wayYB: -8 });
   near(numberOf(scene.paint(), "sum", "The swept shapes meet at"), (4 + 2.3 - 0.6) / 8, 1e-4);
 });
+
+// ---- Bounding volumes ----
+
+/** Whether two boxes overlap, by their separating axes. */
+function boxesOverlap(a, b) {
+  const axesOf = ({ angle = 0 }) => [
+    [Math.cos(angle), Math.sin(angle)],
+    [-Math.sin(angle), Math.cos(angle)],
+  ];
+  const reachOf = (box, [x, y]) => {
+    const [along, across] = axesOf(box);
+    return (
+      box.halfWidth * Math.abs(along[0] * x + along[1] * y) +
+      box.halfHeight * Math.abs(across[0] * x + across[1] * y)
+    );
+  };
+  return [...axesOf(a), ...axesOf(b)].every(([x, y]) => {
+    const apart = (b.center[0] - a.center[0]) * x + (b.center[1] - a.center[1]) * y;
+    return Math.abs(apart) <= reachOf(a, [x, y]) + reachOf(b, [x, y]);
+  });
+}
+
+/** The shapes of a crowd as they are drawn: filled boxes of this ink. */
+const crowdOf = ({ marks }) =>
+  marks
+    .filter(({ kind, ink, filled }) => kind === "box" && ink === "accent" && filled)
+    .map((mark) => ({ ...mark, center: [mark.x, mark.y] }));
+
+test("crowd_is_counted_as_separating_axes_count_it", async (t) => {
+  const scene = await openLab(t, "lab_volumes");
+  for (const [slender, turned] of [[1, 0], [4, 30], [10, 90]]) {
+    Object.assign(scene.state, { slender, turned });
+    const paint = scene.paint();
+    const shapes = crowdOf(paint);
+    assert.equal(shapes.length, 40);
+    const tests = {
+      circle: ({ halfWidth: w, halfHeight: h }) => Math.hypot(w, h),
+      proxy: ({ halfWidth: w, halfHeight: h }) => Math.sqrt((4 * w * h) / Math.PI),
+    };
+    const upright = (box) => {
+      const [c, s] = [Math.abs(Math.cos(box.angle)), Math.abs(Math.sin(box.angle))];
+      const halfWidth = box.halfWidth * c + box.halfHeight * s;
+      const halfHeight = box.halfWidth * s + box.halfHeight * c;
+      return { center: box.center, halfWidth, halfHeight, area: 4 * halfWidth * halfHeight };
+    };
+    const meets = {
+      circle: (a, b) => Math.hypot(a.x - b.x, a.y - b.y) <= tests.circle(a) + tests.circle(b),
+      aabb: (a, b) => boxesOverlap(upright(a), upright(b)),
+      obb: boxesOverlap,
+      proxy: (a, b) => Math.hypot(a.x - b.x, a.y - b.y) <= tests.proxy(a) + tests.proxy(b),
+    };
+    let hits = 0;
+    const counts = Object.fromEntries(Object.keys(meets).map((kind) => [kind, { alarms: 0, missed: 0 }]));
+    shapes.forEach((a, i) => shapes.slice(0, i).forEach((b) => {
+      const hit = boxesOverlap(a, b);
+      if (hit) hits++;
+      for (const [kind, meet] of Object.entries(meets)) {
+        if (meet(a, b) && !hit) counts[kind].alarms++;
+        if (!meet(a, b) && hit) counts[kind].missed++;
+      }
+    }));
+    assert.equal(numberOf(paint, "exact", "Of them overlap"), hits);
+    assert.equal(numberOf(paint, "exact", "Pairs of the crowd"), 780);
+    for (const [kind, { alarms, missed }] of Object.entries(counts)) {
+      assert.equal(numberOf(paint, kind, "False alarms"), alarms, kind);
+      assert.equal(numberOf(paint, kind, "Missed"), missed, kind);
+      if (kind !== "proxy") assert.equal(missed, 0, kind);
+    }
+    const area = (of) => shapes.reduce((sum, shape) => sum + of(shape), 0);
+    const filled = area(({ halfWidth, halfHeight }) => 4 * halfWidth * halfHeight);
+    const wasted = (of) => `${Math.round(100 * (1 - filled / area(of)))} %`;
+    assert.equal(rowOf(paint, "aabb", "Area wasted, crowd"), wasted((box) => upright(box).area));
+    const round = wasted((box) => Math.PI * tests.circle(box) ** 2);
+    assert.equal(rowOf(paint, "circle", "Area wasted, crowd"), round);
+    assert.equal(rowOf(paint, "obb", "Area wasted, crowd"), "0 %");
+    if (slender === 10) assert.ok(counts.proxy.missed > 0 && counts.circle.alarms > counts.aabb.alarms);
+  }
+});
+
+test("proxy_misses_what_the_outline_hits_and_every_bound_tells", async (t) => {
+  const upright = { widthA: 0.5, heightA: 4, widthB: 4, heightB: 0.5 };
+  const corner = { kindA: "aabb", xA: -2, yA: 0, kindB: "aabb", xB: 0, yB: 1.7, ...upright };
+  const scene = await openLab(t, "lab_volumes", corner);
+  const paint = scene.paint();
+  for (const kind of ["circle", "aabb", "obb"])
+    assert.equal(rowOf(paint, kind, "A and B by it"), "overlap", kind);
+  assert.equal(rowOf(paint, "proxy", "A and B by it"), "apart");
+  assert.match(paint.message, /proxies miss/);
+  for (let i = 0; i < 6; i++) scene.paint();
+  for (const kind of ["circle", "aabb", "obb", "proxy", "exact"])
+    assert.ok(numberOf(scene.paint(), kind, "A test takes") > 0, kind);
+});

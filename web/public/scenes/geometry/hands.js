@@ -38,17 +38,18 @@ function takenAt(state, x, y, letters) {
     .map((one) => ({ ...one, away: Math.hypot(one.dx, one.dy) }))
     .sort((one, other) => one.away - other.away);
   // A shape is taken beside its handles, and the one that is drawn last lies on top.
-  if (handle.away < REACH / 2) return handle;
+  if (handle?.away < REACH / 2) return handle;
   const letter = [...letters].reverse().find((one) => beside(shapeOf(state, one), x, y) <= AROUND);
   if (letter) return { part: "move", letter, dx: state[`x${letter}`] - x, dy: state[`y${letter}`] - y };
-  return handle.away < REACH ? handle : null;
+  return handle?.away < REACH ? handle : null;
 }
 
 function handlesOf(state, letter) {
   const shape = shapeOf(state, letter);
   const knob = knobOf(shape);
   return [
-    { part: "way", letter, at: tipOf(shape, wayOf(state, letter)) },
+    // A scene whose shapes do not move has no ways in its state.
+    ...(`wayX${letter}` in state ? [{ part: "way", letter, at: tipOf(shape, wayOf(state, letter)) }] : []),
     ...(knob ? [{ part: "turn", letter, at: knob }] : []),
   ];
 }
