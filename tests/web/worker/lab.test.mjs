@@ -320,3 +320,21 @@ test("proxy_misses_what_the_outline_hits_and_every_bound_tells", async (t) => {
   for (const kind of ["circle", "aabb", "obb", "proxy", "exact"])
     assert.ok(numberOf(scene.paint(), kind, "A test takes") > 0, kind);
 });
+
+// ---- choices of the panel Trade ----
+
+test("chosen_step_rate_and_greatest_speed_replace_the_scene_s_and_are_left_out_unless_chosen", async () => {
+  const choices = { quality: "default", substeps: 0, detection: "auto", broadphase: "grid", maxError: 0 };
+  const open = (stepRate, topSpeed) =>
+    openSession(engine, "lab_swept", { choices: { ...choices, stepRate, topSpeed } });
+  const usual = await open(0, 0);
+  assert.equal(usual.timeStep, 0.3, "the scene's own");
+  usual.close();
+  const slow = await open(120, 2);
+  assert.equal(slow.timeStep, 1 / 120);
+  slow.makeStep();
+  const [x, y] = slow.world.bodyStateOf(slow.world.bodies()[0]).velocity;
+  // The ball is thrown with 4.6 along x and 7 along y.
+  assert.ok(Math.abs(x) <= 2 && Math.abs(y) <= 2, `${x}, ${y}`);
+  slow.close();
+});

@@ -38,9 +38,9 @@ export default async function ({ createWorld, loadGeometry, thud }) {
   const world = createWorld({ gravity: [0, 0] });
   const state = {
     ...{ halving: 3, auto: false, interval: true },
-    ...{ rate: 60, speed: 40, thickness: 0.1, bound: true },
-    ...{ kindA: "obb", xA: -3.6, yA: 2.2, angleA: 20, widthA: 2.4, heightA: 1.2, wayXA: 4, wayYA: 0.4 },
-    ...{ kindB: "circle", xB: 3.2, yB: 2.6, angleB: 0, widthB: 1.6, heightB: 1.6, wayXB: -2.6, wayYB: -0.3 },
+    ...{ rate: 60, speed: 50, thickness: 0.1, bound: true },
+    ...{ kindA: "obb", xA: -3.6, yA: 1, angleA: 20, widthA: 2.4, heightA: 1.2, wayXA: 4, wayYA: 0.4 },
+    ...{ kindB: "circle", xB: 3.2, yB: 1.3, angleB: 0, widthB: 1.6, heightB: 1.6, wayXB: -2.6, wayYB: -0.3 },
     grip: null, // what the pointer holds
     near: null, // what it would take
     shot: "", // the settings with which the bullets were fired
@@ -49,7 +49,7 @@ export default async function ({ createWorld, loadGeometry, thud }) {
   const range = createRange(world, geometry, thud, state);
   return {
     world,
-    view: { x: 0, y: -0.9, height: 11.6, width: 13 },
+    view: { x: 0, y: -1.6, height: 12, width: 13 },
     pointer: true,
     controls: CONTROLS,
     state,

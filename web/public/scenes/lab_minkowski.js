@@ -44,7 +44,7 @@ export default async function ({ createWorld, loadGeometry, thud }) {
   };
   return {
     world,
-    view: { x: 0, y: 0, height: 10.5, width: 13 },
+    view: { x: 0, y: 0.4, height: 11.5, width: 13 },
     pointer: true,
     controls: CONTROLS,
     state,

@@ -33,8 +33,8 @@ export default async function ({ createWorld, loadGeometry, thud }) {
   const state = {
     ...{ equation: true, nearest: true },
     ...{ gravity: 10, step: 0.3, sagitta: true },
-    ...{ kindA: "circle", xA: -4.6, yA: 1.6, angleA: 0, widthA: 1.6, heightA: 1.6, wayXA: 6, wayYA: 1.2 },
-    ...{ kindB: "circle", xB: 4, yB: 3.6, angleB: 0, widthB: 2, heightB: 2, wayXB: -5, wayYB: -1.4 },
+    ...{ kindA: "circle", xA: -4.6, yA: 1.2, angleA: 0, widthA: 1.6, heightA: 1.6, wayXA: 6, wayYA: 1.2 },
+    ...{ kindB: "circle", xB: 4, yB: 3.2, angleB: 0, widthB: 2, heightB: 2, wayXB: -5, wayYB: -0.5 },
     grip: null, // what the pointer holds
     near: null, // what it would take
     thrown: "", // the settings with which the ball was thrown
@@ -44,7 +44,7 @@ export default async function ({ createWorld, loadGeometry, thud }) {
   const flight = createFlight(world, state);
   return {
     world,
-    view: { x: 0, y: -0.3, height: 11.2, width: 13 },
+    view: { x: 0, y: 0, height: 12, width: 13 },
     pointer: true,
     controls: CONTROLS,
     state,

@@ -61,7 +61,7 @@ export default async function ({ createWorld, loadGeometry, thud, random, seed, 
   };
   return {
     world: createWorld({ gravity: [0, 0] }),
-    view: { x: 0, y: 0, height: 11.2, width: 13 },
+    view: { x: 0, y: 0.3, height: 13, width: 13 },
     pointer: true,
     controls: CONTROLS,
     state,

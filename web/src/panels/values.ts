@@ -110,6 +110,8 @@ function makeControl(control: Control, set: Set): Made {
 
 function makeChoice({ name, label, options }: ChoiceControl, set: Set): Made {
   const bar = choiceBar(`set-${name}`, label, "", options, (value) => set(name, value));
+  // A letter stands before the choices, a word above them.
+  bar.element.classList.toggle("worded", label.length > 1);
   return { element: bar.element, show: (value) => bar.show(String(value)) };
 }
 

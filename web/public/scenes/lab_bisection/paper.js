@@ -4,7 +4,7 @@ export const LANES = ["overlap", "bisect", "swept"];
 export const RADIUS = 0.1;
 export const START = -6;
 export const HALF_HEIGHT = 0.35;
-const [FIRST, PITCH] = [-4.3, 0.95];
+const [FIRST, PITCH] = [-4.1, 1.15];
 
 /** The bullets stay for so many steps where they have come to. */
 const REST = 60;

@@ -7,7 +7,7 @@ import { HALF_HEIGHT, heightOf, RADIUS, START } from "./paper.js";
 
 /** The step, from 0 to 1, is drawn from -SPAN to SPAN. */
 const SPAN = 5;
-const [TOP, ROW] = [-1.35, 0.13];
+const [TOP, ROW] = [-1.2, 0.12];
 /** More poses than this would be one bar. */
 const MOST_POSES = 80;
 
@@ -51,7 +51,7 @@ function paintLanes(marks, state, { motion, thinnest, bisectable, lanes }) {
   const ink = bisectable ? "good" : "bad";
   const sign = bisectable ? "<" : "≥";
   const words = bisectable ? "is caught" : "may pass";
-  const top = heightOf(0) + 0.75;
+  const top = heightOf(0) + 0.95;
   const sum = `speed × step ${motion.toFixed(3)} ${sign} ${thinnest.toFixed(2)} thick: ${words}`;
   marks.push(text([0, top], sum, ink));
   const count = Math.floor((-2 * START) / motion);
@@ -62,8 +62,8 @@ function paintLanes(marks, state, { motion, thinnest, bisectable, lanes }) {
         marks.push({ kind: "circle", x: START + i * motion, y, radius: RADIUS, ink, opacity: 0.6 });
     marks.push({ kind: "box", x: 0, y, halfWidth: 0.5 * state.thickness, halfHeight: HALF_HEIGHT, ink: "ink" });
     marks.push({ kind: "circle", x, y, radius: RADIUS, ink: "player", filled: true });
-    marks.push(text([-4.6, y + 0.32], detection, "ink"));
+    marks.push(text([-4.6, y + 0.38], detection, "ink"));
     const told = outcome === "passes" ? "bad" : outcome === "flies" ? "soft" : "good";
-    marks.push(text([4.6, y + 0.32], outcome, told));
+    marks.push(text([4.6, y + 0.38], outcome, told));
   }
 }

@@ -1,10 +1,10 @@
 // A ball in free flight, thrown again and again, and the same flight computed.
 
 export const RADIUS = 0.15;
-const FROM = [-5.8, -4.6];
+const FROM = [-5.8, -3.4];
 const VELOCITY = [4.6, 7];
 /** The flight ends after so many seconds, or where the ball is this low. */
-const [LONGEST, LOWEST] = [2.5, -5.6];
+const [LONGEST, LOWEST] = [2.5, -4];
 /** Steps that the ball’s trace stays when the flight is over. */
 const REST = 60;
 
