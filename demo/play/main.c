@@ -42,6 +42,8 @@ static bool open_first(viewer *v, const options *o) {
     v->session.quality = o->quality;
     v->session.detection = o->detection;
     v->session.broadphase = o->broadphase;
+    v->session.step_rate = o->step_rate;
+    v->session.top_speed = o->top_speed;
     v->session.paused = o->paused;
     viewer_layout(v);
     if (viewer_open(v, entry)) {

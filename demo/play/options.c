@@ -8,7 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FRAMES_MAX = 1000000, SIDE_MIN = 64, SIDE_MAX = 8192 };
+enum {
+    FRAMES_MAX = 1000000,
+    SIDE_MIN = 64,
+    SIDE_MAX = 8192,
+    STEP_RATE_MAX = 1000,    /* steps a second */
+    TOP_SPEED_MAX = 1000000, /* length scales a second; THUD_SPEED_MAX */
+};
 
 void options_print_help(void) {
     printf(
@@ -22,6 +28,9 @@ void options_print_help(void) {
         "  --quality Q        draft, default, high or exact\n"
         "  --detection D      overlap, continuous, bisect or swept (continuous)\n"
         "  --broadphase B     grid, sweep or all (grid)\n"
+        "  --rate N           steps a second, 1 to 1000 (60)\n"
+        "  --top-speed N      clamps x and y of every velocity to N length scales a second, 1 to\n"
+        "                     1000000; a text says whether bisection may miss something then\n"
         "  --overlay LIST     contacts, normals, bounds, cells, islands, sleeping, timings, axes,\n"
         "                     pairs, motions, joints, forces, separated by commas; or all, or none\n"
         "                     (sleeping, joints, and what the scene is there to show)\n"
@@ -71,6 +80,16 @@ static bool parse_size(options *o, const char *text) {
            complain("--size needs WIDTHxHEIGHT, each from 64 to 8192, not", text);
 }
 
+static bool parse_step_rate(options *o, const char *text) {
+    return parse_number(text, 1, STEP_RATE_MAX, '\0', &o->step_rate, NULL) ||
+           complain("--rate needs a number from 1 to 1000, not", text);
+}
+
+static bool parse_top_speed(options *o, const char *text) {
+    return parse_number(text, 1, TOP_SPEED_MAX, '\0', &o->top_speed, NULL) ||
+           complain("--top-speed needs a number from 1 to 1000000, not", text);
+}
+
 static bool parse_quality(options *o, const char *text) {
     o->quality = quality_find(text);
     return o->quality >= 0 || complain("--quality needs draft, default, high or exact, not", text);
@@ -115,6 +134,7 @@ static bool parse_valued(options *o, const char *name, const char *value, bool *
         {"--quality", parse_quality},       {"--detection", parse_detection},
         {"--broadphase", parse_broadphase}, {"--overlay", parse_overlays},
         {"--screenshot", parse_screenshot}, {"--look", parse_look},
+        {"--rate", parse_step_rate},        {"--top-speed", parse_top_speed},
     };
     *known = true;
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++)

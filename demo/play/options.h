@@ -13,6 +13,7 @@ typedef struct options {
     int frames;             /* number of frames until the program ends; -1: it does not */
     int width, height;
     overlay_set overlays;
+    int step_rate, top_speed;  /* as in session.h */
     int quality;               /* index in QUALITIES of choices.h */
     int detection, broadphase; /* indices in DETECTIONS and BROADPHASES of choices.h */
     bool overlays_given;       /* false: those of the scene are used */

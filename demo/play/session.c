@@ -139,6 +139,10 @@ bool session_load(session *s, const catalog_entry *entry) {
     def.quality = QUALITIES[s->quality];
     def.detection = DETECTIONS[s->detection].detection;
     def.broadphase = BROADPHASES[s->broadphase].broadphase;
+    if (s->step_rate > 0)
+        def.time_step = 1.0 / s->step_rate;
+    if (s->top_speed > 0)
+        def.maximum_speed = (float)s->top_speed;
     def.log = log_message;
     def.log_context = s;
     def.clock = clock_seconds;

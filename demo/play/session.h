@@ -56,6 +56,9 @@ struct session {
     int quality;               /* index in QUALITIES of choices.h */
     int detection, broadphase; /* indices in DETECTIONS and BROADPHASES; they take effect when a
                                   scene is loaded */
+    int step_rate; /* steps a second; 0: the engine's default. It and the next take effect when a
+                      scene is loaded */
+    int top_speed; /* thud_world_def.maximum_speed, length scales a second; 0: the default */
     bool paused;
     double speed;     /* world seconds per real second */
     double time_step; /* of the world, s */

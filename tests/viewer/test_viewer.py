@@ -274,6 +274,18 @@ class Viewer(unittest.TestCase):
         self.assertEqual(told("overlap"), 0)
         self.assertGreater(told("bisect"), 100)
 
+    def test_bound_of_bisection_is_red_where_the_greatest_speed_breaks_it(self):
+        """The ball is more than 1 mm thick and less than 10 m."""
+        def told(rate, speed, color):
+            picture = self.shoot(BALL, "--frames", 1, "--overlay", "none",
+                                 "--rate", rate, "--top-speed", speed)
+            return sum(sum(abs(a - b) for a, b in zip(pixel, palette(color))) < 60
+                       for row in picture.rows[90:112] for pixel in row[240:])
+        self.assertGreater(told(60, 1000, "COLOR_OPEN"), 100)
+        self.assertEqual(told(60, 1000, "COLOR_TIMINGS"), 0)
+        self.assertGreater(told(1000, 1, "COLOR_TIMINGS"), 100)
+        self.assertEqual(told(1000, 1, "COLOR_OPEN"), 0)
+
     def test_islands_give_one_stack_one_colour(self):
         shown = self.shoot_bare("tall_stack", "--frames", 30, "--overlay", "islands")
         colors = {shown.rows[round(525 - (box + 0.5) * 15)][400] for box in range(30)}
@@ -329,6 +341,7 @@ class Viewer(unittest.TestCase):
                           ["--frames", "-1"], ["--frames", "1x"], ["--size", "800"],
                           ["--size", "1x1"], ["--quality", "perfect"], ["--detection", "magic"],
                           ["--detection"], ["--broadphase", "tree"], ["--overlay", "shadows"], ["--look", "mass"],
+                          ["--rate", "0"], ["--rate", "1001"], ["--top-speed", "fast"], ["--top-speed"],
                           ["--screenshot", "picture.jpg"], ["pyramid", "gas"],
                           ["--screenshot", self.folder / "no" / "folder.png"]):
             with self.subTest(arguments=arguments):
@@ -354,7 +367,7 @@ class Viewer(unittest.TestCase):
         result = run("--help")
         self.assertEqual(result.returncode, 0)
         for option in ("--list", "--size", "--quality", "--overlay", "--detection",
-                       "--broadphase", "--frames", "--screenshot", "--look",
+                       "--broadphase", "--frames", "--screenshot", "--look", "--rate", "--top-speed",
                        "--paused", "--bare"):
             self.assertIn(option, result.stdout)
 

@@ -21,22 +21,36 @@ static void draw_title(viewer *v) {
         canvas_text_fit(c, x, 45 * u, v->camera.view.w - 32 * u, COLOR_TEXT_DIM, s->about);
 }
 
-/* What collision detection could not do; with bisection also the speed beyond which it may miss
- * hits. */
+/* The greatest speed that a user allows, along a diagonal, since x and y are clamped each by
+ * itself; 0: none was chosen. In lengths a second. */
+static double top_speed(const session *s) {
+    return sqrt(2) * s->top_speed * s->scene.length_scale;
+}
+
+/* What collision detection could not do; with bisection, or where the greatest speed is chosen,
+ * also the speed beyond which bisection may miss hits. Red where that speed is allowed. */
 static void draw_missed(viewer *v, float y) {
     session *s = &v->session;
     char text[160] = "";
     size_t used = 0;
     double limit = 0;
+    bool broken = false;
     bool bisects = DETECTIONS[s->detection].detection == &thud_detection_bisect;
-    if ((bisects || s->missed.fast > 0) &&
-        thud_world_get_bisection_limit(s->world, &limit) == THUD_OK && isfinite(limit))
+    if ((bisects || s->missed.fast > 0 || s->top_speed > 0) &&
+        thud_world_get_bisection_limit(s->world, &limit) == THUD_OK && isfinite(limit)) {
         used = (size_t)snprintf(text, sizeof text, "bisects up to %.3g m/s  %ld times too fast  ",
                                 limit, s->missed.fast);
+        broken = top_speed(s) >= limit;
+        if (s->top_speed > 0)
+            used += (size_t)snprintf(text + used, sizeof text - used,
+                                     "speed x step %.3g, thinnest %.3g  ",
+                                     top_speed(s) * s->time_step, limit * s->time_step);
+    }
     if (s->missed.held > 0)
         snprintf(text + used, sizeof text - used, "%ld times held back  %.3f s lost",
                  s->missed.held, s->missed.seconds);
-    canvas_text(&v->canvas, v->camera.view.x + 16 * v->canvas.unit, y, COLOR_TIMINGS, text);
+    canvas_text(&v->canvas, v->camera.view.x + 16 * v->canvas.unit, y,
+                broken ? COLOR_OPEN : COLOR_TIMINGS, text);
 }
 
 static void draw_numbers(viewer *v) {

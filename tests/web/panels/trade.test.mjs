@@ -141,6 +141,28 @@ test("trade_tells_what_detection_missed_since_the_start_and_what_bisection_costs
   await close();
 });
 
+test("bound_of_bisection_is_that_of_the_chosen_speed_and_step_rate_and_red_where_broken", async () => {
+  const { page, errors, close } = await openTrade("?scene=bullets&size=3&paused=1");
+  const bound = "#bisection-bound";
+  await page.waitForSelector(`${bound}:has-text("sure up to 1.2 a second")`);
+  await page.fill("#step-rate", "5");
+  await page.dispatchEvent("#step-rate", "change");
+  await untilAddress(page, "rate", "120");
+  // The walls are 0.02 thick, and the step is 1/120 s.
+  await page.waitForSelector(`${bound}:has-text("sure up to 2.4 a second")`);
+  for (const [place, speed] of [["1", 1], ["2", 2]]) {
+    await page.fill("#top-speed", place);
+    await page.dispatchEvent("#top-speed", "change");
+    await untilAddress(page, "top", String(speed));
+    const broken = Math.SQRT2 * speed >= 2.4;
+    await page.waitForSelector(`${bound}${broken ? ".broken" : ":not(.broken)"}:has-text("${broken ? "Broken" : "Kept"}")`);
+    const product = String(Number(((Math.SQRT2 * speed) / 120).toPrecision(3)));
+    assert.ok((await page.innerText(bound)).includes(`= ${product} `), product);
+  }
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test("limit_of_bisection_that_comes_later_than_the_text_is_told_too", async () => {
   const late = (opening) =>
     opening.addInitScript(() => {

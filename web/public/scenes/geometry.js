@@ -1,6 +1,7 @@
 // Two shapes to drag and turn, and what the engine’s geometry tells of them. No world is needed for
 // that: the one here is empty. What is drawn and read out stands in geometry/picture.js and tell.js.
 
+import { check, kindOf, slidersOf } from "./geometry/controls.js";
 import { drag } from "./geometry/hands.js";
 import { paintAll } from "./geometry/picture.js";
 import { addClock, look } from "./geometry/look.js";
@@ -11,35 +12,9 @@ export const about =
   "Drag and turn two shapes and see how far they are apart, when they meet and what bounds them.";
 export const menu = { group: "How it is done", place: 645 };
 
-const KINDS = [
-  { value: "circle", label: "Circle" },
-  { value: "aabb", label: "AABB" },
-  { value: "obb", label: "OBB" },
-];
-
-/** What is set of a shape by number; the letter ends the names in the state. */
-const slidersOf = (letter) =>
-  [
-    ["x", "Place, x", -8, 8, 0.05],
-    ["y", "Place, y", -5, 5, 0.05],
-    ["angle", "Angle, °", -180, 180, 1],
-    ["width", "Width", 0.4, 5, 0.1],
-    ["height", "Height", 0.4, 5, 0.1],
-    ["wayX", "Way, x", -12, 12, 0.1],
-    ["wayY", "Way, y", -8, 8, 0.1],
-  ].map(([name, label, least, most, step]) => {
-    const group = `Shape ${letter} by numbers`;
-    return { kind: "slider", name: name + letter, label, least, most, step, group };
-  });
-
-const shape = (letter) => (
-  { kind: "choice", name: `kind${letter}`, label: letter, options: KINDS, group: "Shapes" }
-);
-const check = (name, label, about) => ({ kind: "check", name, label, about, group: "Look at" });
-
 const CONTROLS = [
-  shape("A"),
-  shape("B"),
+  kindOf("A"),
+  kindOf("B"),
   check("overlap", "Overlap",
     "Do they share a point? Asked directly, and by halving their ways until it is found when."),
   check("closest", "Closest points",

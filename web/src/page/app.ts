@@ -39,6 +39,9 @@ type Opening = Partial<Pick<State, "code" | "size" | "seed" | "camera" | "claim"
 /** The part of the state that determines what the running scene was started with. */
 type Begun = Pick<State, "scene" | "code" | "size" | "seed" | "level">;
 
+/** Choices that are fixed when a world is created. */
+const ANEW = ["detection", "broadphase", "stepRate", "topSpeed"] as const;
+
 export class App {
   readonly client: Client;
   readonly player = new Player();
@@ -294,14 +297,12 @@ export class App {
   // ---- choices ----
 
   /**
-   * Changes choices. Detection and broadphase are fixed when a world is created, so another one
-   * restarts the scene; the other choices are set in the running world.
+   * Changes choices. Those of ANEW are fixed when a world is created, so another one restarts the
+   * scene; the other choices are set in the running world.
    */
   choose(change: Partial<Choices>): void {
     const { choices } = this.state;
-    const anew =
-      (change.detection ?? choices.detection) !== choices.detection ||
-      (change.broadphase ?? choices.broadphase) !== choices.broadphase;
+    const anew = ANEW.some((name) => (change[name] ?? choices[name]) !== choices[name]);
     Object.assign(choices, change);
     if (anew) void this.restart();
     else

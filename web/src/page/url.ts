@@ -14,6 +14,11 @@ export const DETECTION_CHOICES = ["auto", ...DETECTIONS] as const;
  * scene states); 0 is no limit. */
 export const MAX_ERRORS = [0, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001] as const;
 
+/** Steps per second, and greatest speeds in length scales per second, that the page offers; 0 is the
+ * scene's own. */
+export const STEP_RATES = [0, 15, 30, 60, 90, 120, 180, 240, 480, 1000] as const;
+export const TOP_SPEEDS = [0, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000] as const;
+
 /** Greatest step whose hash a link may ask to compare: a minute at 60 Hz. Chosen. */
 const MOST_STEPS = 3600;
 
@@ -24,6 +29,8 @@ export const USUAL: Choices = {
   detection: "auto",
   broadphase: "grid",
   maxError: 0,
+  stepRate: 0,
+  topSpeed: 0,
 };
 
 /** How Box2D is drawn: in a view beside thud's, as outlines over thud's bodies, or not at all. */
@@ -129,6 +136,8 @@ export async function readState(address: URL): Promise<Partial<State>> {
     detection: oneOf(DETECTION_CHOICES, params.get("detection")) ?? USUAL.detection,
     broadphase: oneOf(BROADPHASES, params.get("broadphase")) ?? USUAL.broadphase,
     maxError: oneOf(MAX_ERRORS, params.get("error")) ?? USUAL.maxError,
+    stepRate: oneOf(STEP_RATES, params.get("rate")) ?? USUAL.stepRate,
+    topSpeed: oneOf(TOP_SPEEDS, params.get("top")) ?? USUAL.topSpeed,
   };
   state.versus = {
     split: oneOf(SPLITS, params.get("split")) ?? USUAL_VERSUS.split,
@@ -168,6 +177,8 @@ export async function writeState(state: State): Promise<string> {
   put("detection", choices.detection, USUAL.detection);
   put("broadphase", choices.broadphase, USUAL.broadphase);
   put("error", choices.maxError, USUAL.maxError);
+  put("rate", choices.stepRate, USUAL.stepRate);
+  put("top", choices.topSpeed, USUAL.topSpeed);
   put("split", versus.split, USUAL_VERSUS.split);
   put("box2d", versus.substeps, USUAL_VERSUS.substeps);
   put("speed", speed, 1);

@@ -22,6 +22,11 @@ export interface Choices {
    * limit.
    */
   maxError: number;
+  /** Steps per second; 0: the scene's. */
+  stepRate: number;
+  /** Greatest speed along x and along y (WorldOptions.maximumSpeed), in length scales per second; 0:
+   * the scene's. */
+  topSpeed: number;
 }
 
 /** A scene to run, with its settings. */

@@ -16,13 +16,16 @@ import { recordOf } from "./watch";
 
 /** The visitor's choices as options of a world. */
 export function optionsOf(choices: Choices): WorldOptions {
-  const { quality, substeps, detection, broadphase } = choices;
+  const { quality, substeps, detection, broadphase, stepRate, topSpeed } = choices;
   return {
     quality,
     substeps,
     detection: detection === "auto" ? undefined : detection,
     broadphase,
     timed: true,
+    // What is not chosen must be missing here: an option that is undefined would hide the scene's.
+    ...(stepRate > 0 ? { timeStep: 1 / stepRate } : {}),
+    ...(topSpeed > 0 ? { maximumSpeed: topSpeed } : {}),
   };
 }
 
@@ -49,9 +52,10 @@ export async function setUp(
   { loadMover = bringMover, ...loaders }: Loaders = {},
 ): Promise<Session> {
   const first = request.name === FIRST_SCENE && request.code === undefined;
+  const choices = optionsOf(request.choices);
   const setting = createSetting(module, {
     thud: engine,
-    choices: optionsOf(request.choices),
+    choices,
     size: request.size,
     seed: request.seed,
     readText,
@@ -87,7 +91,7 @@ export async function setUp(
         message: "A scene returns the world that createWorld gave it: return { world }",
       });
     checkScene(scene);
-    const { lengthScale = 1, timeStep = 1 / 60 } = options;
+    const { lengthScale = 1, timeStep = 1 / 60 } = { ...options, ...choices };
     // The error limit is chosen in length scales; the length scale is an option of the scene's
     // world.
     scene.world.setMaxError(maxErrorOf(request.choices) * lengthScale);

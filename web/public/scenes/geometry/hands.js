@@ -11,13 +11,13 @@ const STEM = 0.7;
 /** Of places and ways, as the sliders have them. */
 const LIMITS = { x: 8, y: 5, wayX: 12, wayY: 8 };
 
-/** The state follows the pointer. */
-export function drag(state, { x, y, down }) {
+/** The state follows the pointer, which may take the shapes of these letters. */
+export function drag(state, { x, y, down }, letters = LETTERS) {
   if (!down) {
     state.grip = null;
-    state.near = takenAt(state, x, y);
+    state.near = takenAt(state, x, y, letters);
   } else if (state.grip) move(state, state.grip, x, y);
-  else state.near = state.grip = takenAt(state, x, y) ?? { part: "nothing" };
+  else state.near = state.grip = takenAt(state, x, y, letters) ?? { part: "nothing" };
 }
 
 /** Where the knob is that turns a shape; null for what does not turn. */
@@ -32,23 +32,24 @@ export function tipOf({ center: [x, y] }, [dx, dy]) {
 }
 
 /** { part, letter, dx, dy }: what a press would take, and how far from it; null for nothing. */
-function takenAt(state, x, y) {
-  const [handle] = LETTERS.flatMap((letter) => handlesOf(state, letter))
+function takenAt(state, x, y, letters) {
+  const [handle] = letters.flatMap((letter) => handlesOf(state, letter))
     .map((one) => ({ ...one, dx: one.at[0] - x, dy: one.at[1] - y }))
     .map((one) => ({ ...one, away: Math.hypot(one.dx, one.dy) }))
     .sort((one, other) => one.away - other.away);
   // A shape is taken beside its handles, and the one that is drawn last lies on top.
-  if (handle.away < REACH / 2) return handle;
-  const letter = [...LETTERS].reverse().find((one) => beside(shapeOf(state, one), x, y) <= AROUND);
+  if (handle?.away < REACH / 2) return handle;
+  const letter = [...letters].reverse().find((one) => beside(shapeOf(state, one), x, y) <= AROUND);
   if (letter) return { part: "move", letter, dx: state[`x${letter}`] - x, dy: state[`y${letter}`] - y };
-  return handle.away < REACH ? handle : null;
+  return handle?.away < REACH ? handle : null;
 }
 
 function handlesOf(state, letter) {
   const shape = shapeOf(state, letter);
   const knob = knobOf(shape);
   return [
-    { part: "way", letter, at: tipOf(shape, wayOf(state, letter)) },
+    // A scene whose shapes do not move has no ways in its state.
+    ...(`wayX${letter}` in state ? [{ part: "way", letter, at: tipOf(shape, wayOf(state, letter)) }] : []),
     ...(knob ? [{ part: "turn", letter, at: knob }] : []),
   ];
 }

@@ -108,7 +108,7 @@ export function addClock(thud, geometry) {
     /** By the test’s name; what is not measured yet is undefined. */
     costs({ shapes: [a, b], bounds }) {
       const keyOf = (name) => [name, a.kind, b.kind].join();
-      const names = ["exact", ...VOLUMES];
+      const names = ["exact", ...Object.keys(bounds)];
       const missing = names.find((name) => !known.has(keyOf(name)));
       if (missing) {
         const { first, second } = bounds[missing] ?? { first: a, second: b };

@@ -3,7 +3,7 @@
 import { knobOf, tipOf } from "./hands.js";
 import { along, LETTERS, VOLUMES } from "./look.js";
 
-const INKS = ["player", "rival"];
+export const INKS = ["player", "rival"];
 
 export function paintAll(state, seen) {
   const marks = [];
@@ -23,19 +23,19 @@ export function paintAll(state, seen) {
 }
 
 /** A shape as a mark; its ink and whether it is filled come to it. */
-function solid({ kind, center: [x, y], radius, halfWidth, halfHeight, angle = 0 }) {
+export function solid({ kind, center: [x, y], radius, halfWidth, halfHeight, angle = 0 }) {
   if (kind === "circle") return { kind: "circle", x, y, radius };
   return { kind: "box", x, y, halfWidth, halfHeight, angle };
 }
 
-const line = (points, ink, more = {}) => ({ kind: "line", points, ink, ...more });
-const dot = ([x, y], ink, radius = 0.09) => (
+export const line = (points, ink, more = {}) => ({ kind: "line", points, ink, ...more });
+export const dot = ([x, y], ink, radius = 0.09) => (
   { kind: "circle", x, y, radius, ink, filled: true }
 );
-const text = ([x, y], words, ink) => ({ kind: "text", x, y, text: words, ink });
+export const text = ([x, y], words, ink) => ({ kind: "text", x, y, text: words, ink });
 
 /** What turns and what is pulled, larger where the pointer would take it. */
-function paintHandles(marks, state, shape, way, i) {
+export function paintHandles(marks, state, shape, way, i) {
   const held = (part) => state.near?.part === part && state.near.letter === LETTERS[i];
   const handle = (at, part) => {
     marks.push(dot(at, INKS[i], held(part) ? 0.26 : 0.17));

@@ -2,10 +2,10 @@
 
 import { HALVINGS, VOLUMES } from "./look.js";
 
-const number = (value) => value.toFixed(2).replace("-0.00", "0.00");
+export const number = (value) => value.toFixed(2).replace("-0.00", "0.00");
 const place = ([x, y]) => `${number(x)}, ${number(y)}`;
-const percent = (part) => `${Math.round(100 * part)} %`;
-const yesNo = (value) => (value ? "yes" : "no");
+export const percent = (part) => `${Math.round(100 * part)} %`;
+export const yesNo = (value) => (value ? "yes" : "no");
 
 export function tell(state, seen, costs) {
   const readings = {
@@ -79,6 +79,6 @@ function boundRows({ shapes, bounds }, kind, costs) {
 
 const rate = (value) => (value ? value.toPrecision(2) : "being measured");
 
-function areaOf({ kind, radius, halfWidth, halfHeight }) {
+export function areaOf({ kind, radius, halfWidth, halfHeight }) {
   return kind === "circle" ? Math.PI * radius * radius : 4 * halfWidth * halfHeight;
 }

@@ -1,11 +1,13 @@
 /**
  * The controls of the panel Trade: quality, substeps, limit of overlap, detection and broadphase,
- * which trade speed for accuracy, and the size of the scene.
+ * which trade speed for accuracy, steps per second and the greatest speed, which bound what bisection
+ * may miss, and the size of the scene.
  */
 import { BROADPHASES, QUALITIES, type Broadphase, type Quality } from "thud";
 import type { App } from "../../page/app";
 import { choiceBar, make } from "../../page/dom";
-import { DETECTION_CHOICES, MAX_ERRORS } from "../../page/url";
+import { DETECTION_CHOICES, MAX_ERRORS, STEP_RATES, TOP_SPEEDS } from "../../page/url";
+import { createBound } from "./bound";
 import { createDetectionCount } from "./detection";
 import { countText } from "./text";
 
@@ -145,6 +147,22 @@ export function createControls(app: App): HTMLElement {
     (place) => (place > 0 ? `${MAX_ERRORS[place]} length scales` : "none"),
     (place) => app.choose({ maxError: MAX_ERRORS[place] }),
   );
+  const stepRate = slider(
+    "step-rate",
+    "Steps a second",
+    "restarts the scene",
+    STEP_RATES.length - 1,
+    (place) => (place > 0 ? String(STEP_RATES[place]) : "the scene’s"),
+    (place) => app.choose({ stepRate: STEP_RATES[place] }),
+  );
+  const topSpeed = slider(
+    "top-speed",
+    "Greatest speed",
+    "restarts the scene",
+    TOP_SPEEDS.length - 1,
+    (place) => (place > 0 ? `${TOP_SPEEDS[place]} length scales a second` : "the scene’s"),
+    (place) => app.choose({ topSpeed: TOP_SPEEDS[place] }),
+  );
   const noSolver = "Draft has no direct solver that could keep to a limit.";
   const draftNote = make("p", { class: "explained" }, noSolver);
   const size = createSize(app);
@@ -155,6 +173,8 @@ export function createControls(app: App): HTMLElement {
     broadphase.show(choices.broadphase);
     substeps.show(choices.substeps);
     maxError.show(MAX_ERRORS.findIndex((value) => value === choices.maxError));
+    stepRate.show(STEP_RATES.findIndex((value) => value === choices.stepRate));
+    topSpeed.show(TOP_SPEEDS.findIndex((value) => value === choices.topSpeed));
     maxError.input.disabled = choices.quality === "draft";
     draftNote.hidden = choices.quality !== "draft";
   };
@@ -168,6 +188,7 @@ export function createControls(app: App): HTMLElement {
     sliders,
     detection.element,
     createDetectionCount(app),
+    make("div", { class: "sliders" }, stepRate.element, topSpeed.element, createBound(app)),
     broadphase.element,
     size,
   );

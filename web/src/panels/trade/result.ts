@@ -12,7 +12,7 @@ import { choicesText, countText, errorText, plainTime } from "./text";
 export interface Result extends Series {
   /** The scene's title, with its size. */
   title: string;
-  /** Detection, broadphase and "with changed code" where they differ from the defaults; or "". */
+  /** What is chosen besides quality, and "with changed code", where they differ from the defaults; or "". */
   setUp: string;
   browser: string;
   /** navigator.hardwareConcurrency. */
@@ -25,9 +25,8 @@ export interface Result extends Series {
 export function describeResult(app: App, series: Series): Result {
   const { scene, state } = app;
   const size = scene?.sizes ? ` (${countText(scene.size)} ${scene.sizes.means})` : "";
-  const { detection, broadphase } = state.choices;
   const choices = { ...state.choices, quality: "default" as const, substeps: 0, maxError: 0 };
-  const unusual = detection === "auto" && broadphase === "grid" ? [] : [choicesText(choices)];
+  const unusual = [choicesText(choices)].filter((text) => text !== "default");
   if (state.code !== null) unusual.push("with changed code");
   return {
     ...series,

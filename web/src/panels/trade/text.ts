@@ -20,13 +20,15 @@ export function errorText(error: number): string {
 
 /** "high 12 sub swept": the quality, and the other choices that differ from the defaults. */
 export function choicesText(choices: Choices): string {
-  const { quality, substeps, detection, broadphase, maxError } = choices;
+  const { quality, substeps, detection, broadphase, maxError, stepRate, topSpeed } = choices;
   return [
     quality,
     substeps > 0 ? `${substeps} sub` : "",
     detection === "auto" ? "" : detection,
     broadphase === "grid" ? "" : broadphase,
     maxError > 0 && quality !== "draft" ? `≤ ${maxError}` : "",
+    stepRate > 0 ? `${stepRate}/s` : "",
+    topSpeed > 0 ? `up to ${topSpeed}` : "",
   ]
     .filter((part) => part !== "")
     .join(" ");
