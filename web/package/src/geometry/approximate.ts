@@ -50,7 +50,6 @@ const MOST = 64;
  * up to 10¹²; edges must not cross or touch. Neither missed + extra nor distance is larger for a
  * larger number of shapes. Rectangles and most right-angled polygons are covered exactly.
  * @throws {ThudError} "invalid" where the points are no polygon, with the reason; "memory".
- * @example const { shapes } = approximate(thud, [[0, 0], [3, 0], [3, 1], [1, 1], [1, 3], [0, 3]], { shapes: 2 });
  */
 export function approximate(
   engine: Engine,
