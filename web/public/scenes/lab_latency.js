@@ -1,12 +1,15 @@
-// Air hockey by two peers with a line between them that delays what they tell each other. The
-// scene’s world is the game as it truly is; what each peer sees of it is drawn in a rink of its own,
-// by one of four methods. All four are measured at once. The peers stand in lab_latency/.
+// Air hockey by two peers, over a line that delays what they tell each other. The scene’s world is
+// the truth: the game as if nothing took time. What each peer sees of it is drawn in a rink of its
+// own, by one of four methods, and the errors of all four are measured at once. The rink, the
+// players, the line, the peers and the picture stand in lab_latency/.
+//
+// Of the truth each peer gets packets, and its own mallet is where it is. By the first three methods
+// it makes a picture of the newest packet; by a rollback it runs the game itself, on the inputs in it.
 
-import { Peers, METHODS, peerState, WINDOW } from "./lab_latency/peers.js";
+import { KEPT, METHODS, Peers, peerState, rowOf, WINDOW } from "./lab_latency/peers.js";
 import { NAMES, picture } from "./lab_latency/picture.js";
 import { wish } from "./lab_latency/players.js";
-import { build, inputOf, judge, MIDDLE, OPTIONS, steer, TIME_STEP } from "./lab_latency/rink.js";
-import { KEPT, rowOf } from "./lab_latency/peers.js";
+import { build, inputOf, judge, MIDDLE, OPTIONS, steer } from "./lab_latency/rink.js";
 
 export const title = "Latency";
 export const about = "Two peers play air hockey over a slow line; four ways to hide the delay.";
