@@ -36,7 +36,7 @@ export default function ({ createWorld }) {
     view: { x: 0, y: 3, height: 14, width: 34 },
     spawn: [0, 8],
     controls: CONTROLS,
-    show: ["contacts", "normals"],
+    show: ["contacts"],
     state: { restitution: 0.5, friction: 0.4, speed: 6, ratio: 3, bodies: [] },
     update({ step }) {
       if (step > 0 && step % ROUND === 0) begin(scene);
