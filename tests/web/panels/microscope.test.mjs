@@ -67,7 +67,14 @@ for (const [size, options] of SIZES)
     const pictures = await page.$$eval("#scope-pictures li", (items) => items.map((item) => item.textContent));
     assert.equal(pictures.length, 5);
     assert.match(pictures[2], /v_n from -12.00 to 6.000/);
-    assert.equal(await page.locator("#scope-pictures svg[role=img]").count(), 5);
+    const sizes = await page.$$eval("#scope-pictures svg[role=img]", (found) =>
+      found.map((one) => one.getBoundingClientRect()).map(({ width, height }) => [width, height]),
+    );
+    assert.equal(sizes.length, 5);
+    for (const [width, height] of sizes) {
+      assert.ok(width > 100, `${width}`);
+      near(height, width, 1, "pictures are square");
+    }
     assert.equal(await page.evaluate(() => document.activeElement.tagName), "H3");
     const wide = await page.evaluate(() => {
       const body = document.querySelector("#dock-body");

@@ -10,7 +10,7 @@ export const menu = { group: "Laboratory", place: 908 };
 const ROUND = 120;
 /** Middles of the four lanes. */
 const [HEAD_ON, SLOPE, CORNER, HEAVY] = [-12, -4, 4, 12];
-const NAMES = [[HEAD_ON, "Head on"], [SLOPE, "On a slope"], [CORNER, "On a corner"], [HEAVY, "Heavy on light"]];
+const NAMES = [[HEAD_ON, "Head on"], [SLOPE, "Slope"], [CORNER, "Corner"], [HEAVY, "Heavy"]];
 
 const slider = (name, label, least, most, step) => (
   { kind: "slider", name, label, least, most, step, group: "At the next beginning" }

@@ -9,7 +9,14 @@ import { make } from "../../page/dom";
 import { say } from "../../page/messages";
 import type { Collision, ContactList, Met, Side } from "../../worker/microscope";
 import { resolutionPictures } from "./pictures";
-import { fillList, numberText, placeText, type Row } from "./values";
+import * as values from "./values";
+import { fillList, type Row } from "./values";
+
+/** Smaller numbers are rounding errors of the formulas, and shown as 0. Chosen. */
+const ROUNDING = 1e-9;
+const tidy = (value: number) => (Math.abs(value) < ROUNDING ? 0 : value);
+const numberText = (value: number) => values.numberText(tidy(value));
+const placeText = ([x, y]: Vec2) => values.placeText([tidy(x), tidy(y)]);
 
 /** Milliseconds between two requests for the list while the scene runs. Chosen. */
 const REFRESH = 400;
