@@ -6,7 +6,6 @@
 #include "catalogue/catalogue_choices.h"
 
 #include <math.h>
-#include <time.h>
 
 enum { BALLS = 64, RATE_COUNT = 5, QUICK_RATES = 2, REPETITIONS = 5 };
 
@@ -61,12 +60,6 @@ enum { SCENE_COUNT = sizeof SCENES / sizeof SCENES[0] };
 typedef struct price {
     double seconds, error;
 } price;
-
-static double processor_seconds(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* The mean distance of the balls, which are the last bodies, from where they should be. */
 static bool measure_error(const way_world *w, int index, double time, double *error) {
