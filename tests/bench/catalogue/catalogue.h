@@ -10,6 +10,7 @@ bool catalogue_broadphases(bool quick, json *out); /* "growth", "coherence", "si
 bool catalogue_detections(bool quick, json *out);  /* "detections", of whole scenes */
 bool catalogue_walls(bool quick, json *out);   /* "walls": bodies that pass through thin walls */
 bool catalogue_throws(bool quick, json *out);  /* "throws": paths compared with parabolas */
+bool catalogue_prices(bool quick, json *out);  /* "prices": error over time of each detection */
 bool catalogue_levels(bool quick, json *out);  /* "levels": pairs that each volume lets through */
 bool catalogue_volumes(bool quick, json *out); /* "volumes": nanoseconds of making and testing
                                                   bounding volumes */

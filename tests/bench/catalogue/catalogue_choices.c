@@ -6,6 +6,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <time.h>
 
 const thud_broadphase *broadphase_at(int index) {
     const thud_broadphase *all[BROADPHASE_COUNT] = {&thud_broadphase_grid, &thud_broadphase_sweep,
@@ -43,4 +44,10 @@ void way_close(way_world *w) {
     thud_world_destroy(w->world);
     free(w->bodies);
     *w = (way_world){0};
+}
+
+double processor_seconds(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }

@@ -24,4 +24,8 @@ bool way_open(way_world *w, const scene *s, const thud_detection *detection, dou
 bool way_step(way_world *w);
 void way_close(way_world *w);
 
+/* The thread's processor time in seconds. Unlike wall-clock time it does not advance while another
+ * process runs, which would dominate the longest of many steps. */
+double processor_seconds(void);
+
 #endif

@@ -13,7 +13,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <time.h>
 
 enum { MOST_STEPS = 600, QUICK_STEPS = 8, REPETITIONS = 3 };
 
@@ -49,14 +48,6 @@ typedef struct trial {
 
 static double kinetic_energy(way_world *w) {
     return thud_measure_of(w->world).kinetic_energy;
-}
-
-/* The thread's processor time in seconds. Unlike wall-clock time it does not advance while another
- * process runs, which would dominate the longest of many steps. */
-static double processor_seconds(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 static bool prepare(trial *t) {

@@ -14,6 +14,7 @@ static const struct {
     {"detections", "Detection: four ways through the same scene", catalogue_detections},
     {"walls", "Detection: who passes through a thin wall", catalogue_walls},
     {"throws", "Detection: where a thrown ball is met", catalogue_throws},
+    {"prices", "Detection, priced: error over time", catalogue_prices},
     {"levels", "Bounding volumes: how many pairs each lets through", catalogue_levels},
     {"volumes", "Bounding volumes: ns a call", catalogue_volumes},
     {"calls", "Geometry: ns a call", catalogue_calls},

@@ -109,6 +109,28 @@ def throws(results):
                   for r in results["throws"]])
 
 
+def won(rows):
+    """A sentence: which setting came closest, and the cheapest one of those that came within a
+    centimetre, or within twice the least error if none did."""
+    def named(row):
+        return f"{row['detection']} at {count(row['rate'])} steps a second"
+    closest = min(rows, key=lambda r: r["error"])
+    bound = max(0.01, 2 * closest["error"])
+    cheapest_one = min((r for r in rows if r["error"] <= bound), key=lambda r: r["us"])
+    return (f"In *{rows[0]['scene']}* {named(closest)} is the most accurate, "
+            f"{millimetres(closest['error'])} mm off; the cheapest within "
+            f"{millimetres(bound)} mm is {named(cheapest_one)}.")
+
+
+def prices(results):
+    rows = results["prices"]
+    text = table(["scene", "detection", "steps a second", "µs for a second", "error, mm"],
+                 [[r["scene"], r["detection"], count(r["rate"]), ns(r["us"]),
+                   millimetres(r["error"])] for r in rows])
+    scenes = dict.fromkeys(r["scene"] for r in rows)
+    return text + "\n\n" + " ".join(won([r for r in rows if r["scene"] == s]) for s in scenes)
+
+
 def levels(results):
     return table(["scene", *LEVELS.values(), "1 overlap in"],
                  [[f"{r['scene']}, {count(r['size'])}", *(count(r[k]) for k in LEVELS),
@@ -185,7 +207,8 @@ def mover(results):
 # makes its text.
 SECTIONS = {f.__name__: (needs, f) for needs, f in [
     ("growth", growth), ("coherence", coherence), ("sizes", sizes), ("gathering", gathering),
-    ("detections", detections), ("walls", walls), ("throws", throws), ("levels", levels), ("levels", narrowphase),
+    ("detections", detections), ("walls", walls), ("throws", throws), ("prices", prices),
+    ("levels", levels), ("levels", narrowphase),
     ("detections", motions), ("volumes", volumes), ("calls", calls), ("tolerances", tolerances), ("grounds", grounds),
     ("digging", digging), ("queries", queries), ("mover", mover)]}
 

@@ -7,6 +7,12 @@ WALL_TITLES = {"static": "Who passes through a standing wall, 2 cm thick",
                "dynamic": "Who passes through a wall that gives way, 2 cm thick"}
 
 
+PRICE_TITLES = {"shuttle": "Balls between two walls: error over time, at 60 to 960 steps a second",
+                "hop": "Balls that hop on a floor: error over time, at 60 to 960 steps a second"}
+# Millimetres: an error of 0 cannot be drawn on a logarithmic scale.
+LEAST_ERROR = 1e-3
+
+
 def values(series):
     """All y values of several curves."""
     return [value for _, _, points in series for _, value in points]
@@ -86,10 +92,22 @@ def ways(results):
                    [s["scene"].replace("_", " ") for s in scenes], "times", False)
 
 
+def prices(results, scene):
+    """Draws the error of each detection over the time that it takes, a point for each step rate."""
+    rows = [r for r in results["prices"] if r["scene"] == scene]
+    series = [(way, COLOURS[k], sorted((r["us"], max(1e3 * r["error"], LEAST_ERROR))
+                                       for r in rows if r["detection"] == way))
+              for k, way in enumerate(WAYS)]
+    return logarithmic(PRICE_TITLES[scene], series, "µs of processor time for a simulated second",
+                       "mm from the closed form")
+
+
 def draw(results):
     """All pictures for which there are figures, by the end of their file names."""
     makers = [("broadphases", "growth", broadphases), ("gathering", "gathering", gathering),
               ("levels", "levels", levels), ("detections", "detections", ways),
+              ("prices-shuttle", "prices", lambda r: prices(r, "shuttle")),
+              ("prices-hop", "prices", lambda r: prices(r, "hop")),
               ("walls-static", "walls", lambda r: walls(r, "static")),
               ("walls-dynamic", "walls", lambda r: walls(r, "dynamic"))]
     return {name: make(results) for name, needs, make in makers if needs in results}

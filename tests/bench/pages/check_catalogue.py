@@ -77,6 +77,18 @@ def check_throws(results):
         assert 0 < row["flight"] < 0.1 and row["mean"] <= row["worst"], row
 
 
+def check_prices(results):
+    """error: mean distance of balls from their closed form, m; us: processor time, microseconds."""
+    errors = {(row["scene"], row["detection"], row["rate"]): row["error"]
+              for row in rows_of(results, "prices")}
+    assert {way for _, way, _ in errors} == set(WAYS), errors
+    for row in results["prices"]:
+        assert row["us"] > 0 and 0 <= row["error"] < 2, row
+    for scene in ("shuttle", "hop"):
+        # What looks ahead meets a wall where it stands, what does not a part of a step behind it.
+        assert errors[scene, "swept", 60] < 0.5 * errors[scene, "overlap", 60], errors
+
+
 def check_levels(results):
     for row in rows_of(results, "levels"):
         counts = [row[k] for k in ("pairs", "circles", "boxes", "oriented", "exact")]
@@ -127,6 +139,7 @@ with tempfile.TemporaryDirectory() as scratch:
     check_detections(everything)
     check_walls(everything)
     check_throws(everything)
+    check_prices(everything)
     check_levels(everything)
     check_calls(everything)
     check_page(everything)

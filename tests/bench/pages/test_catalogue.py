@@ -61,6 +61,11 @@ RESULTS = {
                                         ("bisect", (0, 1)), ("swept", (0, 0)))],
     "throws": [{"detection": "swept", "rate": 60, "flight": 0.025, "mean": 0.02, "worst": 0.03,
                 "early": 0, "late": 0.004, "bend": 0.000347, "chord": 0.000347}],
+    "prices": [{"scene": scene, "detection": detection, "rate": rate, "us": us * rate,
+                "error": error / rate}
+               for scene in ("shuttle", "hop") for rate in (60, 120)
+               for detection, us, error in (("overlap", 10, 24), ("continuous", 12, 18),
+                                            ("bisect", 20, 2), ("swept", 30, 1.2))],
     "levels": [{"scene": "gas", "size": 100, "pairs": 1000, "circles": 100, "boxes": 20,
                 "oriented": 20, "exact": 10, "bounds": 60, "sieved": 33, "near": 31,
                 "contacts": 30}],
@@ -125,6 +130,14 @@ class Figures(unittest.TestCase):
 
 
 class Page(unittest.TestCase):
+    def test_prices_name_the_most_accurate_and_the_cheapest_that_is_near(self):
+        text = page.prices(RESULTS)
+        self.assertIn("In *hop* swept at 120 steps a second is the most accurate, 10.00 mm off",
+                      text)
+        # Within 20 mm are swept at both rates and bisect at 120: 1800, 3600 and 2400 µs.
+        self.assertIn("the cheapest within 20.00 mm is swept at 60 steps a second.", text)
+        self.assertEqual(row_of(text, "shuttle | swept | 60")[3:], ["1,800", "20.00"])
+
     def test_broadphases_mark_the_cheapest_and_who_dropped_out(self):
         text = page.growth(RESULTS)
         self.assertEqual(row_of(text, "10 ")[2:], ["40 (80)", "30 (60)", "**20** (40)"])
@@ -187,7 +200,7 @@ class Pictures(unittest.TestCase):
 
     def test_every_picture_names_its_lines_within_its_frame(self):
         drawn = picture.draw(RESULTS)
-        self.assertEqual(len(drawn), 6)
+        self.assertEqual(len(drawn), 8)
         for name, svg in drawn.items():
             root = ElementTree.fromstring(svg)
             for element in root.iter():
@@ -222,7 +235,7 @@ class Program(unittest.TestCase):
             code, out, said = self.run_in(folder)
             self.assertEqual((code, said.count("wrote")), (0, 1), said)
             self.assertEqual(catalogue.read(os.path.join(out, "catalogue.json")), RESULTS)
-            self.assertEqual(len(os.listdir(os.path.join(out, "pictures"))), 6)
+            self.assertEqual(len(os.listdir(os.path.join(out, "pictures"))), 8)
             with open(os.path.join(out, "catalogue.md"), encoding="utf-8") as file:
                 text = file.read()
             for name in os.listdir(os.path.join(out, "pictures")):

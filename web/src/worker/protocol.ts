@@ -8,6 +8,7 @@ import type { Command } from "./commands";
 import type { BodyReport } from "./inspect";
 import type { Series, SeriesProgress } from "./measure";
 import type { HeavierProgress, Heaviest } from "./measure-heavier";
+import type { Collision, ContactList, Pair } from "./microscope";
 
 /** What the visitor has chosen for every world; see WorldOptions. */
 export interface Choices {
@@ -146,6 +147,12 @@ export interface Questions {
   bisectionLimit: { ask: Record<string, never>; answer: number };
   /** The state of the body in a slot; null if there is none. */
   inspect: { ask: { slot: number }; answer: BodyReport | null };
+  /** The contacts of the last step, of the body in a slot or (null) of all. */
+  contacts: { ask: { slot: number | null }; answer: ContactList };
+  /** One pair in the step that ended at `step`, taken apart. */
+  examine: { ask: { pair: Pair; step: number }; answer: Collision };
+  /** Makes steps until something meets; false if nothing did. */
+  runToContact: { ask: Record<string, never>; answer: boolean };
   /**
    * Measures a scene ("Measure"). The worker does nothing else meanwhile; to cancel, the page ends
    * it.

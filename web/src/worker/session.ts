@@ -166,18 +166,43 @@ export class Session {
    * back (or the oldest one), and compares the hashes. The present state is restored afterwards.
    */
   rerun(steps: number): Rerun {
-    const present = this.#moment();
     const { step, hash } = this.hash;
     const moment = this.history.before(Math.max(this.history.first, step - steps));
     if (!moment) throw new Error("Nothing of the past is kept yet.");
+    const again = this.#inThePast(moment, () => {
+      this.#runAgain(step);
+      // Commands since the last step are applied again, as they are part of the present state.
+      for (const command of this.#done) this.#apply(command);
+      return this.world.hash();
+    });
+    return { from: moment.step, step, hash, again };
+  }
+
+  /**
+   * Reads the world as it was before a step of the past and after it. `read` is called twice. The
+   * present state is restored afterwards.
+   */
+  review<T>(step: number, read: () => T): [before: T, after: T] {
+    const moment = step > this.step ? undefined : this.history.before(step - 1);
+    if (!moment) throw new Error(`Step ${step} is not kept any more, or has not been made.`);
+    return this.#inThePast(moment, () => {
+      this.#runAgain(step - 1);
+      const before = read();
+      this.#runAgain(step);
+      return [before, read()];
+    });
+  }
+
+  /** Runs `act` from a moment of the past on, and restores the present state afterwards. */
+  #inThePast<T>(moment: Moment, act: () => T): T {
+    const present = this.#moment();
     this.companion?.end();
     this.#goTo(moment);
-    this.#runAgain(step);
-    // Commands since the last step are applied again, as they are part of the present state.
-    for (const command of this.#done) this.#apply(command);
-    const again = this.world.hash();
-    this.#goTo(present);
-    return { from: moment.step, step, hash, again };
+    try {
+      return act();
+    } finally {
+      this.#goTo(present);
+    }
   }
 
   get hash(): StateHash {

@@ -91,6 +91,24 @@ const answers: Answers = {
     return inspect(world, step, slot);
   },
 
+  async contacts({ slot }) {
+    const { listContacts } = await import("./microscope");
+    return listContacts(needSession(), slot);
+  },
+
+  async examine({ pair, step }) {
+    const [{ examine }, geometry] = await Promise.all([
+      import("./microscope"),
+      import("thud/geometry"),
+    ]);
+    return examine(needSession(), engine, geometry, pair, step);
+  },
+
+  async runToContact() {
+    const { runToContact } = await import("./microscope");
+    return runToContact(needSession());
+  },
+
   async measure(request, report) {
     const { measure, prepare } = await import("./measure-all");
     const { laboratory, withoutBox2D } = await prepare(engine, open);

@@ -67,6 +67,11 @@ export class BodyPart {
     this.#clear();
   }
 
+  /** The slot of the body that is kept; null: none. */
+  get pinned(): number | null {
+    return this.#pinned;
+  }
+
   /** The panel is opened. */
   watch(): void {
     this.#card.hidden = true;

@@ -1,6 +1,6 @@
 /**
- * The panel Inside, which shows the engine at work. It has four parts, of which one is shown:
- * overlays, one body, the stages of a step, and the state's hash.
+ * The panel Inside, which shows the engine at work. It has five parts, of which one is shown:
+ * overlays, one body, contacts, the stages of a step, and the state's hash.
  */
 import type { App } from "../../page/app";
 import type { Panel } from "../../page/dock";
@@ -8,26 +8,30 @@ import { choiceBar, make } from "../../page/dom";
 import type { Stage } from "../../page/stage";
 import { BodyPart } from "./body";
 import { CheckPart } from "./check";
+import { ContactsPart } from "./contacts";
 import { overlaysPart } from "./overlays";
 import { StepPart } from "./step";
 import "../../style/inside.css";
 
-const PARTS = ["show", "body", "step", "bits"] as const;
+const PARTS = ["show", "body", "contacts", "step", "bits"] as const;
 type PartName = (typeof PARTS)[number];
 const LABELS: Record<PartName, string> = {
   show: "Overlays",
   body: "Body",
+  contacts: "Contacts",
   step: "Step",
   bits: "Same bits",
 };
 
 export function createPanel(app: App, stage: Stage): Panel {
   const body = new BodyPart(app, stage, () => show("body"));
+  const contacts = new ContactsPart(app, () => body.pinned);
   const step = new StepPart(app);
   const check = new CheckPart(app);
   const elements: Record<PartName, HTMLElement> = {
     show: overlaysPart(app, stage),
     body: body.element,
+    contacts: contacts.element,
     step: step.element,
     bits: check.element,
   };
@@ -43,8 +47,10 @@ export function createPanel(app: App, stage: Stage): Panel {
   function show(part: PartName): void {
     bar.show(part);
     for (const name of PARTS) elements[name].hidden = name !== part;
+    contacts.seen = part === "contacts";
     step.seen = part === "step";
     check.seen = part === "bits";
+    if (contacts.seen) contacts.shown();
     // While paused no frame would come, and the part that is shown now would stay empty.
     app.refresh();
   }
@@ -54,11 +60,13 @@ export function createPanel(app: App, stage: Stage): Panel {
     element: make("div", { class: "inside" }, bar.element, ...Object.values(elements)),
     opened() {
       body.watch();
+      contacts.watch();
       step.watch();
       check.watch();
     },
     closed() {
       body.rest();
+      contacts.rest();
       step.rest();
       check.rest();
     },
