@@ -38,7 +38,7 @@ export default async function ({ createWorld, loadGeometry, thud }) {
   const world = createWorld({ gravity: [0, 0] });
   const state = {
     ...{ halving: 3, auto: false, interval: true },
-    ...{ rate: 60, speed: 50, thickness: 0.1, bound: true },
+    ...{ rate: 60, speed: 55, thickness: 0.1, bound: true },
     ...{ kindA: "obb", xA: -3.6, yA: 1, angleA: 20, widthA: 2.4, heightA: 1.2, wayXA: 4, wayYA: 0.4 },
     ...{ kindB: "circle", xB: 3.2, yB: 1.3, angleB: 0, widthB: 1.6, heightB: 1.6, wayXB: -2.6, wayYB: -0.3 },
     grip: null, // what the pointer holds

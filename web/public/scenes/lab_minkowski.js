@@ -3,7 +3,7 @@
 
 import { check, kindOf, slider, slidersOf } from "./geometry/controls.js";
 import { drag } from "./geometry/hands.js";
-import { growGround } from "./lab_minkowski/ground.js";
+import { createGround } from "./lab_minkowski/ground.js";
 import { growShape } from "./lab_minkowski/grow.js";
 import { paintSum } from "./lab_minkowski/picture.js";
 import { tellSum } from "./lab_minkowski/tell.js";
@@ -34,6 +34,7 @@ const SWELL = 240;
 
 export default async function ({ createWorld, loadGeometry, thud }) {
   const geometry = await loadGeometry();
+  const growGround = createGround(thud, geometry);
   const world = createWorld({ gravity: [0, 0] });
   const state = {
     ...{ against: "shape", grown: 0.5, auto: false, sum: true },
@@ -53,7 +54,7 @@ export default async function ({ createWorld, loadGeometry, thud }) {
       if (state.auto) state.grown = Math.abs(((step + SWELL) % (2 * SWELL)) - SWELL) / SWELL;
     },
     paint() {
-      const grown = (state.against === "terrain" ? growGround : growShape)(thud, geometry, state);
+      const grown = state.against === "terrain" ? growGround(state) : growShape(thud, geometry, state);
       return { ...paintSum(state, grown), ...tellSum(grown) };
     },
   };

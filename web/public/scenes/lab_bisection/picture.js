@@ -51,7 +51,7 @@ function paintLanes(marks, state, { motion, thinnest, bisectable, lanes }) {
   const ink = bisectable ? "good" : "bad";
   const sign = bisectable ? "<" : "≥";
   const words = bisectable ? "is caught" : "may pass";
-  const top = heightOf(0) + 0.95;
+  const top = heightOf(0) + 1.15;
   const sum = `speed × step ${motion.toFixed(3)} ${sign} ${thinnest.toFixed(2)} thick: ${words}`;
   marks.push(text([0, top], sum, ink));
   const count = Math.floor((-2 * START) / motion);

@@ -4,27 +4,41 @@
 import { along, shapeOf, wayOf } from "../geometry/look.js";
 import { shrunk } from "./grow.js";
 
-const HEIGHTS = [-2.2, -2.4, -1.6, -2.9, -3.2, -2.1, -2.5, -3.4, -3.1, -2.0, -2.3, -2.3, -1.9];
+const HEIGHTS = [-1.2, -1.4, -0.6, -1.9, -2.2, -1.1, -1.5, -2.4, -2.1, -1, -1.3, -1.3, -0.9];
 /** The ground as the calls take it. */
 export const GROUND = { kind: "uniform", x0: -9, spacing: 1.5, heights: HEIGHTS };
 const EDGE = 9;
 /** From this height a shape is let down by DROP. */
 const [TOP, DROP] = [20, 40];
 /** Places along x at which it is let down. */
-const PLACES = 360;
+const PLACES = 240;
 
-export function growGround(thud, geometry, state) {
+/**
+ * A function that grows the ground, as growShape grows a shape. It remembers the last two lines, which
+ * take hundreds of tests each, and stay the same while the shape is dragged.
+ */
+export function createGround(thud, geometry) {
+  const known = { sum: {}, grown: {} };
+  const lineOf = (name, shape) => {
+    const key = JSON.stringify({ ...shape, center: null });
+    if (known[name].key !== key) known[name] = { key, line: edgeOf(thud, geometry, shape) };
+    return known[name].line;
+  };
+  return (state) => growGround(thud, geometry, state, lineOf);
+}
+
+function growGround(thud, geometry, state, lineOf) {
   const b = shapeOf(state, "B");
   const way = wayOf(state, "B");
   const segment = [b.center, along(b, way, 1).center];
-  const sum = edgeOf(thud, geometry, b);
+  const sum = lineOf("sum", b);
   const crossing = geometry.castRayOnTerrain(thud, { kind: "irregular", points: sum }, b.center, way);
   const { height } = geometry.terrainAt(thud, { kind: "irregular", points: sum }, b.center[0]);
   return {
     letters: ["B"],
     shapes: [b],
     ways: [way],
-    outline: edgeOf(thud, geometry, shrunk(b, state.grown)),
+    outline: lineOf("grown", shrunk(b, state.grown)),
     closed: false,
     rest: shrunk(b, 1 - state.grown),
     segment,
