@@ -21,7 +21,7 @@ void options_print_help(void) {
         "  --size WxH         size of the window or picture (1280x800)\n"
         "  --quality Q        draft, default, high or exact\n"
         "  --detection D      overlap, continuous, bisect or swept (continuous)\n"
-        "  --broadphase B     grid, sweep or all (grid)\n"
+        "  --broadphase B     grid, sweep, sweep_y, sweep_widest, sweep_both or all (grid)\n"
         "  --overlay LIST     contacts, normals, bounds, cells, islands, sleeping, timings, axes,\n"
         "                     pairs, motions, joints, forces, separated by commas; or all, or none\n"
         "                     (sleeping, joints, and what the scene is there to show)\n"
@@ -84,7 +84,9 @@ static bool parse_detection(options *o, const char *text) {
 
 static bool parse_broadphase(options *o, const char *text) {
     o->broadphase = broadphase_find(text);
-    return o->broadphase >= 0 || complain("--broadphase needs grid, sweep or all, not", text);
+    return o->broadphase >= 0 ||
+           complain("--broadphase needs grid, sweep, sweep_y, sweep_widest, sweep_both or all, not",
+                    text);
 }
 
 static bool parse_overlays(options *o, const char *text) {

@@ -91,6 +91,7 @@ static thud_world *build(const run_options *options, const scene *s, pool *threa
     def.quality = QUALITIES[options->quality];
     def.detection = DETECTIONS[options->detection].detection;
     def.broadphase = BROADPHASES[options->broadphase].broadphase;
+    def.cell_size = options->cell_size;
     def.sleeping = !options->no_sleeping;
     def.clock = seconds_now;
     def.log = log_to_stderr;

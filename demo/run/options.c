@@ -29,6 +29,18 @@ static bool parse_number(const char *option, const char *text, long low, long hi
     return true;
 }
 
+/* Parses a length of at least 0; the world refuses what is too large. False after a message. */
+static bool parse_length(const char *option, const char *text, float *out) {
+    char *end;
+    float value = strtof(text, &end);
+    if (end == text || *end != '\0' || !(value >= 0)) {
+        fprintf(stderr, "thud-run: %s takes a length from 0, not '%s'\n", option, text);
+        return false;
+    }
+    *out = value;
+    return true;
+}
+
 /* Stores `found`, the index of the name `text` in a list of choices. False, after a message, if it
  * is -1. */
 static bool choose(const char *option, const char *names, const char *text, int found, int *out) {
@@ -54,8 +66,10 @@ static bool parse_valued(const char *option, const char *value, run_options *out
         return choose(option, "overlap, continuous, bisect or swept", value, detection_find(value),
                       &out->detection);
     if (strcmp(option, "--broadphase") == 0)
-        return choose(option, "grid, sweep or all", value, broadphase_find(value),
-                      &out->broadphase);
+        return choose(option, "grid, sweep, sweep_y, sweep_widest, sweep_both or all", value,
+                      broadphase_find(value), &out->broadphase);
+    if (strcmp(option, "--cell-size") == 0)
+        return parse_length(option, value, &out->cell_size);
     bool workers = strcmp(option, "--workers") == 0;
     if (!parse_number(option, value, 1, workers ? THUD_WORKERS_MAX : 1000000000, &number))
         return false;
@@ -81,8 +95,9 @@ static bool parse_plain(const char *option, run_options *out) {
 }
 
 bool run_options_parse(int count, char **arguments, run_options *out) {
-    static const char *const with_value[] = {"--steps",   "--size",      "--quality",
-                                             "--workers", "--detection", "--broadphase"};
+    static const char *const with_value[] = {"--steps",    "--size",      "--quality",
+                                             "--workers",  "--detection", "--broadphase",
+                                             "--cell-size"};
     *out = (run_options){.steps = 600,
                          .quality = QUALITY_DEFAULT,
                          .detection = DETECTION_DEFAULT,
@@ -125,7 +140,9 @@ void run_print_help(void) {
          "  --size N             how big a built-in scene is, see --list\n"
          "  --quality Q          draft, default, high or exact\n"
          "  --detection D        overlap, continuous (the default), bisect or swept\n"
-         "  --broadphase B       grid (the default), sweep or all\n"
+         "  --broadphase B       grid (the default), sweep, sweep_y, sweep_widest, sweep_both\n"
+         "                       or all\n"
+         "  --cell-size S        width of the grid's cells; 0: by the sizes of shapes (0)\n"
          "  --workers N          threads to work on (1); the state is the same with any number\n"
          "  --no-sleeping        resting bodies stay awake\n"
          "  --skip-unsupported   leave out what a level has that cannot be modelled\n"

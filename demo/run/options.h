@@ -10,6 +10,7 @@ typedef struct run_options {
     int size;                           /* of a built-in scene; 0: its default */
     int workers;                        /* threads, the calling one included; 0 means 1 */
     int quality, detection, broadphase; /* indices in the lists of choices.h */
+    float cell_size;                    /* of the grid, length; 0: chosen by the engine */
     bool json, skip_unsupported, no_sleeping, list, help;
 } run_options;
 

@@ -118,6 +118,7 @@ const HARMLESS = new Set<Method>([
   "measure",
   "stepSettings",
   "bisectionLimit",
+  "broadphaseCounts",
   "events",
   "eventViews",
   "impulseEvents",
