@@ -22,7 +22,9 @@ extern "C" {
 typedef struct thud_broadphase thud_broadphase;
 
 /* A hashed grid with a level for each eightfold of size, for shapes of any sizes: in a gas
- * (docs/catalogue.md) a shape costs 58 ns a step among 1,000 and 142 ns among 100,000. The default.
+ * (docs/catalogue.md) a shape costs 58 ns a step among 1,000 and 142 ns among 100,000. The bounds
+ * that are tested for a shape do not grow in number with the world
+ * (thud_world_get_broadphase_counts); its time does, with the memory that is walked. The default.
  */
 extern THUD_API const thud_broadphase thud_broadphase_grid;
 /* Sort and sweep along x, kept sorted by insertion sort: cheap while few shapes move; expensive
