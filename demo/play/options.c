@@ -27,7 +27,7 @@ void options_print_help(void) {
         "  --size WxH         size of the window or picture (1280x800)\n"
         "  --quality Q        draft, default, high or exact\n"
         "  --detection D      overlap, continuous, bisect or swept (continuous)\n"
-        "  --broadphase B     grid, sweep or all (grid)\n"
+        "  --broadphase B     grid, sweep, sweep_y, sweep_widest, sweep_both or all (grid)\n"
         "  --rate N           steps a second, 1 to 1000 (60)\n"
         "  --top-speed N      clamps x and y of every velocity to N length scales a second, 1 to\n"
         "                     1000000; a text says whether bisection may miss something then\n"
@@ -103,7 +103,9 @@ static bool parse_detection(options *o, const char *text) {
 
 static bool parse_broadphase(options *o, const char *text) {
     o->broadphase = broadphase_find(text);
-    return o->broadphase >= 0 || complain("--broadphase needs grid, sweep or all, not", text);
+    return o->broadphase >= 0 ||
+           complain("--broadphase needs grid, sweep, sweep_y, sweep_widest, sweep_both or all, not",
+                    text);
 }
 
 static bool parse_overlays(options *o, const char *text) {

@@ -83,8 +83,10 @@ static bool parse_valued(const char *option, const char *value, run_options *out
         return choose(option, "overlap, continuous, bisect or swept", value, detection_find(value),
                       &out->detection);
     if (strcmp(option, "--broadphase") == 0)
-        return choose(option, "grid, sweep or all", value, broadphase_find(value),
-                      &out->broadphase);
+        return choose(option, "grid, sweep, sweep_y, sweep_widest, sweep_both or all", value,
+                      broadphase_find(value), &out->broadphase);
+    if (strcmp(option, "--cell-size") == 0)
+        return parse_amount(option, value, 0, THUD_SIZE_MAX, &out->cell_size);
     if (strcmp(option, "--without") == 0) {
         out->without |= without_find(value);
         if (without_find(value) == 0)
@@ -172,7 +174,7 @@ bool run_options_parse(int count, char **arguments, run_options *out) {
                                              "--steps",     "--size",      "--quality",
                                              "--workers",   "--detection", "--broadphase",
                                              "--substeps",  "--without",   "--rate",
-                                             "--heavier"};
+                                             "--heavier",   "--cell-size"};
     enum { ONLY_FOR_ADVICE = 5 };
     *out = (run_options){.steps = 600,
                          .quality = QUALITY_DEFAULT,
@@ -241,6 +243,9 @@ void run_command(const run_options *o, char *out) {
     if (o->heavier != 1)
         used +=
             snprintf(out + used, (size_t)(RUN_COMMAND_MAX - used), " --heavier %.17g", o->heavier);
+    if (o->cell_size > 0)
+        used += snprintf(out + used, (size_t)(RUN_COMMAND_MAX - used), " --cell-size %.17g",
+                         o->cell_size);
     const char *between = " --without ";
     for (int i = 0; i < WITHOUT_PARTS; i++)
         if (o->without & 1u << i) {
@@ -267,7 +272,9 @@ void run_print_help(void) {
         "  --size N             how big a built-in scene is, see --list\n"
         "  --quality Q          draft, default, high or exact\n"
         "  --detection D        overlap, continuous (the default), bisect or swept\n"
-        "  --broadphase B       grid (the default), sweep or all\n"
+        "  --broadphase B       grid (the default), sweep, sweep_y, sweep_widest, sweep_both\n"
+        "                       or all\n"
+        "  --cell-size S        least width of the grid's cells; 0: by the sizes of shapes (0)\n"
         "  --substeps N         substeps of a step, 1 to 64 (those of the quality)\n"
         "  --workers N          threads to work on (1); the state is the same with any number\n"
         "  --no-sleeping        resting bodies stay awake\n"

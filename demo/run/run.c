@@ -35,6 +35,7 @@ static thud_world *build(const run_options *options, const scene *s, pool *threa
     def.quality = QUALITIES[options->quality];
     def.detection = DETECTIONS[options->detection].detection;
     def.broadphase = BROADPHASES[options->broadphase].broadphase;
+    def.cell_size = (float)options->cell_size;
     def.substeps = options->substeps;
     def.time_step = 1 / options->rate;
     def.sleeping = !options->no_sleeping;

@@ -18,6 +18,9 @@ const broadphase_choice BROADPHASES[BROADPHASE_CHOICES] = {
     {"grid", &thud_broadphase_grid},
     {"sweep", &thud_broadphase_sweep},
     {"all", &thud_broadphase_all},
+    {"sweep_y", &thud_broadphase_sweep_y},
+    {"sweep_widest", &thud_broadphase_sweep_widest},
+    {"sweep_both", &thud_broadphase_sweep_both},
 };
 
 int quality_find(const char *name) {

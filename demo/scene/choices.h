@@ -6,7 +6,7 @@
 #include <thud/thud.h>
 
 /* Lengths of the lists below. */
-enum { QUALITY_CHOICES = 4, DETECTION_CHOICES = 5, BROADPHASE_CHOICES = 3 };
+enum { QUALITY_CHOICES = 4, DETECTION_CHOICES = 5, BROADPHASE_CHOICES = 6 };
 
 typedef struct detection_choice {
     const char *name;

@@ -95,10 +95,11 @@ class Session {
   worldOptions() {
     return {
       quality: this.pick(["draft", "default", "high", "exact", { base: "draft", substeps: 3 }]),
-      broadphase: this.pick(["grid", "sweep", "all"]),
+      broadphase: this.pick(["grid", "sweep", "all", "sweep_y", "sweep_widest", "sweep_both"]),
       sleeping: this.below(2) === 0,
       ...this.pick([{}, { detection: this.pick(["overlap", "continuous", "bisect", "swept"]) }]),
       ...this.pick([{}, { contactEvents: false }, { timed: true }]),
+      ...this.pick([{}, { cellSize: 0.5 }]),
     };
   }
 
@@ -223,6 +224,7 @@ export const CALLS = {
   },
   stats: (s) => s.world.stats(),
   bisectionLimit: (s) => s.world.bisectionLimit(),
+  broadphaseCounts: (s) => s.world.broadphaseCounts(),
   stepError: (s) => s.world.stepError(),
   measure: (s) => s.world.measure(),
   hash: (s) => s.world.hash(),

@@ -117,11 +117,14 @@ static void take_hooks(fuzz_session *s) {
 /* Applies what distinguishes the second session from the first, by the kind of twin; the broadphase
  * of both follows from the byte. */
 static void take_twin(fuzz_session *s, unsigned byte) {
-    static const thud_broadphase *const broadphases[] = {&thud_broadphase_grid,
-                                                         &thud_broadphase_sweep,
-                                                         &thud_broadphase_all};
+    static const thud_broadphase *const broadphases[] = {
+        &thud_broadphase_grid,    &thud_broadphase_sweep,        &thud_broadphase_all,
+        &thud_broadphase_sweep_y, &thud_broadphase_sweep_widest, &thud_broadphase_sweep_both};
+    static const float cells[] = {0, 0, 0, 0.01f, 1, 1000};
     bool other = s->second;
-    s->def.broadphase = broadphases[(byte + (other && s->twin == TWIN_BROADPHASE)) % 3];
+    s->def.broadphase = broadphases[(byte + (other && s->twin == TWIN_BROADPHASE)) % 6];
+    s->def.cell_size =
+        cells[(byte / 8 + (other && s->twin == TWIN_BROADPHASE)) % 6] * s->def.length_scale;
     thud_world_def_set_baseline_simd(&s->def, other && s->twin == TWIN_BASELINE);
     if (other && s->twin == TWIN_SHIFT) {
         double unit = s->unit;

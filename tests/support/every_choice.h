@@ -7,7 +7,9 @@
 static const thud_detection *const detections[] = {&thud_detection_overlap,
                                                    &thud_detection_continuous,
                                                    &thud_detection_bisect, &thud_detection_swept};
-static const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
-                                                     &thud_broadphase_all};
+static const thud_broadphase *const broadphases[] = {
+    &thud_broadphase_grid,    &thud_broadphase_sweep,        &thud_broadphase_all,
+    &thud_broadphase_sweep_y, &thud_broadphase_sweep_widest, &thud_broadphase_sweep_both};
+enum { BROADPHASES_IN_ALL = sizeof broadphases / sizeof *broadphases };
 
 #endif

@@ -25,6 +25,7 @@
     FIELD(thud_world_def, maximum_speed, maximum_speed, OPEN(0), THUD_SPEED_MAX, world)           \
     FIELD(thud_world_def, max_error, max_error, 0, THUD_MAX_ERROR_MAX, world)                     \
     FIELD(thud_world_def, time_budget, time_budget, 0, THUD_TIME_BUDGET_MAX, world)               \
+    FIELD(thud_world_def, cell_size, cell_size, 0, LENGTHS(THUD_SIZE_MAX), world)                 \
     FIELD(thud_job_system, workers, workers, 0, THUD_WORKERS_MAX, jobs)                           \
     FIELD(thud_quality, substeps, substeps, 1, THUD_SUBSTEPS_MAX, quality)                        \
     FIELD(thud_quality, contact_stiffness, contact_stiffness, THUD_CONTACT_STIFFNESS_MIN,         \

@@ -1,4 +1,5 @@
 /* wrong_worlds.c: world defs and settings of worlds that must be refused. */
+#include <thud/thud_reads.h>
 #include "wrong_input.h"
 
 /* A world's log: counts messages. */
@@ -153,6 +154,9 @@ void wrong_settings(void **state) {
     REFUSED(NULL, thud_world_set_quality(w, NULL));
     REFUSED(NULL, thud_world_get_bisection_limit(w, NULL));
     REFUSED_UNTOLD(NULL, thud_world_get_bisection_limit(NULL, &wrong_out.number));
+    thud_broadphase_counts counts;
+    REFUSED_UNTOLD(NULL, thud_world_get_broadphase_counts(w, NULL));
+    REFUSED_UNTOLD(NULL, thud_world_get_broadphase_counts(NULL, &counts));
     REFUSED_UNTOLD(NULL, thud_world_set_quality(NULL, &thud_quality_default));
     REFUSED_UNTOLD(NULL, thud_world_set_gravity(NULL, (thud_vec2){0, 0}));
     REFUSED_UNTOLD(NULL, thud_world_set_time_step(NULL, 0.01));

@@ -1,6 +1,7 @@
 /* api_world.c: exports that create, step and destroy worlds, and their settings, statistics, errors
  * and poses. api.h has the conventions. */
 #include "api.h"
+#include <thud/thud_reads.h>
 
 #include <string.h>
 
@@ -85,10 +86,11 @@ static const thud_quality *changed_quality(double number, const struct quality_o
 
 /* The broadphase of an index into BROADPHASES of web/package/src/types.ts. */
 static const thud_broadphase *api_broadphase(double number) {
-    static const thud_broadphase *const all[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
-                                                 &thud_broadphase_all};
+    static const thud_broadphase *const all[] = {
+        &thud_broadphase_grid,    &thud_broadphase_sweep,        &thud_broadphase_all,
+        &thud_broadphase_sweep_y, &thud_broadphase_sweep_widest, &thud_broadphase_sweep_both};
     int i = api_to_int(number);
-    return i >= 0 && i < 3 ? all[i] : NULL;
+    return i >= 0 && i < (int)(sizeof all / sizeof *all) ? all[i] : NULL;
 }
 
 /* Slots out: world_options. */
@@ -114,6 +116,7 @@ void api_world_defaults(void) {
     s->broadphase = 0.0; /* grid */
     s->time_budget = def.time_budget;
     s->max_error = def.max_error;
+    s->cell_size = def.cell_size;
     s->changes = (struct quality_options){.detection = -1.0, .islands = -1.0};
 }
 
@@ -138,6 +141,7 @@ thud_world_def api_world_def(void) {
     def.broadphase = api_broadphase(s->broadphase);
     def.time_budget = s->time_budget;
     def.max_error = s->max_error;
+    def.cell_size = (float)s->cell_size;
     def.log = keep_message;
     return def;
 }
@@ -244,6 +248,23 @@ int api_world_stats(const thud_world *world) {
     s->held_seconds = stats.held_seconds;
     s->unbisectable = stats.unbisectable;
     return THUD_STAGE_COUNT;
+}
+
+/* Slots out: broadphase_counts. */
+int api_world_broadphase_counts(const thud_world *world) {
+    thud_broadphase_counts counts;
+    thud_result result = thud_world_get_broadphase_counts(world, &counts);
+    if (result == THUD_OK)
+        api_slots.broadphase_counts = (struct broadphase_counts){
+            .moved = counts.moved,
+            .tested = (double)counts.tested,
+            .found = (double)counts.found,
+            .sort_moves = (double)counts.sort_moves,
+            .cells = counts.cells,
+            .cell_shapes = counts.cell_shapes,
+            .cell_shapes_max = counts.cell_shapes_max,
+        };
+    return result;
 }
 
 /* Writes the speed, length/s, to the first slot; infinite without shapes. */

@@ -81,6 +81,7 @@ struct world_options {
     double gravity[2], time_step, length_scale, quality, substeps, contact_stiffness;
     double contact_damping, push_speed, restitution_threshold, hit_speed, maximum_speed, sleeping;
     double detection, contact_events, timed, broadphase, time_budget, max_error;
+    double cell_size;
     struct quality_options changes;
 };
 
@@ -176,6 +177,11 @@ struct number {
 struct step_settings {
     double gravity[2], time_step, max_error, substeps, sleeping, base;
     struct quality_options quality;
+};
+
+/* As thud_broadphase_counts. */
+struct broadphase_counts {
+    double moved, tested, found, sort_moves, cells, cell_shapes, cell_shapes_max;
 };
 
 struct shape_options {
@@ -365,6 +371,7 @@ union api_slots {
     struct filter_options filter_options;
     struct number number;
     struct step_settings step_settings;
+    struct broadphase_counts broadphase_counts;
     struct shape_options shape_options;
     struct shape_state shape_state;
     struct joint_options joint_options;

@@ -124,8 +124,12 @@ typedef struct thud_world_def {
                              on the clock, and differ from run to run. Needs `clock` */
     const thud_detection *detection;   /* default null: the quality's */
     const thud_broadphase *broadphase; /* default, also for null: &thud_broadphase_grid */
-    thud_job_system job_system;        /* default (all zero): the calling thread alone */
-    uint32_t cookie;                   /* set by thud_default_world_def */
+    float cell_size; /* length, [0, THUD_SIZE_MAX length scales]: the width of the cells of
+                        thud_broadphase_grid for all shapes whose bounds fit into one; larger shapes
+                        get larger cells. Default 0: chosen by the sizes of the shapes, which is
+                        faster in nearly all worlds. Results are the same, bit for bit */
+    thud_job_system job_system; /* default (all zero): the calling thread alone */
+    uint32_t cookie;            /* set by thud_default_world_def */
 } thud_world_def;
 
 /* The defaults, with quality thud_quality_default. */

@@ -22,12 +22,26 @@ extern "C" {
 typedef struct thud_broadphase thud_broadphase;
 
 /* A hashed grid with a level for each eightfold of size, for shapes of any sizes: in a gas
- * (docs/catalogue.md) a shape costs 58 ns a step among 1,000 and 142 ns among 100,000. The default.
+ * (docs/catalogue.md) a shape costs 58 ns a step among 1,000 and 142 ns among 100,000. The bounds
+ * that are tested for a shape do not grow in number with the world
+ * (thud_world_get_broadphase_counts); its time does, with the memory that is walked. The default.
  */
 extern THUD_API const thud_broadphase thud_broadphase_grid;
 /* Sort and sweep along x, kept sorted by insertion sort: cheap while few shapes move; expensive
  * where many shapes stand above each other, or where one is much wider than the rest. */
 extern THUD_API const thud_broadphase thud_broadphase_sweep;
+/* The same along y: expensive where many shapes stand side by side. */
+extern THUD_API const thud_broadphase thud_broadphase_sweep_y;
+/* The same along the axis along which the centres of bounds vary more. It is chosen anew whenever
+ * shapes are sorted, which is in each step in which one moves; it changes, and all shapes are
+ * sorted anew, where the variance along the other axis is more than 1.5 times that along this one.
+ */
+extern THUD_API const thud_broadphase thud_broadphase_sweep_widest;
+/* The same with two sorted lists, along x and along y. Each shape is tested against those whose
+ * intervals it may overlap in one of the lists, in that in which they are fewer; each pair from
+ * both its sides. Tests the fewest bounds where some shapes stand in rows and others in columns; it
+ * tests them one by one, not eight at a time. */
+extern THUD_API const thud_broadphase thud_broadphase_sweep_both;
 /* Each shape against each, eight at a time: has no structure to maintain, and is the fastest for a
  * few shapes. */
 extern THUD_API const thud_broadphase thud_broadphase_all;

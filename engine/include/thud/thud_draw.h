@@ -53,9 +53,10 @@ enum {
                                     step: not of vetoed ones */
     THUD_DRAW_ISLANDS = 1 << 4,  /* shapes with the number of their island, see `island`; and the
                                     pairs of islands that were solved directly */
-    /* The intervals along x that the plane sweep broadphase kept sorted in the last step: bars in
-     * rows from the lower edge of the view up, first those of awake shapes, then those of resting
-     * ones. Where more than 12 intervals overlap, bars cover each other. */
+    /* The intervals that a plane sweep broadphase kept sorted in the last step: bars in rows from
+     * the lower edge of the view up, first those of awake shapes, then those of resting ones; where
+     * it sorts along y, from the left edge to the right. Of a sweep along both axes those along x.
+     * Where more than 12 intervals overlap, bars cover each other. */
     THUD_DRAW_AXES = 1 << 5,
     THUD_DRAW_PAIRS = 1 << 6, /* pairs of the last broadphase; lines to terrain are vertical */
     /* The swept volumes of the last step, for each shape of a body that moved further than a

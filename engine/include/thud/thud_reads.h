@@ -56,6 +56,28 @@ typedef struct thud_step_settings {
 
 THUD_API thud_result thud_world_get_step_settings(const thud_world *world, thud_step_settings *out);
 
+/* What the broadphase did in the last step, in counts, which do not depend on the machine, on the
+ * clock or on the number of workers. Each shape whose bounds moved is tested against others; of n
+ * shapes there are n (n - 1) / 2 pairs, which is what thud_broadphase_all tests where more than
+ * half of all have moved. Counts of the first step after thud_world_restore may differ from those
+ * of the world that was saved, where a query was asked between two steps; before it they are 0. */
+typedef struct thud_broadphase_counts {
+    int moved;          /* shapes whose bounds moved or that are new: those that are searched for */
+    int64_t tested;     /* pairs of bounds that were compared */
+    int64_t found;      /* those that overlap */
+    int64_t sort_moves; /* plane sweeps: keys that insertion sort moved past another one since the
+                           broadphase of the step before; in a list that is nearly sorted the number
+                           of its inversions, pairs in the wrong order */
+    int cells;          /* grid: cells with shapes of awake bodies, as the grid was last built */
+    int cell_shapes;    /* grid: those shapes; over `cells` the mean of a cell */
+    int cell_shapes_max; /* grid: the most in a cell */
+} thud_broadphase_counts;
+
+/* The cells are counted by the call, in time of their number. THUD_ERROR_NULL; *out is then not
+ * written. */
+THUD_API thud_result thud_world_get_broadphase_counts(const thud_world *world,
+                                                      thud_broadphase_counts *out);
+
 #ifdef __cplusplus
 }
 #endif

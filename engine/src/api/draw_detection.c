@@ -63,37 +63,48 @@ static int free_row(const double *taken, double min) {
     return best;
 }
 
-/* Draws the sorted intervals of one proxy set above the first `rows` rows; returns the number of
- * rows in use after it. Only the plane sweep keeps keys: with another broadphase nothing is drawn.
+/* Draws the sorted intervals of one proxy set, the first list where there are two, beyond the first
+ * `rows` rows from the lower edge of the view, or from its left edge where they lie along y;
+ * returns the number of rows in use after it. Only the plane sweep keeps keys: with another
+ * broadphase nothing is drawn.
  */
 static int draw_intervals(const td_drawing *d, const td_proxy_set *set, int rows) {
     const td_sweep_key *keys = set->keys.data;
     double taken[ROWS], furthest = -0x1p80;
-    double left = (double)(d->lower.x >> TD_COARSE_SHIFT) - (double)set->reference;
-    double right = (double)(d->upper.x >> TD_COARSE_SHIFT) - (double)set->reference;
+    bool along_x = set->axis == TD_AXIS_X;
+    int64_t reference = set->reference[set->axis];
+    int64_t low = along_x ? d->lower.x : d->lower.y, high = along_x ? d->upper.x : d->upper.y;
+    double first = (double)(low >> TD_COARSE_SHIFT) - (double)reference;
+    double last = (double)(high >> TD_COARSE_SHIFT) - (double)reference;
     float height = (float)(d->draw->upper.y - d->draw->lower.y) / ROWS_A_VIEW;
     int used = 0;
     for (int i = 0; i < ROWS; i++) {
         taken[i] = -0x1p80;
     }
-    for (int i = 0; i < set->keys.count; i++) {
+    int count = set->keys.count ? set->ids.count : 0;
+    for (int i = 0; i < count; i++) {
         const td_shape_proxy *proxy = td_shape_proxy_at(d->w, keys[i].shape);
-        double min = keys[i].min_x;
-        double max = min + (double)td_wrap_sub(proxy->fat.max_x, proxy->fat.min_x);
-        bool overlaps = furthest >= min || (i + 1 < set->keys.count && keys[i + 1].min_x <= max);
+        const td_bounds *b = &proxy->fat;
+        double min = keys[i].min;
+        double max = min + (double)(along_x ? td_wrap_sub(b->max_x, b->min_x)
+                                            : td_wrap_sub(b->max_y, b->min_y));
+        bool overlaps = furthest >= min || (i + 1 < count && keys[i + 1].min <= max);
         furthest = td_max_double(furthest, max);
-        if (max < left || min > right) {
+        if (max < first || min > last) {
             continue;
         }
         int at = free_row(taken, min);
         taken[at] = max;
         used = td_max_int(used, at + 1);
         int64_t quantum = 1 << TD_COARSE_SHIFT;
-        td_position from = {(set->reference + (int64_t)min) * quantum, d->lower.y};
-        td_position to = {(set->reference + (int64_t)max) * quantum, d->lower.y};
-        thud_vec2 a = td_drawing_local(d, from), b = td_drawing_local(d, to);
-        a.y = b.y = a.y + height * (float)(rows + at + 1);
-        td_drawing_line(d, a, b, overlaps ? THUD_STYLE_INTERVAL_OVERLAPPING : THUD_STYLE_INTERVAL);
+        td_position from = d->lower, to = d->lower;
+        *(along_x ? &from.x : &from.y) = (reference + (int64_t)min) * quantum;
+        *(along_x ? &to.x : &to.y) = (reference + (int64_t)max) * quantum;
+        thud_vec2 p = td_drawing_local(d, from), q = td_drawing_local(d, to);
+        float aside = height * (float)(rows + at + 1);
+        *(along_x ? &p.y : &p.x) += aside;
+        *(along_x ? &q.y : &q.x) += aside;
+        td_drawing_line(d, p, q, overlaps ? THUD_STYLE_INTERVAL_OVERLAPPING : THUD_STYLE_INTERVAL);
     }
     return rows + used;
 }

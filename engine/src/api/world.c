@@ -32,6 +32,16 @@ thud_world_def thud_default_world_def_of(const thud_quality *quality) {
     };
 }
 
+/* The largest power of two that is not above x > 0 (x with its fraction bits cleared): multiplying
+ * by it is exact. */
+static double power_below(double x) {
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    bits &= (uint64_t)0x7ff << 52;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
 /* Whether each numeric field of the def is in its range; if not, `why` says which is not. */
 static bool numbers_in(const thud_world_def *d, td_reason *why) {
     float max = THUD_SPEED_MAX;
@@ -51,6 +61,8 @@ static bool numbers_in(const thud_world_def *d, td_reason *why) {
                        max) &&
            td_float_in(why, "world def: hit_speed", d->hit_speed, 0.0f, max) &&
            td_above_0(why, "world def: maximum_speed", (double)d->maximum_speed, (double)max) &&
+           td_float_in(why, "world def: cell_size", d->cell_size, 0.0f,
+                       THUD_SIZE_MAX * (float)power_below((double)d->length_scale)) &&
            td_in(why, "world def: time_budget", d->time_budget, 0.0, THUD_TIME_BUDGET_MAX) &&
            td_in(why, "world def: job_system.workers", d->job_system.workers, 0.0,
                  THUD_WORKERS_MAX);
@@ -92,16 +104,6 @@ static bool has_avx2(bool baseline) {
     (void)baseline;
     return false;
 #endif
-}
-
-/* The largest power of two that is not above x > 0 (x with its fraction bits cleared): multiplying
- * by it is exact. */
-static double power_below(double x) {
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    bits &= (uint64_t)0x7ff << 52;
-    memcpy(&x, &bits, sizeof x);
-    return x;
 }
 
 /* The arrays of a world, with the type of their elements. */

@@ -10,8 +10,9 @@
  * and disabled bodies (here: resting), which is sorted again only when a shape enters or leaves it.
  * Pairs are searched only around shapes on the list `moved`: those whose tight bounds have left
  * their fat bounds, new ones, and those of bodies that woke or lack pairs. How a proxy set is
- * ordered and swept is the choice of the world's thud_broadphase: grid.c, plane_sweep.c or
- * all_pairs.c. td_pairs_sort makes the result independent of that choice, but for crowds (below).
+ * ordered and swept is the choice of the world's thud_broadphase: grid.c, those made of
+ * plane_sweep.c, or all_pairs.c. td_pairs_sort makes the result independent of that choice, but for
+ * crowds (below).
  */
 #include "contact/contact.h"
 #include "state/kinds.h"
@@ -234,7 +235,7 @@ static bool query(thud_world *w, const td_proxy_set *set, int shape) {
     w->scratch.found_shapes.count = 0;
     return w->def.broadphase->find[w->wide](set, &w->memory, td_fat_at(w, shape),
                                             td_shape_proxy_at(w, shape)->center,
-                                            &w->scratch.found_shapes);
+                                            &w->scratch.found_shapes, &w->broadphase.tested);
 }
 
 /* Searches all pairs of awake shapes of which one moved. False where add_hits ended it or memory is
@@ -246,7 +247,8 @@ static bool sweep(pair_search *s) {
     bool every = set->moved_count * 2 > set->ids.count;
     w->scratch.found_shapes.count = w->scratch.pairs.count = 0;
     return w->def.broadphase->sweep[w->wide](set, &w->memory, w->proxy.data, every,
-                                             &w->scratch.found_shapes, add_hits, s);
+                                             &w->scratch.found_shapes, add_hits, s,
+                                             &w->broadphase.tested);
 }
 
 /* Whether the world was crowded in the last step: requeue_crowded puts the shapes of a crowd at the
@@ -264,6 +266,7 @@ static bool find_awake_pairs(thud_world *w, bool *crowded) {
     w->scratch.crowded.count = 0;
     bool done = td_array_reserve(&w->memory, &w->scratch.crowded, w->awake_shapes.ids.count) &&
                 (sweep(&s) || (s.crowded && !before && sweep(&s)));
+    w->broadphase.found += s.overlaps;
     *crowded = s.crowded && s.overlaps > crowd_threshold(w) / 2;
     return done;
 }
@@ -284,7 +287,9 @@ static bool find_awake_pairs_of(thud_world *w, int shape, bool with_moved) {
     }
     for (int k = 0; k < w->scratch.found_shapes.count; k++) {
         const int *other = TD_AT(int, &w->scratch.found_shapes, k);
-        if (has_moved(w, *other) == with_moved && !add_new_pairs(w, shape, other, 1, 0)) {
+        bool finds = has_moved(w, *other) == with_moved;
+        w->broadphase.found += finds;
+        if (finds && !add_new_pairs(w, shape, other, 1, 0)) {
             return false;
         }
     }
@@ -303,6 +308,7 @@ static bool find_resting_sensor_pairs_of(thud_world *w, int shape) {
     for (int k = 0; k < w->scratch.found_shapes.count && done; k++) {
         const int *other = TD_AT(int, &w->scratch.found_shapes, k);
         bool finds = (own || td_senses(w, *other)) && !(has_moved(w, *other) && *other < shape);
+        w->broadphase.found += finds;
         done = !finds || add_new_pairs(w, shape, other, 1, 0);
     }
     return done;
@@ -310,8 +316,11 @@ static bool find_resting_sensor_pairs_of(thud_world *w, int shape) {
 
 /* Adds the new pairs of an awake shape with resting ones. False when memory is short. */
 static bool find_resting_pairs_of(thud_world *w, int shape) {
-    return query(w, &w->rest_shapes, shape) &&
-           add_new_pairs(w, shape, w->scratch.found_shapes.data, w->scratch.found_shapes.count, 0);
+    if (!query(w, &w->rest_shapes, shape)) {
+        return false;
+    }
+    w->broadphase.found += w->scratch.found_shapes.count;
+    return add_new_pairs(w, shape, w->scratch.found_shapes.data, w->scratch.found_shapes.count, 0);
 }
 
 /* Adds every new pair of an awake and a resting shape of which one moved, and of two resting ones
@@ -405,6 +414,7 @@ static void clear_marks(thud_world *w) {
 /* The stage: finds all new pairs, filters and sorts them, makes contacts of them, and empties the
  * moved list. False when memory is short: then the step can be tried again. */
 bool td_broadphase(thud_world *w) {
+    w->broadphase = (td_broadphase_counts){.moved = w->moved.count};
     if (w->moved.count == 0) {
         return true;
     }
@@ -412,6 +422,8 @@ bool td_broadphase(thud_world *w) {
         !td_broadphase_refresh(w)) {
         return false;
     }
+    w->broadphase.sort_moves = w->awake_shapes.sort_moves + w->rest_shapes.sort_moves;
+    w->awake_shapes.sort_moves = w->rest_shapes.sort_moves = 0;
     /* Bounds before this step matter as well, so the world counts as vast for one step longer. */
     bool vast = is_vast(w);
     w->vast |= vast;

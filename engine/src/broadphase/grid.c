@@ -23,8 +23,9 @@ static int size_class_of(int32_t extent) {
 }
 
 /* Assigns size classes to levels, from the last level down: each takes the largest class that is
- * left and the eleven below it, which is an eightfold range, so that like sizes share a level. */
-static void choose_levels(const int *has_size, uint8_t *level_of_size) {
+ * left and the eleven below it, which is an eightfold range, so that like sizes share a level.
+ * Returns the lowest level in use. */
+static int choose_levels(const int *has_size, uint8_t *level_of_size) {
     int level = TD_LEVELS, min_size = TD_SIZE_CLASSES;
     for (int size = TD_SIZE_CLASSES - 1; size >= 0; size--) {
         if (has_size[size] && size < min_size && level > 0) {
@@ -32,6 +33,22 @@ static void choose_levels(const int *has_size, uint8_t *level_of_size) {
             min_size = size - 11;
         }
         level_of_size[size] = (uint8_t)level;
+    }
+    return level;
+}
+
+/* The width of cells that the world sets, bounds quanta; 0 for none. */
+static int32_t own_cell(const thud_world *w) {
+    return (int32_t)((double)w->def.cell_size * w->to_coarse);
+}
+
+/* Keeps shapes of at most that extent out of the size classes: they share a level of their own. */
+static void drop_small(td_grid_measures *m, int32_t own) {
+    memset(m->has_size, 0, sizeof m->has_size);
+    for (int i = 0; i < m->count; i++) {
+        if (m->extent[i] > own) {
+            m->has_size[size_class_of(m->extent[i])] = 1;
+        }
     }
 }
 
@@ -80,11 +97,17 @@ static void measure(const thud_world *w, td_proxy_set *grid, td_grid_measures *m
     grid->origin_y = ref_y + (int64_t)m->min_y;
     grid->end_x = ref_x + (int64_t)m->max_x;
     grid->end_y = ref_y + (int64_t)m->max_y;
-    choose_levels(m->has_size, level_of_size);
+    int32_t own = own_cell(w);
+    if (own > 0) {
+        drop_small(m, own);
+    }
+    int own_level = choose_levels(m->has_size, level_of_size) - 1;
     for (int i = 0; i < m->count; i++) {
-        m->level[i] = level_of_size[size_class_of(m->extent[i])];
+        bool small = m->extent[i] <= own;
+        m->level[i] = small ? (uint8_t)own_level : level_of_size[size_class_of(m->extent[i])];
         td_level *level = &grid->levels[m->level[i]];
-        level->cell = m->extent[i] > level->cell ? m->extent[i] : level->cell;
+        int32_t width = small ? own : m->extent[i];
+        level->cell = width > level->cell ? width : level->cell;
         add_center(level, ref_x + (int64_t)m->x[i], ref_y + (int64_t)m->y[i]);
         level->count++;
     }
@@ -219,6 +242,7 @@ static bool build(thud_world *w, td_proxy_set *grid, bool few_moved) {
     measure(w, grid, &m);
     int starts_count = choose_tables(grid, few_moved);
     if (!td_array_reserve(&w->memory, &grid->starts, starts_count)) {
+        memset(grid->levels, 0, sizeof grid->levels);
         return false;
     }
     TD_PICK_WIDE(w, td_grid_cells)(grid->levels, &m);

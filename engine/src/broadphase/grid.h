@@ -15,6 +15,9 @@
  * Programming", vol. 3, 6.4), and different cells may share an index. Either way, memory and time
  * depend on the number of shapes, never on the size of the world.
  *
+ * A world may set the width of cells (thud_world_def.cell_size): all shapes whose bounds are no
+ * wider than that share a level with such cells, below those of the larger shapes.
+ *
  * While few shapes move, cells are made wider by 2 * slack, and a shape keeps its cell until its
  * centre has moved by more than slack: new bounds are then written in place, and nothing is sorted.
  */

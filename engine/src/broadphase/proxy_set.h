@@ -8,10 +8,15 @@
 #include "broadphase/grid.h"
 #include "base/memory.h"
 
+/* The axes along which a plane sweep sorts. */
+typedef enum td_axis { TD_AXIS_X, TD_AXIS_Y, TD_AXES } td_axis;
+
 /* Sort key of plane_sweep.c. */
 typedef struct td_sweep_key {
-    double min_x; /* of the shape's fat bounds, bounds quanta from td_proxy_set.reference */
-    int32_t shape, padding;
+    double min; /* of the shape's fat bounds along the list's axis, bounds quanta from
+                   td_proxy_set.reference */
+    int32_t shape;
+    int32_t at; /* the shape's index in td_proxy_set.ids */
 } td_sweep_key;
 
 typedef struct td_proxy_set {
@@ -32,10 +37,20 @@ typedef struct td_proxy_set {
     int64_t origin_x, origin_y; /* bounds quanta: the least coordinates of the centres */
     int64_t end_x, end_y;       /* bounds quanta: the greatest */
 
-    td_array keys;     /* plane sweep: td_sweep_key, in the order of ids */
-    int64_t reference; /* plane sweep: origin of the keys, bounds quanta */
-    double widest;     /* plane sweep: greatest width of a shape, bounds quanta */
+    /* Plane sweep: td_sweep_key in the order of ids, along `axis`; of a sweep along both axes those
+     * along y follow, so that there are twice as many keys as ids. */
+    td_array keys;
+    int64_t reference[TD_AXES]; /* plane sweep, by axis: origin of the keys, bounds quanta */
+    double widest[TD_AXES]; /* plane sweep, by axis: greatest extent of a shape, bounds quanta */
+    td_axis axis;           /* plane sweep: of the first list of keys */
+    int64_t sort_moves; /* plane sweep: keys that insertion sort moved since the last broadphase */
 } td_proxy_set;
+
+/* What the broadphase did in a step; see thud_broadphase_counts. */
+typedef struct td_broadphase_counts {
+    int64_t tested, found, sort_moves;
+    int moved;
+} td_broadphase_counts;
 
 struct thud_world;
 
@@ -45,13 +60,16 @@ typedef bool td_hits_fn(void *context, int shape, const int *hits, int count);
 /* Finds each pair of shapes whose bounds overlap and of which one moved, once, and reports those of
  * one shape together; `hits` is memory for them. `every`: every shape searches, which finds each
  * pair from one side and pays where most moved; else only shapes that moved search. False when
- * memory is short, or where `report` returned false. */
+ * memory is short, or where `report` returned false. Adds the number of pairs of bounds that it
+ * compared to *tested, also where it returns false. */
 typedef bool td_sweep_fn(const td_proxy_set *set, td_memory *memory, const td_shape_proxy *proxy,
-                         bool every, td_array *hits, td_hits_fn *report, void *context);
+                         bool every, td_array *hits, td_hits_fn *report, void *context,
+                         int64_t *tested);
 /* Appends every shape whose bounds overlap `bounds`, which lie near near_place (td_unwrap). False
- * when memory is short. */
+ * when memory is short. Adds the number of bounds that it compared to *tested, unless that is
+ * null. */
 typedef bool td_find_fn(const td_proxy_set *set, td_memory *memory, const td_bounds *bounds,
-                        td_position near_place, td_array *hits);
+                        td_position near_place, td_array *hits, int64_t *tested);
 
 /* The operations of a broadphase. Of a pair of functions [1] is compiled for AVX2. */
 struct thud_broadphase {

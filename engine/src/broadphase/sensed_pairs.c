@@ -84,7 +84,8 @@ static bool pair_with_set(thud_world *w, const td_proxy_set *set, int shape) {
     td_array *found = &w->scratch.found_shapes;
     found->count = 0;
     bool done = w->def.broadphase->find[w->wide](set, &w->memory, td_fat_at(w, shape),
-                                                 td_shape_proxy_at(w, shape)->center, found);
+                                                 td_shape_proxy_at(w, shape)->center, found,
+                                                 &w->broadphase.tested);
     for (int i = 0; i < found->count && done; i++) {
         int other = td_int_at(found, i);
         done = moved(w, other) || try_pair(w, shape, other);

@@ -196,7 +196,7 @@ static int levels_in_use(const td_proxy_set *grid) {
 td_sweep_fn TD_WIDE(td_grid_sweep);
 bool TD_WIDE(td_grid_sweep)(const td_proxy_set *grid, td_memory *memory,
                             const td_shape_proxy *proxy, bool every, td_array *hits,
-                            td_hits_fn *report, void *context) {
+                            td_hits_fn *report, void *context, int64_t *tested) {
     scan s = begin_scan(grid, memory, hits);
     const int32_t *cells = grid->cells.data;
     bool one_level = levels_in_use(grid) == 1;
@@ -225,16 +225,18 @@ bool TD_WIDE(td_grid_sweep)(const td_proxy_set *grid, td_memory *memory,
             if (!done ||
                 (!one_level && !scan_other_levels(&s, l, i, proxy[s.ids[i]].center, every)) ||
                 !report_hits(&s, i, report, context)) {
+                *tested += s.tested;
                 return false;
             }
         }
     }
+    *tested += s.tested;
     return true;
 }
 
 td_find_fn TD_WIDE(td_grid_find);
 bool TD_WIDE(td_grid_find)(const td_proxy_set *grid, td_memory *memory, const td_bounds *bounds,
-                           td_position near_position, td_array *hits) {
+                           td_position near_position, td_array *hits, int64_t *tested) {
     scan s = begin_scan(grid, memory, hits);
     set_query(&s, bounds);
     /* Levels in use follow each other, the last one first. */
@@ -244,5 +246,8 @@ bool TD_WIDE(td_grid_find)(const td_proxy_set *grid, td_memory *memory, const td
         }
     }
     count_hits(&s);
+    if (tested) {
+        *tested += s.tested;
+    }
     return true;
 }

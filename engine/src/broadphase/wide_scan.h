@@ -32,6 +32,7 @@ typedef struct scan {
     int32_t *out, *limit; /* where the next hit is written, and the end of hits' memory */
     /* The bounds asked about, in all lanes. */
     i8 query_min_x, query_min_y, query_max_x, query_max_y;
+    int64_t tested; /* bounds compared with those */
 } scan;
 
 /* Which overlapping shapes are hits: all, those that moved, or those that did not. */
@@ -119,6 +120,7 @@ TD_INLINE bool report_hits(scan *s, int i, td_hits_fn *report, void *context) {
  * be predicted costs more than a test. */
 TD_INLINE void scan_span(scan *s, int from, int to, scan_filter which) {
     int at = from;
+    s->tested += to - from;
     do {
         unsigned bits = overlaps(s, at, which);
         int left = to - at;

@@ -174,7 +174,8 @@ bool td_neighbour_any(const td_neighbourhood *s, const thud_geometry *where, td_
     td_bounds b = td_placed_bounds(w, where, s->origin, 2.0 * TD_NEIGHBOUR_GAP * s->length_scale);
     found->count = 0;
     if (!td_kind_is_line(where->kind) &&
-        !w->def.broadphase->find[w->wide](&w->rest_shapes, &w->memory, &b, s->origin, found)) {
+        !w->def.broadphase->find[w->wide](&w->rest_shapes, &w->memory, &b, s->origin, found,
+                                          NULL)) {
         return false;
     }
     for (int i = 0; i < found->count; i++) {

@@ -211,8 +211,9 @@ static bool find_obstacles(sweep *s) {
     s->shapes = hits;
     hits->count = 0;
     td_find_fn *find = w->def.broadphase->find[w->wide];
-    bool near_any = find(&w->rest_shapes, &w->memory, &s->swept.bounds, s->swept.start, hits) &&
-                    hits->count > 0;
+    bool near_any =
+        find(&w->rest_shapes, &w->memory, &s->swept.bounds, s->swept.start, hits, NULL) &&
+        hits->count > 0;
     for (int t = 0; t < w->terrains.count && !near_any; t++) {
         const td_terrain_record *record = td_terrain_record_at(w, t);
         if (record->shape != TD_NONE) {

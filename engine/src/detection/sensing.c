@@ -226,7 +226,8 @@ static void test_all_resting(thud_world *w, td_awake_slot slot) {
         td_bounds bounds = td_bounds_about(end, half, half);
         td_array *hits = &w->scratch.ahead;
         hits->count = 0;
-        if (!w->def.broadphase->find[w->wide](&w->rest_shapes, &w->memory, &bounds, end, hits)) {
+        if (!w->def.broadphase->find[w->wide](&w->rest_shapes, &w->memory, &bounds, end, hits,
+                                              NULL)) {
             return;
         }
         td_sort_ints(hits);

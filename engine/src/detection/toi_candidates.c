@@ -141,7 +141,7 @@ static bool append_overlapping(thud_world *w, const td_proxy_set *set, const td_
     td_array *found = &w->scratch.found_shapes;
     if (fits(ahead)) {
         td_bounds bounds = wrap(ahead);
-        return w->def.broadphase->find[w->wide](set, &w->memory, &bounds, near_place, found);
+        return w->def.broadphase->find[w->wide](set, &w->memory, &bounds, near_place, found, NULL);
     }
     for (int i = 0; i < set->ids.count; i++) {
         td_push_int(found, td_int_at(&set->ids, i));

@@ -75,8 +75,8 @@ bool td_preview_find(const thud_world *w, td_memory *memory, const td_bounds *bo
                      td_position near_place, td_array *hits) {
     const td_preview *p = &w->preview;
     td_find_fn *find = w->def.broadphase->find[w->wide];
-    if (!find(&w->awake_shapes, memory, bounds, near_place, hits) ||
-        !find(&w->rest_shapes, memory, bounds, near_place, hits)) {
+    if (!find(&w->awake_shapes, memory, bounds, near_place, hits, NULL) ||
+        !find(&w->rest_shapes, memory, bounds, near_place, hits, NULL)) {
         return false;
     }
     drop_previewed(w, hits);

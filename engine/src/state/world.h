@@ -125,6 +125,7 @@ struct thud_world {
     td_errors errors;
     td_budget budget;
     thud_stats stats;
+    td_broadphase_counts broadphase; /* of the last step; not in snapshots */
 };
 
 static inline td_body *td_body_at(const thud_world *w, td_body_index i) {

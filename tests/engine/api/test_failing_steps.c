@@ -34,7 +34,8 @@ static const thud_detection *const detections[] = {NULL, &thud_detection_overlap
                                                    &thud_detection_continuous,
                                                    &thud_detection_bisect, &thud_detection_swept};
 static const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
-                                                     &thud_broadphase_all};
+                                                     &thud_broadphase_all,
+                                                     &thud_broadphase_sweep_both};
 
 /* ---- callbacks that make deferred edits, with memory that does not fail ---- */
 

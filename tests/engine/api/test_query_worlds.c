@@ -6,7 +6,7 @@
 #include "engine_support.h"
 #include "geometry_random.h"
 
-enum { SHAPES = 60, QUERIES = 100, BROADPHASES = 3, ROOM = 2 * SHAPES };
+enum { SHAPES = 60, QUERIES = 100, BROADPHASES = 6, ROOM = 2 * SHAPES };
 
 /* In metres. Chosen, above those errors for the worlds' extent of 60. */
 #define GRAZE 2e-5
@@ -83,8 +83,9 @@ static bool ignore(thud_world *world, const thud_contact *contact, thud_contact_
 }
 
 static void make_worlds(worlds *w, source *r) {
-    const thud_broadphase *const all[BROADPHASES] = {&thud_broadphase_grid, &thud_broadphase_sweep,
-                                                     &thud_broadphase_all};
+    const thud_broadphase *const all[BROADPHASES] = {
+        &thud_broadphase_grid,    &thud_broadphase_sweep,        &thud_broadphase_all,
+        &thud_broadphase_sweep_y, &thud_broadphase_sweep_widest, &thud_broadphase_sweep_both};
     for (int b = 0; b < BROADPHASES; b++) {
         thud_world_def def = weightless();
         def.broadphase = all[b];

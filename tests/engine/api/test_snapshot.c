@@ -100,11 +100,13 @@ static thud_world *wild_world(thud_world_def def, int steps) {
  * contents remains. */
 static void unlike_worlds_restored_from_each_other_go_the_same_ways(void **state) {
     (void)state;
-    const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep};
+    const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
+                                                  &thud_broadphase_sweep_both,
+                                                  &thud_broadphase_sweep_widest};
     for (int i = 0; i < 2 * scenes_count(); i += TEST_SHARE) {
         const char *name = scenes_at(i / 2)->name;
         thud_world_def def = thud_default_world_def();
-        def.broadphase = broadphases[i % 2];
+        def.broadphase = broadphases[i % 4];
         thud_world *world = scene_world(scenes_at(i / 2), &def, &def.length_scale);
         thud_world *wild = wild_world(def, 20 + i);
         run(world, 16 + i % 9);

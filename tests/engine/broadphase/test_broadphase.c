@@ -133,8 +133,8 @@ static uint64_t live_through(chaos *c, int steps) {
 /* Runs the same edits with each broadphase and asserts that the contacts are the same at the same
  * time. */
 static void live_with_each(chaos begin, thud_world_def def, bool floor, int steps) {
-    uint64_t hash[3];
-    for (int k = 0; k < 3; k++) {
+    uint64_t hash[BROADPHASES_IN_ALL];
+    for (int k = 0; k < BROADPHASES_IN_ALL; k++) {
         chaos c = begin;
         def.broadphase = broadphases[k];
         c.world = make_world(def);

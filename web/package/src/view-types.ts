@@ -128,6 +128,24 @@ export const CONTACT_ROW = {
   length: ContactRowAt.length,
 } as const;
 
+/** What the broadphase did in the last step. */
+export interface BroadphaseCounts {
+  /** Shapes whose bounds moved or that are new: those for which others are searched. */
+  moved: number;
+  /** Pairs of bounds that were compared; n shapes make n (n - 1) / 2 pairs. */
+  tested: number;
+  /** Those of them that overlap. */
+  found: number;
+  /** Plane sweeps: how often insertion sort moved a shape past another one. */
+  sortMoves: number;
+  /** Grid: cells that hold shapes of awake bodies. */
+  cells: number;
+  /** Grid: those shapes; over `cells` the mean of a cell. */
+  cellShapes: number;
+  /** Grid: the most in one cell. */
+  cellShapesMax: number;
+}
+
 /** The settings of the next step. */
 export interface StepSettings {
   /** Length/s². */

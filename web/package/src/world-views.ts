@@ -21,6 +21,7 @@ import {
   ShapeHandlesAt,
   ShapeRowAt,
   ShapeTableAt,
+  BroadphaseCountsAt,
   StatsAt,
   StepErrorAt,
 } from "./generated/slots.js";
@@ -39,6 +40,7 @@ import type {
   HitEvent,
   Measure,
   ShapeTable,
+  BroadphaseCounts,
   Stats,
   StepError,
 } from "./view-types.js";
@@ -183,6 +185,24 @@ export class WorldViews extends WorldQueries {
       heldBodies: s[StatsAt.heldBodies],
       heldSeconds: s[StatsAt.heldSeconds],
       unbisectable: s[StatsAt.unbisectable],
+    };
+  }
+
+  /**
+   * What the broadphase did in the last step, in counts, which are the same on every machine. `cells`
+   * are counted by the call.
+   */
+  broadphaseCounts(): BroadphaseCounts {
+    this.onWorld("api_world_broadphase_counts");
+    const s = this.engine.slots;
+    return {
+      moved: s[BroadphaseCountsAt.moved],
+      tested: s[BroadphaseCountsAt.tested],
+      found: s[BroadphaseCountsAt.found],
+      sortMoves: s[BroadphaseCountsAt.sortMoves],
+      cells: s[BroadphaseCountsAt.cells],
+      cellShapes: s[BroadphaseCountsAt.cellShapes],
+      cellShapesMax: s[BroadphaseCountsAt.cellShapesMax],
     };
   }
 

@@ -122,6 +122,7 @@ const HARMLESS = new Set<Method>([
   "extrapolate",
   "extrapolateAwake",
   "predict",
+  "broadphaseCounts",
   "events",
   "eventViews",
   "impulseEvents",

@@ -75,6 +75,7 @@ export const WORLD_RANGES: Ranges = {
   maximumSpeed: { ...SPEED, above: true },
   timeBudget: { least: 0, most: 1 },
   maxError: { least: 0, most: 1e9 },
+  cellSize: { least: 0, most: 16384, scaled: true },
 };
 
 export const QUALITY_RANGES: Ranges = {

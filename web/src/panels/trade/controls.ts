@@ -43,6 +43,9 @@ const DETECTION_TEXTS: Readonly<Record<DetectionChoice, string>> = {
 const BROADPHASE_TEXTS: Readonly<Record<Broadphase, string>> = {
   grid: "Cells of a grid for each size of body: quick however large the world is.",
   sweep: "Bodies sorted along x: good where little moves, and in crowds.",
+  sweep_y: "The same along y: good where bodies stand one above the other.",
+  sweep_widest: "The same along the axis on which bodies are spread more widely.",
+  sweep_both: "Sorted along x and y: each body takes the list with fewer others to test.",
   all: "Every shape against every other: quickest for a few dozen.",
 };
 

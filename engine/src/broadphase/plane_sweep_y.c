@@ -1,0 +1,20 @@
+/* plane_sweep_y.c: the broadphase that sorts and sweeps along y; see plane_sweep.c. */
+#include "broadphase/plane_sweep.h"
+#include "state/kinds.h"
+
+/* thud_broadphase.build: sorts the keys and makes `ids` their order. */
+static bool build(thud_world *w, td_proxy_set *set, bool few_moved) {
+    (void)few_moved;
+    if (!td_sweep_list(w, set, 1)) {
+        return false;
+    }
+    td_sweep_fill(w, set, TD_AXIS_Y);
+    return true;
+}
+
+const thud_broadphase thud_broadphase_sweep_y = {
+    .name = "plane sweep y",
+    .build = build,
+    .sweep = TD_BOTH_WIDE(td_sorted_axis_sweep),
+    .find = TD_BOTH_WIDE(td_sorted_axis_find),
+};
