@@ -33,7 +33,7 @@ function inWorld(act) {
   const anchors = { bodyA: world.bodyOf(box), bodyB: ball };
   const rod = world.createJoint({ kind: "distance", ...anchors });
   const targets = { setHalfExtents: box, setTarget: lift, setJointLength: rod };
-  for (const name of ["dig", "raise", "replaceRange", "groundAt", "placeFoot"]) targets[name] = ground;
+  for (const name of ["dig", "raise", "replaceRange", "groundAt", "frictionAt", "placeFoot"]) targets[name] = ground;
   const before = world.hash();
   try {
     act({ world, ball, circle, targets });
