@@ -108,6 +108,7 @@ function readingsOf(counts, broadphase, size) {
   const share = pairs > 0 ? `, ${((100 * counts.tested) / pairs).toFixed(1)} %` : "";
   const rows = [
     ["Pairs tested", `${whole(counts.tested)} of n (n − 1) / 2 = ${whole(pairs)}${share}`],
+    ["Circles that search", `${whole(counts.moved)} of ${whole(size)}`],
     ["Pairs found", whole(counts.found)],
     ["Tests a circle", (counts.tested / size).toFixed(2)],
   ];

@@ -19,7 +19,10 @@ export function createSecond(thud, size) {
   }
 
   return {
-    /** The counts of a step in which all circles have moved to where they are in the shown world. */
+    /**
+     * The counts of a step after which all circles are where they are in the shown world. As in
+     * any world only those search that have left the margin around their bounds.
+     */
     count(shown, places, radii, state) {
       const wanted = `${state.broadphase} ${state.cellSize} ${state.arranged}`;
       const now = shown.stats().steps;
@@ -33,8 +36,7 @@ export function createSecond(thud, size) {
         world.step();
       };
       if (wanted !== made) {
-        make(state, radii);
-        put(); // so that what is new in the first step, the order of the lists, is not counted
+        make(state, radii); // in its first step all circles are new, and all search
         made = wanted;
       }
       put();
