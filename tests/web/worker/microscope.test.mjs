@@ -176,3 +176,13 @@ test("ball_that_rests_on_ground_is_taken_apart_too", async () => {
   }
   session.close();
 });
+
+test("earlier_step_gives_the_same_numbers_and_the_present_comes_back", async () => {
+  const { session, met, found } = await meetIn(-12);
+  const { step } = session;
+  for (let i = 0; i < 30; i++) session.makeStep();
+  const hash = session.world.hash();
+  assert.deepEqual(examine(session, engine, geometry, met, step), found);
+  assert.deepEqual([session.step, session.world.hash()], [step + 30, hash]);
+  session.close();
+});
