@@ -67,6 +67,8 @@ test("friction_stops_a_sliding_ball_only_as_far_as_its_bound", () => {
   near(slides.frictionImpulse, -0.5);
   assert.equal(slides.slides, true);
   near(slides.b.velocity[0], 2.5);
+  near(grips.tangentSpeedFinal, 0);
+  near(slides.tangentSpeedFinal, 1.5); // 3 - 0.5 · 3
 });
 
 test("bodies_that_part_already_get_no_impulse", () => {
@@ -132,6 +134,8 @@ test("box_on_its_corner_turns_as_the_formula_says", async () => {
   const box = found.bodyB;
   assert.ok(Math.abs(found.formula.b.arm) > 0.1, "the impulse has an arm");
   assert.ok(Math.abs(found.formula.b.spin) > 1, "it turns");
+  // Friction at the corner takes away much of the speed that the normal impulse gave.
+  assert.ok(found.formula.normalSpeedFinal < 0.5 * found.formula.normalSpeedAfter);
   near(box.after.spin, found.formula.b.spin, 0.15 * Math.abs(found.formula.b.spin), "spin");
   session.close();
 });
@@ -170,5 +174,15 @@ test("ball_that_rests_on_ground_is_taken_apart_too", async () => {
     assert.ok(Math.abs(found.separation) < 0.01, `${found.separation}`);
     assert.equal(found.bounce, 0);
   }
+  session.close();
+});
+
+test("earlier_step_gives_the_same_numbers_and_the_present_comes_back", async () => {
+  const { session, met, found } = await meetIn(-12);
+  const { step } = session;
+  for (let i = 0; i < 30; i++) session.makeStep();
+  const hash = session.world.hash();
+  assert.deepEqual(examine(session, engine, geometry, met, step), found);
+  assert.deepEqual([session.step, session.world.hash()], [step + 30, hash]);
   session.close();
 });

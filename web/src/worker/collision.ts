@@ -60,6 +60,9 @@ export interface Resolved {
   frictionImpulse: number;
   /** Whether friction · j was less than what stops v_t, so that the surfaces go on sliding. */
   slides: boolean;
+  /** v_n and v_t after both impulses: where a body turns, friction changes v_n too. */
+  normalSpeedFinal: number;
+  tangentSpeedFinal: number;
   a: PartnerAfter;
   b: PartnerAfter;
 }
@@ -116,6 +119,7 @@ export function resolve(a: Partner, b: Partner, meeting: Meeting): Resolved {
   const bound = friction * impulse;
   const frictionImpulse = bound > 0 ? Math.max(-bound, Math.min(bound, stopping)) : 0;
   const after = push(...between, tangent, frictionImpulse);
+  const relativeAfter = relative(...after);
   const told = (body: Partner, { velocity, spin }: Partner, arm: Vec2): PartnerAfter => ({
     velocity,
     spin,
@@ -133,6 +137,8 @@ export function resolve(a: Partner, b: Partner, meeting: Meeting): Resolved {
     tangentSpeedBetween,
     frictionImpulse,
     slides: Math.abs(stopping) > bound,
+    normalSpeedFinal: dot(relativeAfter, normal),
+    tangentSpeedFinal: dot(relativeAfter, tangent),
     a: told(a, after[0], armA),
     b: told(b, after[1], armB),
   };

@@ -267,7 +267,7 @@ function formulaRows({ formula, bounce, friction }: Collision): Row[] {
         : `−(1 + ${e}) · ${signed(f.normalSpeed)} / ${numberText(f.response)} = ${numberText(f.impulse)}`,
     ],
     [
-      "v_n′ = −e v_n",
+      "v_n′ = −e v_n, before friction",
       f.impulse === 0
         ? numberText(f.normalSpeedAfter)
         : `−${e} · ${signed(f.normalSpeed)} = ${numberText(f.normalSpeedAfter)}`,
@@ -303,8 +303,8 @@ function velocityTable(found: Collision): HTMLElement {
   const rows = [
     ...rowsOf("a", bodyA, formula.a),
     ...rowsOf("b", bodyB, formula.b),
-    ["v_n", ...[measured.normalBefore, measured.normalAfter, formula.normalSpeedAfter].map(numberText)],
-    ["v_t", ...[measured.tangentBefore, measured.tangentAfter].map(numberText), "–"],
+    ["v_n", ...[measured.normalBefore, measured.normalAfter, formula.normalSpeedFinal].map(numberText)],
+    ["v_t", ...[measured.tangentBefore, measured.tangentAfter, formula.tangentSpeedFinal].map(numberText)],
   ];
   const lines = rows.map(([name, ...cells]) =>
     make(

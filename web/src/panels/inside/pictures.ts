@@ -13,6 +13,9 @@ const FILL = 0.8;
 /** An arrow is at most so long, in the same units. Chosen. */
 const ARROW = 34;
 
+/** Speeds far below this one, length/s, have no arrow that can be seen. Chosen. */
+const SLOW = 1e-2;
+
 type Shape = Places[number];
 
 interface Arrow {
@@ -67,7 +70,7 @@ function picturesOf(found: Collision): Picture[] {
     },
     {
       title: "Velocities changed.",
-      text: `v_n from ${numberText(formula.normalSpeed)} to ${numberText(formula.normalSpeedAfter)}.`,
+      text: `v_n from ${numberText(formula.normalSpeed)} to ${numberText(formula.normalSpeedFinal)}.`,
       places: r.apart,
       arrows: speeds(formula.a.velocity, formula.b.velocity),
     },
@@ -127,7 +130,7 @@ function drawing({ title, places, ghosts, arrows = [] }: Picture, found: Collisi
   const root = svg("svg", { viewBox: `0 0 ${SIZE} ${SIZE}`, role: "img", "aria-label": title });
   for (const [list, name] of [[ghosts, "ghost"], [places, "solid"]] as const)
     list?.forEach((shape, i) => root.append(outline(shape, at, scale, `${name} of-${"ab"[i]}`)));
-  const longest = Math.max(...arrows.map(({ along: [x, y] }) => Math.hypot(x, y)), 1e-9);
+  const longest = Math.max(...arrows.map(({ along: [x, y] }) => Math.hypot(x, y)), SLOW);
   for (const { from, along } of arrows) {
     const [x, y] = at(from);
     const [dx, dy] = [(ARROW * along[0]) / longest, (-ARROW * along[1]) / longest];
