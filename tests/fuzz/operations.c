@@ -131,8 +131,6 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(object_epilogues),
     PLAYS(decide),
     PLAYS(texture),
-    PLAYS(texture_get),
-    PLAYS(line_texture),
     PLAYS(prediction),
     PLAYS(angle_of),
     PLAYS(approximate),

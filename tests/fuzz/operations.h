@@ -9,7 +9,9 @@
 typedef void fuzz_operation(fuzz_session *s);
 
 /* An operation's index in the table is the byte that plays it, and never changes, so that kept
- * inputs keep their meaning when operations are added. Bytes without an operation play `step`. */
+ * inputs keep their meaning when operations are added. Bytes without an operation play `step`. All
+ * bytes are taken: a new operation is one of several that share a byte, as those of play_texture.
+ */
 enum { OPERATION_BYTES = 128 };
 
 typedef struct named_operation {
@@ -68,7 +70,7 @@ fuzz_operation play_rule, play_rule_get, play_filter, play_impulses;
 /* operations_sessions.c */
 fuzz_operation play_saved, play_rollback;
 /* operations_textures.c */
-fuzz_operation play_texture, play_texture_get, play_line_texture;
+fuzz_operation play_texture;
 /* operations_lines.c: terrain lines without a world */
 fuzz_operation play_line_sample, play_line_shape, play_line_impact, play_line_ray, play_foot;
 fuzz_operation play_line_capsule;

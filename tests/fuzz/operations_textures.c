@@ -24,7 +24,7 @@ static thud_texture pick_texture(fuzz_session *s, int count, lists *l) {
                           how >= 248 ? 1 - entries : entries, how >> 1 & 1};
 }
 
-void play_texture(fuzz_session *s) {
+static void set_texture(fuzz_session *s) {
     thud_shape_id shape = pick_shape(s);
     bool none = next_chance(&s->bytes, 8);
     thud_terrain line = {.count = 3};
@@ -42,7 +42,7 @@ void play_texture(fuzz_session *s) {
     }
 }
 
-void play_texture_get(fuzz_session *s) {
+static void get_texture(fuzz_session *s) {
     thud_shape_id shape = pick_shape(s);
     double x = pick_place(s).x;
     thud_texture texture;
@@ -66,7 +66,7 @@ void play_texture_get(fuzz_session *s) {
     }
 }
 
-void play_line_texture(fuzz_session *s) {
+static void read_texture_of_line(fuzz_session *s) {
     thud_pos points[PICK_POINTS];
     thud_terrain line = pick_line(s, points);
     double x = pick_coordinate(s);
@@ -81,4 +81,9 @@ void play_line_texture(fuzz_session *s) {
             fuzz_fail(s, "the friction %g of a sample", (double)friction);
         }
     }
+}
+
+void play_texture(fuzz_session *s) {
+    fuzz_operation *const plays[] = {set_texture, get_texture, read_texture_of_line};
+    plays[next_choice(&s->bytes, 3)](s);
 }

@@ -16,6 +16,7 @@
 #include <thud/thud_minkowski.h>
 #include <thud/thud_mover.h>
 #include <thud/thud_prediction.h>
+#include <thud/thud_reads.h>
 #include <thud/thud_rules.h>
 #include <thud/thud_textured.h>
 #include <thud/thud_snapshot.h>
