@@ -7,7 +7,7 @@ export const title = "Bridge";
 export const about =
   "A heavy lorry crosses a bridge of planks: none of its hinges opens, and the deck bends under the wheels.";
 export const menu = { group: "Joints", place: 531 };
-export const size = { means: "planks", usual: 30, least: 4, most: 200 };
+export const size = { means: "planks", usual: 30, least: 8, most: 200 };
 
 const HALF_PLANK = 0.12;
 const SPEED = 5; // of the lorry, m/s
