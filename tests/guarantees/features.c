@@ -11,6 +11,7 @@
 #include <thud/thud_rollback.h>
 #include <thud/thud_rules.h>
 #include <thud/thud_snapshot.h>
+#include <thud/thud_textured.h>
 #include <thud/thud_testing.h>
 
 enum { STEPS = 30, RESTORED_EVERY = 7, RAYS = 96 };
@@ -117,6 +118,7 @@ static void go_beside(trial *t, twin kind, unsigned features, bool casts) {
         spare = trial_make(t, def_of(t, SIMD));
         DO(t, thud_world_use_joints(spare));
         DO(t, thud_world_use_rules(spare));
+        DO(t, thud_world_use_textures(spare));
     }
     for (int i = 1; i <= STEPS && !trial_failed(t); i++) {
         step_beside(&one, false);

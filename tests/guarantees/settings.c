@@ -7,7 +7,9 @@
 const dimension dimensions[DIMENSIONS] = {
     [QUALITY] = {"quality", 4, {"draft", "default", "high", "exact"}},
     [DETECTION] = {"detection", 4, {"overlap", "continuous", "bisect", "swept"}},
-    [BROADPHASE] = {"broadphase", 3, {"grid", "sweep", "all"}},
+    [BROADPHASE] = {"broadphase",
+                    6,
+                    {"grid", "sweep", "sweep_y", "sweep_widest", "sweep_both", "all"}},
     [SLEEPING] = {"sleeping", 2, {"off", "on"}},
     [SCALE] = {"scale", 3, {"1e-3", "1", "1e3"}},
     [STEP] = {"step", 3, {"1/30", "1/60", "1/240"}},
@@ -83,9 +85,9 @@ const thud_detection *settings_detection(const settings *s) {
 }
 
 const thud_broadphase *settings_broadphase(const settings *s) {
-    static const thud_broadphase *const broadphases[] = {&thud_broadphase_grid,
-                                                         &thud_broadphase_sweep,
-                                                         &thud_broadphase_all};
+    static const thud_broadphase *const broadphases[] = {
+        &thud_broadphase_grid,         &thud_broadphase_sweep,      &thud_broadphase_sweep_y,
+        &thud_broadphase_sweep_widest, &thud_broadphase_sweep_both, &thud_broadphase_all};
     return broadphases[s->value[BROADPHASE]];
 }
 

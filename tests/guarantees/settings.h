@@ -9,7 +9,7 @@
 #include <thud/thud.h>
 
 enum { QUALITY, DETECTION, BROADPHASE, SLEEPING, SCALE, STEP, WORKERS, DIMENSIONS };
-enum { VALUES_MAX = 4 };
+enum { VALUES_MAX = 6 };
 enum { DRAFT, DEFAULT, HIGH, EXACT };
 enum { OVERLAP, CONTINUOUS, BISECT, SWEPT };
 

@@ -1,6 +1,7 @@
 /* plain.c: see plain.h. Each serialize_ function reads or writes a value, depending on the stream,
  * so that there is one order for both. */
 #include "plain.h"
+#include "texture.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
@@ -93,6 +94,8 @@ static void serialize_shape(stream *t, scene_shape *s) {
     serialize_doubles(t, values, sizeof values / sizeof *values);
     serialize_int(t, &s->first_point);
     serialize_int(t, &s->point_count);
+    serialize_int(t, &s->texture_row);
+    t->failed = t->failed || s->texture_row < 0 || s->texture_row > TEXTURE_ROWS;
     serialize_bool(t, &s->sensor);
     serialize_u32(t, &s->category);
     serialize_u32(t, &s->mask);

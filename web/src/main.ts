@@ -1,4 +1,5 @@
 /** The page: puts its parts together and starts the first scene. */
+import { createRenderer } from "./draw/bodies";
 import { App } from "./page/app";
 import { addControls } from "./page/controls";
 import { describeScene } from "./page/describe";
@@ -48,21 +49,23 @@ async function start(): Promise<void> {
     return;
   }
   let stage: Stage;
+  const app = new App(() => stage.look);
+  const wasm = chooseWasm();
+  const loaded = app.load(wasm);
+  loaded.catch(() => {}); // it is awaited below, or, where nothing can be drawn, not at all
   try {
-    stage = new Stage();
+    stage = new Stage(await createRenderer(byId<HTMLCanvasElement>("bodies")));
   } catch (error) {
     fail("Nothing can be drawn", messageOf(error), [], reload);
     return;
   }
-  const app = new App(() => stage.look);
   stage.attach(app);
   // What takes room on the page is there before the engine is: nothing moves when it comes.
   const hud = new Hud();
   new Timeline(app);
   layOut(app, stage);
-  const wasm = chooseWasm();
   try {
-    await app.load(wasm);
+    await loaded;
   } catch (error) {
     fail(
       "The engine cannot be loaded",

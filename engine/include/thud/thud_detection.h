@@ -34,7 +34,8 @@ extern THUD_API const thud_broadphase thud_broadphase_sweep;
 extern THUD_API const thud_broadphase thud_broadphase_sweep_y;
 /* The same along the axis along which the centres of bounds vary more. It is chosen anew whenever
  * shapes are sorted, which is in each step in which one moves; it changes, and all shapes are
- * sorted anew, where the variance along the other axis is more than 1.5 times that along this one.
+ * sorted anew, where the variance along the other axis is more than one and a half times that along
+ * this one.
  */
 extern THUD_API const thud_broadphase thud_broadphase_sweep_widest;
 /* The same with two sorted lists, along x and along y. Each shape is tested against those whose

@@ -9,6 +9,7 @@
 #include <thud/thud_joint.h>
 #include <thud/thud_rules.h>
 #include <thud/thud_testing.h>
+#include <thud/thud_textured.h>
 
 /* Steps before and after a snapshot; greatest size of a scene. */
 enum { BEFORE = 60, AFTER = 70, SIZE_MOST = 200 };
@@ -49,6 +50,7 @@ static void restored_anywhere(const scene_info *info, const thud_world_def *sett
     OK(thud_world_use_joints(other));
     OK(thud_world_set_listeners(other, listeners));
     OK(thud_world_use_rules(other));
+    OK(thud_world_use_textures(other));
     back_to(other, snapshot);
     walks_again(other, &first, what);
     thud_world_destroy(other);
@@ -71,6 +73,7 @@ static thud_world *wild_world(thud_world_def def, int steps) {
     thud_world *world = make_world(def);
     OK(thud_world_use_joints(world));
     OK(thud_world_use_rules(world));
+    OK(thud_world_use_textures(world));
     thud_shape_def belt = thud_default_shape_def();
     belt.surface_speed = 2 * def.length_scale;
     belt.restitution = 0.8f;

@@ -1,6 +1,6 @@
 /** Tests that a first visit loads less than a bound before it shows a running scene. */
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { gzipSync } from "node:zlib";
@@ -43,15 +43,28 @@ test(`first_picture_loads_less_than_${BOUND}_kB`, async (t) => {
   await until(() => picturesBefore, ({ length }) => length > 0, "the rest is asked for");
   assert.deepEqual(picturesBefore, [1], "and not before the first picture");
   const paths = [...requests].filter((one) => !held.has(one)).map((one) => new URL(one).pathname);
+  const sizeOf = (file) => gzipSync(readFileSync(join(folder, file)), { level: 9 }).length;
   const sizes = paths.map((path) => {
     const file = path === "/" ? "/index.html" : path;
-    return { file, size: gzipSync(readFileSync(join(folder, file)), { level: 9 }).length };
+    return { file, size: sizeOf(file) };
   });
   sizes.sort((a, b) => b.size - a.size);
   const sum = sizes.reduce((total, { size }) => total + size, 0);
   const row = (name, bytes) => `${(bytes / 1000).toFixed(1).padStart(7)} kB  ${name}`;
   const table = [...sizes.map(({ file, size }) => row(file, size)), row("in all", sum)].join("\n");
   console.log(`first load, gzipped:\n${table}`);
+  // This browser draws by one of two renderers; another browser loads the other one in its place.
+  const chunks = readdirSync(join(folder, "assets")).filter((name) => /^(webgl|canvas2d)-.*\.js$/.test(name));
+  assert.equal(chunks.length, 2);
+  const own = chunks.filter((name) => paths.includes(`/assets/${name}`));
+  assert.equal(own.length, 1, "one renderer is loaded");
+  const [other] = chunks.filter((name) => !own.includes(name));
+  // What only Canvas 2D needs besides.
+  const paths2d = paths.filter((path) => /^\/assets\/paths-/.test(path) && own[0].startsWith("canvas2d"));
+  const without = [`/assets/${own[0]}`, ...paths2d].reduce((all, file) => all + sizeOf(file), 0);
+  const swapped = sum - without + sizeOf(`/assets/${other}`);
+  console.log(`with ${other} in place of ${own[0]}: ${(swapped / 1000).toFixed(1)} kB`);
+  assert.ok(swapped < BOUND * 1000, `${swapped} bytes with ${other}`);
   for (const part of ["thud-first", "worker", "index"])
     assert.ok(sizes.some(({ file }) => file.includes(part)), `${part} is among it`);
   assert.ok(sum < BOUND * 1000, table);

@@ -5,13 +5,31 @@
  * canvas comes back.
  */
 import type { Shapes } from "../scene/frame";
-import { CanvasRenderer } from "./canvas2d";
 import { type Colouring, rowColours } from "./row-colours";
-import type { Renderer } from "./renderer";
-import { WebglRenderer } from "./webgl";
+import { type Renderer, WEBGL } from "./renderer";
 
 /** Called when another renderer has taken over. Its canvas has to be sized again. */
 export type RendererChange = (name: Renderer["name"]) => void;
+
+// A browser needs one of the two renderers, and loads that alone.
+
+async function webglRenderer(canvas: HTMLCanvasElement): Promise<Renderer | null> {
+  return (await import("./webgl")).WebglRenderer.create(canvas);
+}
+
+async function canvasRenderer(canvas: HTMLCanvasElement): Promise<Renderer | null> {
+  return (await import("./canvas2d")).CanvasRenderer.create(canvas);
+}
+
+/** The renderer that this browser has for a canvas, and that the page's address asks for. */
+export async function createRenderer(canvas: HTMLCanvasElement): Promise<Renderer> {
+  const wanted = new URLSearchParams(location.search).get("renderer");
+  const hasWebgl = wanted !== "canvas2d" && canvas.getContext("webgl2", WEBGL) !== null;
+  const renderer = (hasWebgl && (await webglRenderer(canvas))) || (await canvasRenderer(canvas));
+  if (!renderer) throw new Error("this browser can draw on no canvas");
+  canvas.dataset.renderer = renderer.name;
+  return renderer;
+}
 
 /** The bodies' canvas, with whichever renderer draws on it. */
 export class Bodies {
@@ -20,15 +38,11 @@ export class Bodies {
   #colouring: Colouring | null = null;
   readonly #changed: RendererChange;
 
-  constructor(canvas: HTMLCanvasElement, changed: RendererChange) {
+  /** `renderer` is that of createRenderer. */
+  constructor(renderer: Renderer, changed: RendererChange) {
     this.#changed = changed;
-    const wanted = new URLSearchParams(location.search).get("renderer");
-    const webgl = wanted === "canvas2d" ? null : WebglRenderer.create(canvas);
-    const renderer = webgl ?? CanvasRenderer.create(canvas);
-    if (!renderer) throw new Error("this browser can draw on no canvas");
     this.#renderer = renderer;
-    canvas.dataset.renderer = renderer.name;
-    if (webgl) this.#watch(canvas);
+    if (renderer.name === "webgl2") this.#watch(renderer.canvas);
   }
 
   get renderer(): Renderer {
@@ -50,14 +64,18 @@ export class Bodies {
 
   /** Changes the renderer when the WebGL context is lost or restored. */
   #watch(canvas: HTMLCanvasElement): void {
+    let lost = false;
     canvas.addEventListener("webglcontextlost", (event) => {
       // Without this the browser would never restore the context.
       event.preventDefault();
-      const spare = canvas.cloneNode() as HTMLCanvasElement;
-      this.#take(CanvasRenderer.create(spare));
+      lost = true;
+      void canvasRenderer(canvas.cloneNode() as HTMLCanvasElement).then((spare) => {
+        if (lost) this.#take(spare);
+      });
     });
     canvas.addEventListener("webglcontextrestored", () => {
-      this.#take(WebglRenderer.create(canvas));
+      lost = false;
+      void webglRenderer(canvas).then((renderer) => this.#take(renderer));
     });
   }
 

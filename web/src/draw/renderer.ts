@@ -13,6 +13,9 @@ export type Look = { kind: "state" } | { kind: "plain" } | { kind: "outline"; co
 /** Width of an outline: its share of a body's half width, and its bounds in CSS pixels. Chosen. */
 export const OUTLINE = { part: 0.2, least: 0.8, most: 1.75 } as const;
 
+/** Attributes of a WebGL2 context of the bodies' canvas. */
+export const WEBGL: WebGLContextAttributes = { alpha: true, antialias: false, depth: false };
+
 export interface Renderer {
   readonly name: "webgl2" | "canvas2d";
   readonly canvas: HTMLCanvasElement;

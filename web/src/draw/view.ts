@@ -14,6 +14,7 @@ import type { Joints } from "./joints";
 import { Overlay } from "./overlay";
 import { DARK, LIGHT, type Theme } from "./palette";
 import type { Poses } from "./poses";
+import type { Renderer } from "./renderer";
 import { smoothFollow, smoothMarks } from "./smooth";
 
 export interface DrawOptions {
@@ -28,7 +29,6 @@ export interface DrawOptions {
 
 export interface Canvases {
   backdrop: HTMLCanvasElement;
-  bodies: HTMLCanvasElement;
   overlay: HTMLCanvasElement;
 }
 
@@ -74,11 +74,14 @@ export class View {
    */
   #paint: { paint: Paint; steps: number } | null = null;
 
-  /** `changed` is called when a WebGL context was lost or restored. */
-  constructor(canvases: Canvases, changed: RendererChange = () => {}) {
+  /**
+   * `renderer`: that of createRenderer, for the canvas of the bodies. `changed` is called when a
+   * WebGL context was lost or restored.
+   */
+  constructor(canvases: Canvases, renderer: Renderer, changed: RendererChange = () => {}) {
     this.#backdrop = new Backdrop(canvases.backdrop);
     this.#overlay = new Overlay(canvases.overlay, () => (this.#drawn = null));
-    this.#bodies = new Bodies(canvases.bodies, (name) => {
+    this.#bodies = new Bodies(renderer, (name) => {
       this.resize();
       changed(name);
     });

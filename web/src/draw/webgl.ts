@@ -7,7 +7,7 @@ import type { Shapes } from "../scene/frame";
 import { ROW } from "../scene/shape-table";
 import type { Camera, Pane } from "./camera";
 import type { Poses } from "./poses";
-import type { Look, Renderer } from "./renderer";
+import { type Look, type Renderer, WEBGL } from "./renderer";
 import { linkProgram, LOOKS, TEXTURE_WIDTH } from "./shaders";
 
 /** Names of the uniforms; shaders.ts says what they are. */
@@ -39,7 +39,7 @@ export class WebglRenderer implements Renderer {
    * same canvas.
    */
   static create(canvas: HTMLCanvasElement): WebglRenderer | null {
-    const gl = canvas.getContext("webgl2", { alpha: true, antialias: false, depth: false });
+    const gl = canvas.getContext("webgl2", WEBGL);
     if (!gl) return null;
     try {
       return new WebglRenderer(canvas, gl);

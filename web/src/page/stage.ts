@@ -4,6 +4,7 @@
  */
 import { OVERLAYS, type OverlayName } from "../scene/overlays";
 import type { Pane } from "../draw/camera";
+import type { Renderer } from "../draw/renderer";
 import { type DrawOptions, View } from "../draw/view";
 import type { Look } from "../worker/protocol";
 import type { App } from "./app";
@@ -55,13 +56,14 @@ export class Stage {
   #hasGround = false;
   #movedTimer = 0;
 
-  constructor() {
+  /** `drawn`: what draws on the canvas of the bodies. */
+  constructor(drawn: Renderer) {
     this.view = new View(
       {
         backdrop: byId<HTMLCanvasElement>("backdrop"),
-        bodies: byId<HTMLCanvasElement>("bodies"),
         overlay: byId<HTMLCanvasElement>("overlay"),
       },
+      drawn,
       (renderer) =>
         notice(
           renderer === "webgl2"
