@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-enum { MOST_DRAWS = 32 };
+enum { MOST_DRAWS = 40 };
 
 static bool have_pair(const settings *drawn, int count, int d, int v, int e, int u) {
     int i = 0;
