@@ -98,11 +98,10 @@ static int64_t insertion_sort(td_sweep_key *keys, int count, int gap) {
     for (int i = gap; i < count; i++) {
         td_sweep_key key = keys[i];
         int to = i;
-        for (; to >= gap && keys[to - gap].min > key.min; to -= gap) {
+        for (; to >= gap && keys[to - gap].min > key.min; to -= gap, moves++) {
             keys[to] = keys[to - gap];
         }
         keys[to] = key;
-        moves += (i - to) / gap;
     }
     return moves;
 }
