@@ -22,7 +22,7 @@ extern "C" {
 typedef struct thud_broadphase thud_broadphase;
 
 /* A hashed grid with a level for each eightfold of size, for shapes of any sizes: in a gas
- * (docs/catalogue.md) a shape costs 58 ns a step among 1,000 and 142 ns among 100,000. The bounds
+ * (docs/catalogue.md) a shape costs 100 ns a step among 1,000 and 153 ns among 100,000. The bounds
  * that are tested for a shape do not grow in number with the world
  * (thud_world_get_broadphase_counts); its time does, with the memory that is walked. The default.
  */
@@ -86,7 +86,7 @@ extern THUD_API const thud_detection thud_detection_bisect;
  * dropped on a hinged bridge of twenty, overlap others by up to 0.43, 0.12, 0.17, 0.13 at draft,
  * default, high, exact, and open a hinge by up to 2.1, 0.24, 0.037, 0.038 length scales (bisect
  * 2.6, 0.23, 0.057, 0.029, continuous 4.6, 0.19, 0.009, 0.014). A step takes 2.9 times as long as
- * with overlap in a gas, 6.2 times in a heap (docs/catalogue.md).
+ * with overlap in a gas, 6.1 times in a heap (docs/catalogue.md).
  *
  * Bisection takes the motion of a step as straight, while gravity g bends it by up to
  * g * time_step^2 / 8. Swept bodies in free flight meet others on their exact parabola, and elastic
