@@ -36,6 +36,7 @@ const REST = {
   createObb: [{ halfWidth: 1, halfHeight: 1 }],
   createTerrain: [{ kind: "flat" }],
   replaceRange: [0, 1, [[0, 0]]],
+  setTexture: [{ vertices: [0.5, 0.5] }],
   setDetection: ["swept"],
   setDrive: ["turn", {}],
   setFilter: [{ mask: 1 }],

@@ -64,9 +64,9 @@ test("scene_reads_out_the_same_pairs_of_every_broadphase_and_its_own_tests", asy
   for (const broadphase of CHOICES) {
     scene.state.broadphase = broadphase;
     const paint = scene.paint();
-    tested[broadphase] = numberOf(paint, "broadphase", "Pairs tested");
-    found.add(textOf(paint, "broadphase", "Pairs found"));
-    assert.equal(numberOf(paint, "broadphase", "Tests a circle"), tested[broadphase] / 200);
+    tested[broadphase] = numberOf(paint, "counts", "Pairs tested");
+    found.add(textOf(paint, "counts", "Pairs found"));
+    assert.equal(numberOf(paint, "counts", "Tests a circle"), tested[broadphase] / 200);
   }
   assert.equal(found.size, 1);
   assert.equal(tested.all, (200 * 199) / 2);
@@ -80,10 +80,10 @@ test("scene_gathers_all_circles_in_one_cell_in_which_the_grid_tests_all_pairs", 
   const { scene } = await buildScene(engine, "lab_broadphase", { size: 100 });
   Object.assign(scene.state, { broadphase: "grid", cellSize: 20, arrangement: "gathered" });
   const paint = [makeStep(scene, 0), makeStep(scene, 1)].at(-1);
-  assert.equal(numberOf(paint, "cellSize", "Cells used"), 1);
-  assert.equal(numberOf(paint, "cellSize", "Most in a cell"), 100);
-  assert.equal(numberOf(paint, "broadphase", "Pairs tested"), (100 * 99) / 2);
-  assert.ok(numberOf(paint, "broadphase", "Pairs found") > 4000);
+  assert.equal(numberOf(paint, "cells", "Cells used"), 1);
+  assert.equal(numberOf(paint, "cells", "Most in a cell"), 100);
+  assert.equal(numberOf(paint, "counts", "Pairs tested"), (100 * 99) / 2);
+  assert.ok(numberOf(paint, "counts", "Pairs found") > 4000);
   scene.close();
   scene.world.close();
 });
@@ -92,7 +92,7 @@ test("scene_repairs_fewer_inversions_than_there_are_pairs_and_more_than_none", a
   const { scene } = await buildScene(engine, "lab_broadphase", { size: 300 });
   scene.state.broadphase = "sweep";
   for (let i = 0; i < 5; i++) makeStep(scene, i);
-  const repaired = numberOf(makeStep(scene, 5), "broadphase", "Inversions repaired");
+  const repaired = numberOf(makeStep(scene, 5), "counts", "Inversions repaired");
   assert.ok(repaired > 0 && repaired < 300 * 8, `${repaired}`);
   scene.close();
   scene.world.close();

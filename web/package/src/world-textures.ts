@@ -18,7 +18,7 @@ export class WorldTextures extends WorldShapes {
    * gets the value that the line had at its x.
    * @throws {ThudError} "invalid", also for another kind of shape, or another number of vertices
    * than the line has; "stale"; "locked" inside a callback; "memory".
-   * @example world.setTexture(ground, { vertices: [0.9, 0.9, 0.1] })
+   * @example world.setTexture(shape, { vertices: [0.9, 0.9, 0.1, 0.1, 0.9] })
    */
   setTexture(shape: ShapeRef, texture: Texture | null): void {
     if (texture === null) {
@@ -53,7 +53,7 @@ export class WorldTextures extends WorldShapes {
    * The friction of a terrain at x, a coordinate in the world: that of its texture, beyond an end
    * of the line that of the end; without a texture that of the shape.
    * @throws {ThudError} "invalid" for another kind of shape; "stale".
-   * @example const grip = world.frictionAt(ground, x)
+   * @example const grip = world.frictionAt(shape, x)
    */
   frictionAt(shape: ShapeRef, x: number): number {
     this.on(Kind.shape, "api_friction_at", shape, x);

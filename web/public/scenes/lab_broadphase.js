@@ -28,10 +28,18 @@ const ARRANGEMENTS = [
 const RADIUS = 0.2;
 
 const CONTROLS = [
-  { kind: "choice", name: "broadphase", label: "Broadphase", options: BROADPHASES, group: "Broadphase" },
+  { kind: "choice", name: "broadphase", label: "Broadphase", options: BROADPHASES, group: "Search" },
   {
-    ...{ kind: "slider", name: "cellSize", label: "Cell size of the grid, 0: by the engine" },
-    ...{ least: 0, most: 20, step: 0.5, group: "Broadphase" },
+    ...{ kind: "slider", name: "cellSize", label: "Cell size" },
+    ...{ least: 0, most: 20, step: 0.5, group: "Search" },
+  },
+  {
+    ...{ kind: "check", name: "counts", label: "Counts of a step", group: "Search" },
+    about: "A test compares the bounds of two circles. Only circles that left their bounds search.",
+  },
+  {
+    ...{ kind: "check", name: "cells", label: "Cells of the grid", group: "Search" },
+    about: "At cell size 0 the engine chooses it by the sizes of the circles.",
   },
   {
     ...{ kind: "choice", name: "arrangement", label: "Arrangement" },
@@ -64,7 +72,10 @@ export default function ({ createWorld, random, grid, seed, size, thud }) {
     world,
     view: { x: 0.6 * half, y: 0, height: 2.4 * half, width: 3.6 * half },
     controls: CONTROLS,
-    state: { broadphase: "grid", cellSize: 0, arrangement: "spread", arranged: "spread" },
+    state: {
+      ...{ broadphase: "grid", cellSize: 0, arrangement: "spread", arranged: "spread" },
+      ...{ counts: true, cells: true },
+    },
     update() {
       const { state } = scene;
       const room = roomOf(state.arrangement, half);
@@ -118,5 +129,5 @@ function readingsOf(counts, broadphase, size) {
     ["Circles in a cell, mean", (counts.cellShapes / Math.max(counts.cells, 1)).toFixed(2)],
     ["Most in a cell", whole(counts.cellShapesMax)],
   ];
-  return { broadphase: rows, cellSize: broadphase === "grid" ? cells : [] };
+  return { counts: rows, cells: broadphase === "grid" ? cells : [["Cells", "only the grid has some"]] };
 }

@@ -151,7 +151,7 @@ export class WorldRules extends WorldFields {
    * `stepError().energyDecided` has the energy.
    * @throws {ThudError} "invalid" where no prologue is asked about this row, for a body that is not
    * dynamic, and for numbers that are not finite; "null" for neither a nor b; "memory".
-   * @example world.decide(0, { b: { velocity: [0, 12] } })
+   * @example world.setListeners({ prologue: () => world.decide(0, { b: { velocity: [0, 12] } }) })
    */
   decide(row: number, response: ContactResponse): void {
     checkOptions("decide", response, SIDES);
