@@ -116,9 +116,10 @@ const whole = (n) => Math.round(n).toLocaleString("en");
 
 function readingsOf(counts, broadphase, size) {
   const pairs = (size * (size - 1)) / 2;
-  const share = pairs > 0 ? `, ${((100 * counts.tested) / pairs).toFixed(1)} %` : "";
+  const share = pairs > 0 ? `${((100 * counts.tested) / pairs).toFixed(1)} %` : "none";
   const rows = [
-    ["Pairs tested", `${whole(counts.tested)} of n (n − 1) / 2 = ${whole(pairs)}${share}`],
+    ["Pairs tested", whole(counts.tested)],
+    [`Of n (n − 1) / 2 = ${whole(pairs)}`, share],
     ["Circles that search", `${whole(counts.moved)} of ${whole(size)}`],
     ["Pairs found", whole(counts.found)],
     ["Tests a circle", (counts.tested / size).toFixed(2)],
