@@ -28,12 +28,13 @@ static const char *const twin_names[TWINS] = {"with the other SIMD",
                                               "that is asked"};
 
 static thud_world_def def_of(trial *t, twin kind) {
-    static const thud_broadphase *const all[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
-                                                 &thud_broadphase_all};
     thud_world_def def = trial_def(t);
     thud_world_def_set_baseline_simd(&def, kind == SIMD);
     if (kind == NEXT_BROADPHASE || kind == LAST_BROADPHASE) {
-        def.broadphase = all[(t->set->value[BROADPHASE] + (int)(kind - NEXT_BROADPHASE) + 1) % 3];
+        settings other = *t->set;
+        other.value[BROADPHASE] += kind == NEXT_BROADPHASE ? 1 : 3;
+        other.value[BROADPHASE] %= dimensions[BROADPHASE].count;
+        def.broadphase = settings_broadphase(&other);
     }
     return def;
 }

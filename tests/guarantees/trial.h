@@ -13,7 +13,7 @@
 #include <string.h>
 #include <thud/thud_listeners.h>
 
-enum { TRIAL_WORLDS = 6 };
+enum { TRIAL_WORLDS = 16 };
 
 typedef struct trial {
     const settings *set;
