@@ -245,12 +245,12 @@ test("step_of_the_panel_is_made_by_its_own_buttons_on_a_phone", async () => {
       [least, most],
     );
   await untilShown(0, 0);
-  await page.tap("text=One step");
+  await page.tap("text=One step >> visible=true");
   await untilShown(1, 1);
-  await page.tap("text=Go on");
+  await page.tap("text=Go on >> visible=true");
   await untilShown(10, Infinity);
-  await page.tap("text=Pause");
-  await page.waitForSelector("text=Go on");
+  await page.tap("text=Pause >> visible=true");
+  await page.waitForSelector("text=Go on >> visible=true");
   assert.deepEqual(errors, []);
   await close();
 });
