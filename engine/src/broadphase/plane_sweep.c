@@ -142,3 +142,11 @@ void td_sweep_fill(thud_world *w, td_proxy_set *set, td_axis axis) {
     }
     td_sorted_axis_fill(w, set);
 }
+
+bool td_sweep_build(thud_world *w, td_proxy_set *set, td_axis axis) {
+    if (!td_sweep_list(w, set, 1)) {
+        return false;
+    }
+    td_sweep_fill(w, set, axis);
+    return true;
+}

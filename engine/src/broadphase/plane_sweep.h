@@ -15,4 +15,7 @@ void td_sweep_sort(thud_world *w, td_proxy_set *set, td_sweep_key *keys, td_axis
 /* Sorts the first list along the axis, makes `ids` its order, and the set valid. */
 void td_sweep_fill(thud_world *w, td_proxy_set *set, td_axis axis);
 
+/* Lists, sorts and fills a set with one list along the axis. False when memory is short. */
+bool td_sweep_build(thud_world *w, td_proxy_set *set, td_axis axis);
+
 #endif

@@ -42,11 +42,7 @@ static td_axis choose_axis(const thud_world *w, const td_proxy_set *set) {
 /* thud_broadphase.build: chooses the axis, sorts the keys and makes `ids` their order. */
 static bool build(thud_world *w, td_proxy_set *set, bool few_moved) {
     (void)few_moved;
-    if (!td_sweep_list(w, set, 1)) {
-        return false;
-    }
-    td_sweep_fill(w, set, choose_axis(w, set));
-    return true;
+    return td_sweep_build(w, set, choose_axis(w, set));
 }
 
 const thud_broadphase thud_broadphase_sweep_widest = {

@@ -5,11 +5,7 @@
 /* thud_broadphase.build: sorts the keys and makes `ids` their order. */
 static bool build(thud_world *w, td_proxy_set *set, bool few_moved) {
     (void)few_moved;
-    if (!td_sweep_list(w, set, 1)) {
-        return false;
-    }
-    td_sweep_fill(w, set, TD_AXIS_X);
-    return true;
+    return td_sweep_build(w, set, TD_AXIS_X);
 }
 
 const thud_broadphase thud_broadphase_sweep = {

@@ -44,7 +44,8 @@ enum { NEWTON_ITERATIONS_MAX = 12 };
  * BALANCE_MAX, which is g h, and the island gains more than GAIN_MAX of the energy that it had and
  * got. Measured on 800 random mechanisms (test_joints_random.c) without gaps or overlaps at the
  * start: 10 gained over 5 % of energy without these rules, up to 16 times, and 4 do with them, up
- * to 0.9; at BALANCE_ENOUGH 1 it is 3, for a fifth more factorisations in ragdolls at high. */
+ * to 0.9; at BALANCE_ENOUGH 1 it is 3, for half as many factorisations again in ragdolls at
+ * default. */
 #define BALANCE_ENOUGH 100.0
 #define BALANCE_MAX 1000.0
 #define GAIN_MAX 0.1
