@@ -115,7 +115,7 @@ def check_page(results):
         # Each is a table, except the mover's, which is a sentence.
         wanted = [f"{m['mover']} " for m in results[needs]] if needs == "mover" else ["|"]
         assert wanted and all(part in make(results) for part in wanted), needs
-    assert len(catalogue_picture.draw(results)) == 6
+    assert len(catalogue_picture.draw(results)) == 8
 
 
 def check_parts_and_errors(program, folder):
