@@ -2,13 +2,13 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { importTypeScript } from "../../../web/tools/scenes.mjs";
-import { DESKTOP, openVisitor, PHONE, untilRunning } from "../support/page.mjs";
+import { BROWSERS, DESKTOP, leftOut, openVisitor, PHONE, untilRunning } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
 const visitor = openVisitor();
 
-async function openGallery(options = DESKTOP) {
-  const opened = await visitor.open("?scene=pyramid&size=10", options);
+async function openGallery(options = DESKTOP, by = visitor) {
+  const opened = await by.open("?scene=pyramid&size=10", options);
   await untilRunning(opened.page);
   await opened.page.click("#scenes-button");
   // The list is loaded after the first frame, and may be filled in after the dialog has opened.
@@ -102,16 +102,18 @@ test("gallery_keywords_are_of_scenes_that_there_are", async () => {
   assert.deepEqual(Object.keys(KEYWORDS).filter((name) => !names.includes(name)), []);
 });
 
-test("gallery_types_into_the_search_what_is_typed_on_a_card", async () => {
-  const { page, errors, close } = await openGallery();
-  await page.keyboard.type("rollback");
-  assert.equal(await page.inputValue("#scene-search"), "rollback");
-  assert.deepEqual(await offered(page), ["lab_latency"]);
-  await page.keyboard.press("Enter");
-  await page.waitForFunction(() => location.search.includes("scene=lab_latency"));
-  assert.deepEqual(errors, []);
-  await close();
-});
+for (const browser of BROWSERS)
+  test(`gallery_types_into_the_search_what_is_typed_on_a_card_in_${browser}`, async (t) => {
+    if (leftOut(browser)) return t.skip(leftOut(browser));
+    const { page, errors, close } = await openGallery(DESKTOP, openVisitor({ browser }));
+    await page.keyboard.type("rollback");
+    assert.equal(await page.inputValue("#scene-search"), "rollback");
+    assert.deepEqual(await offered(page), ["lab_latency"]);
+    await page.keyboard.press("Enter");
+    await page.waitForFunction(() => location.search.includes("scene=lab_latency"));
+    assert.deepEqual(errors, []);
+    await close();
+  });
 
 test("gallery_search_for_nothing_there_is_says_so", async () => {
   const { page, close } = await openGallery();

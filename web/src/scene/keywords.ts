@@ -13,7 +13,7 @@ export const KEYWORDS: Readonly<Record<string, string>> = {
     "intersection testing bounding volumes",
   minkowski: "point against shape configuration space difference",
   one_spot: "grid cell size broadphase",
-  playground: "complex shapes approximated by circles and boxes approximation compound",
+  playground: "complex shapes made up of boxes approximation compound",
   sizes: "grid cell size broadphase",
   textured: "terrain foot feet friction uv coordinates weights interpolation",
   lab_bisection:
@@ -36,5 +36,5 @@ export const KEYWORDS: Readonly<Record<string, string>> = {
     "texture binary search",
   lab_volumes:
     "bounding sphere box proxy area wasted false positives complex shapes approximated by circles " +
-    "and boxes approximation",
+    "boxes approximation",
 };
