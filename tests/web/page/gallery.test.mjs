@@ -1,13 +1,14 @@
 /** Tests the gallery: search, keyboard navigation, and starting a scene from it. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { DESKTOP, openVisitor, PHONE, untilRunning } from "../support/page.mjs";
+import { importTypeScript } from "../../../web/tools/scenes.mjs";
+import { BROWSERS, DESKTOP, leftOut, openVisitor, PHONE, untilRunning } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
 const visitor = openVisitor();
 
-async function openGallery(options = DESKTOP) {
-  const opened = await visitor.open("?scene=pyramid&size=10", options);
+async function openGallery(options = DESKTOP, by = visitor) {
+  const opened = await by.open("?scene=pyramid&size=10", options);
   await untilRunning(opened.page);
   await opened.page.click("#scenes-button");
   // The list is loaded after the first frame, and may be filled in after the dialog has opened.
@@ -51,11 +52,74 @@ for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
     await close();
   });
 
+/** What a lecture calls its ideas, and the scene that is among those found by it. */
+const IDEAS = {
+  "normal depth": "geometry",
+  "time of collision": "lab_bisection",
+  tunnelling: "lab_bisection",
+  "time of impact": "lab_swept",
+  roots: "lab_swept",
+  parabola: "lab_swept",
+  "extruded circle": "lab_swept",
+  capsule: "lab_swept",
+  "dead reckoning": "lab_latency",
+  rollback: "lab_latency",
+  "complex shape": "playground",
+  "point against shape": "lab_minkowski",
+  "false alarms": "lab_volumes",
+  "cell size": "lab_broadphase",
+  "plane sweep": "lab_broadphase",
+  insertion: "lab_broadphase",
+  "n^2": "lab_broadphase",
+  irregular: "lab_terrain",
+  weights: "lab_terrain",
+  "foot friction": "lab_terrain",
+  kicker: "lab_callbacks",
+  portal: "lab_callbacks",
+  epilogue: "lab_callbacks",
+  microscope: "lab_microscope",
+  "960 hz": "detection",
+  advice: "detection",
+};
+
+test("gallery_search_finds_a_scene_by_what_a_lecture_calls_its_idea", async () => {
+  const { page, errors, close } = await openGallery();
+  const lost = [];
+  for (const [words, name] of Object.entries(IDEAS)) {
+    await page.fill("#scene-search", words);
+    const found = await offered(page);
+    if (!found.includes(name) || found.length > 6) lost.push(`${words}: ${found.join()}`);
+  }
+  assert.deepEqual(lost, []);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("gallery_keywords_are_of_scenes_that_there_are", async () => {
+  const { KEYWORDS } = await importTypeScript("src/scene/keywords.ts");
+  const { SCENES } = await importTypeScript("src/scene/registry.ts");
+  const names = SCENES.map(({ name }) => name);
+  assert.deepEqual(Object.keys(KEYWORDS).filter((name) => !names.includes(name)), []);
+});
+
+for (const browser of BROWSERS)
+  test(`gallery_types_into_the_search_what_is_typed_on_a_card_in_${browser}`, async (t) => {
+    if (leftOut(browser)) return t.skip(leftOut(browser));
+    const { page, errors, close } = await openGallery(DESKTOP, openVisitor({ browser }));
+    await page.keyboard.type("rollback");
+    assert.equal(await page.inputValue("#scene-search"), "rollback");
+    assert.deepEqual(await offered(page), ["lab_latency"]);
+    await page.keyboard.press("Enter");
+    await page.waitForFunction(() => location.search.includes("scene=lab_latency"));
+    assert.deepEqual(errors, []);
+    await close();
+  });
+
 test("gallery_search_for_nothing_there_is_says_so", async () => {
   const { page, close } = await openGallery();
   await page.fill("#scene-search", "zebra");
   assert.deepEqual(await offered(page), []);
-  assert.match(await page.textContent("#no-scene"), /No scene has “zebra”/);
+  assert.match(await page.textContent("#no-scene"), /No scene is found by “zebra”/);
   await page.press("#scene-search", "Enter");
   assert.equal(await page.locator("#scenes").isVisible(), true);
   await page.fill("#scene-search", "");

@@ -5,6 +5,7 @@
 import "../style/gallery.css";
 import "../style/print.css";
 import { ABOUTS } from "../scene/abouts";
+import { KEYWORDS } from "../scene/keywords";
 import { GROUPS, type SceneEntry, SCENES, thumbnailFile } from "../scene/registry";
 import type { App } from "./app";
 import { showCurrent } from "./dialogs";
@@ -37,7 +38,7 @@ export function addGallery(app: App, openFiles: (brought: Brought[]) => void): v
     const entries = SCENES.filter((entry) => entry.group === name);
     const cards = entries.map((entry) => ({
       button: cardOf(entry, () => run(entry)),
-      text: `${name} ${entry.title} ${ABOUTS[entry.name]} ${entry.name}`.toLowerCase(),
+      text: textOf(entry).toLowerCase(),
     }));
     const heading = make("h3", {}, name);
     const grid = make("div", { class: "cards" }, ...cards.map(({ button }) => button));
@@ -59,6 +60,11 @@ export function addGallery(app: App, openFiles: (brought: Brought[]) => void): v
   app.listen({ run: mark });
   mark();
   if (dialog.open) showCurrent(dialog);
+}
+
+/** What a search looks through. */
+function textOf({ name, title, group }: SceneEntry): string {
+  return [group, title, ABOUTS[name], name, KEYWORDS[name]].join(" ");
 }
 
 /** The button of a scene, with its picture, title and description. */
@@ -95,7 +101,7 @@ function addSearch(dialog: HTMLDialogElement, groups: readonly GroupOfCards[]): 
     const found = visibleCards().length;
     const plural = found === 1 ? "One scene" : `${found} scenes`;
     byId("no-scene").textContent =
-      found === 0 ? `No scene has “${field.value.trim()}” in its name or description.` : "";
+      found === 0 ? `No scene is found by “${field.value.trim()}”.` : "";
     field.setAttribute("aria-description", words.length > 0 ? `${plural} found` : "");
     dialog.scrollTop = 0;
   };
@@ -113,7 +119,7 @@ function addSearch(dialog: HTMLDialogElement, groups: readonly GroupOfCards[]): 
 }
 
 /** Arrow keys move the focus to the neighbouring card on the page, and between the first row and
- * the search field above it. */
+ * the search field above it. A letter or digit that is typed on a card goes to the search field. */
 function addArrows(dialog: HTMLDialogElement): void {
   dialog.addEventListener("keydown", (event) => {
     const target = event.target as HTMLElement;
@@ -126,6 +132,11 @@ function addArrows(dialog: HTMLDialogElement): void {
     }
     const at = cards.indexOf(target as HTMLButtonElement);
     if (at < 0) return;
+    if (/^[\p{L}\p{N}]$/u.test(event.key) && !event.ctrlKey && !event.metaKey && !event.altKey) {
+      // The key's default is to type it into what has the focus by then.
+      field.focus();
+      return;
+    }
     const next = neighbour(cards, at, event.key);
     if (next === undefined) return;
     event.preventDefault();

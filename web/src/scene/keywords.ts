@@ -1,0 +1,40 @@
+/**
+ * By the name of a scene, more words that the search in the gallery finds it by: what textbooks and
+ * lectures call the idea that it shows, where its title and description say it in other words.
+ */
+export const KEYWORDS: Readonly<Record<string, string>> = {
+  bullets: "tunnelling fast paper time step continuous collision detection ccd",
+  broadphases: "plane sweep and prune sap sorted lists insertion sort spatial hash cell size",
+  detection:
+    "collision detection tunnelling ccd intersection testing bisection capsules extruded circles " +
+    "swept volumes error over time price cost frequency hertz hz 60 960 advice which method to choose",
+  geometry:
+    "collision detection normal depth penetration signed distance closest points time of impact " +
+    "intersection testing bounding volumes",
+  minkowski: "point against shape configuration space difference",
+  one_spot: "grid cell size broadphase",
+  playground: "complex shapes made up of boxes approximation compound",
+  sizes: "grid cell size broadphase",
+  textured: "terrain foot feet friction uv coordinates weights interpolation",
+  lab_bisection:
+    "time of collision halvings halving tunnelling speed time step thickness normal depth",
+  lab_broadphase:
+    "n^2 n² n squared grid cell size plane sweep and prune sap sorted lists insertion sort counted",
+  lab_callbacks:
+    "callbacks listeners events veto does the pair collide kicker bumper portal velocities one to " +
+    "each object",
+  lab_latency:
+    "network prediction dead reckoning swept prediction rollback lag delay peers extrapolation",
+  lab_microscope:
+    "collision microscope resolution four steps overlap response impulse normal depth solver",
+  lab_minkowski: "point against shape configuration space difference capsule rounded extruded",
+  lab_swept:
+    "intersection testing time of impact quadratic roots discriminant parabola trajectory sagitta " +
+    "capsule extruded circle ccd continuous",
+  lab_terrain:
+    "height field flat uniform irregular line weights interpolation foot feet placed friction " +
+    "texture binary search",
+  lab_volumes:
+    "bounding sphere box proxy area wasted false positives complex shapes approximated by circles " +
+    "boxes approximation",
+};
