@@ -146,6 +146,17 @@ class Jobs(unittest.TestCase):
         self.assertIn(f"{40 - kept} jobs run, 0 of them failed; {kept} had results", done.stderr)
         self.assertEqual(sorted(self.out.read_text().splitlines()), sorted(whole))
 
+    def test_a_result_is_in_the_file_while_the_next_job_runs(self):
+        jobs = self.write({"scene": "chain", "steps": 1}, {"scene": "chain", "steps": 10 ** 9})
+        command = [THUD_RUN, "--jobs", str(jobs), "--out", str(self.out), "--workers", "1"]
+        with subprocess.Popen(command, stderr=subprocess.DEVNULL) as run:
+            end = time.monotonic() + 20
+            while time.monotonic() < end and not (self.out.exists() and self.out.stat().st_size):
+                time.sleep(0.01)
+            run.kill()
+        self.assertEqual([json.loads(line)["id"] for line in self.out.read_text().splitlines()],
+                         ["1"])
+
     def test_results_of_other_jobs_are_not_continued_nor_overwritten(self):
         first = self.write({"scene": "chain", "steps": 2})
         self.assertEqual(self.run_jobs(first, "--out", str(self.out)).returncode, 0)
