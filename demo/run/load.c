@@ -23,7 +23,8 @@ static void print_report(const char *path, const level_report *report) {
 static bool load_level(const run_options *options, scene *s) {
     level_report report;
     bool loaded = level_read_file(options->source, options->skip_unsupported, s, &report);
-    print_report(options->source, &report);
+    if (!options->failure)
+        print_report(options->source, &report);
     if (!loaded && report.fatal == 0)
         fprintf(stderr,
                 "thud-run: refused because of %d problems; --skip-unsupported leaves them "

@@ -1,11 +1,14 @@
 /* main.c: the program thud-run, which loads a scene or a level, runs a number of steps without a
  * display, and prints what it measured, or what it advises. */
 #include "advise.h"
+#include "jobs.h"
 #include "load.h"
 #include "options.h"
 #include "outcome.h"
 #include "run.h"
 #include "uses.h"
+
+#include <string.h>
 
 /* Runs the scene once and prints what was measured. */
 static bool run_and_print(const run_options *options, const scene *s) {
@@ -42,8 +45,19 @@ static int load_and_run(const run_options *options) {
     return done ? 0 : 1;
 }
 
+/* Whether an argument says that a file of jobs is to be run. */
+static bool names_jobs(int count, char **arguments) {
+    for (int i = 1; i < count; i++)
+        if (strcmp(arguments[i], "--jobs") == 0)
+            return true;
+    return false;
+}
+
 int main(int count, char **arguments) {
     run_options options;
+    jobs_options jobs;
+    if (names_jobs(count, arguments))
+        return jobs_options_parse(count, arguments, &jobs) ? jobs_run(&jobs) : 2;
     if (!run_options_parse(count, arguments, &options))
         return 2;
     if (options.help)

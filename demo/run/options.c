@@ -67,8 +67,7 @@ static bool choose(const char *option, const char *names, const char *text, int 
     return found >= 0;
 }
 
-/* Parses an option that takes a value. False after a message. */
-static bool parse_valued(const char *option, const char *value, run_options *out) {
+bool run_options_set(const char *option, const char *value, run_options *out) {
     long number;
     if (!value) {
         fprintf(stderr, "thud-run: %s needs a value; see thud-run --help\n", option);
@@ -168,14 +167,7 @@ static bool check(const run_options *options, bool only_for_advice) {
     return false;
 }
 
-bool run_options_parse(int count, char **arguments, run_options *out) {
-    static const char *const with_value[] = {"--max-error", "--budget",    "--patience",
-                                             "--repeat",    "--picture", /* for --advise alone */
-                                             "--steps",     "--size",      "--quality",
-                                             "--workers",   "--detection", "--broadphase",
-                                             "--substeps",  "--without",   "--rate",
-                                             "--heavier",   "--cell-size"};
-    enum { ONLY_FOR_ADVICE = 5 };
+void run_options_default(run_options *out) {
     *out = (run_options){.steps = 600,
                          .quality = QUALITY_DEFAULT,
                          .detection = DETECTION_DEFAULT,
@@ -186,6 +178,17 @@ bool run_options_parse(int count, char **arguments, run_options *out) {
                          .patience = PATIENCE,
                          .rate = RATE,
                          .heavier = 1};
+}
+
+bool run_options_parse(int count, char **arguments, run_options *out) {
+    static const char *const with_value[] = {"--max-error", "--budget",    "--patience",
+                                             "--repeat",    "--picture", /* for --advise alone */
+                                             "--steps",     "--size",      "--quality",
+                                             "--workers",   "--detection", "--broadphase",
+                                             "--substeps",  "--without",   "--rate",
+                                             "--heavier",   "--cell-size"};
+    enum { ONLY_FOR_ADVICE = 5 };
+    run_options_default(out);
     bool only_for_advice = false;
     for (int i = 1; i < count; i++) {
         const char *argument = arguments[i];
@@ -194,7 +197,7 @@ bool run_options_parse(int count, char **arguments, run_options *out) {
             valued++;
         only_for_advice |= valued < ONLY_FOR_ADVICE;
         if (valued < options) {
-            if (!parse_valued(argument, arguments[++i], out))
+            if (!run_options_set(argument, arguments[++i], out))
                 return false;
         } else if (argument[0] == '-') {
             if (!parse_plain(argument, out))
@@ -297,9 +300,19 @@ void run_print_help(void) {
         "  --patience S         seconds that larger sizes of the scene may take to measure (20)\n"
         "  --picture FILE.svg   also draw the error of each setting over its time\n"
         "  --list               list the built-in scenes\n"
+        "  --jobs FILE          run the jobs of FILE over all cores instead, one JSON object a\n"
+        "                       line: \"scene\" and any of the options above by their names, seed,\n"
+        "                       inputs; a list or a range stands for several jobs; see\n"
+        "                       docs/embedding.md. Beside it:\n"
+        "    --workers N        jobs at a time (the number of processors)\n"
+        "    --out FILE         the results, one JSON object a line (standard output)\n"
+        "    --resume           continue FILE: jobs whose results it has are not run again\n"
+        "    --part K/N         run the K-th of N parts of the jobs, for several machines\n"
+        "    --no-times         results without times, which are the same on every machine\n"
         "  --help               this text\n"
         "\n"
-        "Exit status: 0 done, 1 the scene cannot be loaded or run, 2 wrong arguments.");
+        "Exit status: 0 done, 1 the scene cannot be loaded or run, 2 wrong arguments. With --jobs:\n"
+        "1 some jobs failed, and their results say so; 2 a job is wrong, and nothing was run.");
 }
 
 void run_print_list(void) {

@@ -10,6 +10,9 @@
 /* Most steps of a run whose times are kept one by one. */
 enum { ADVISE_STEPS_MAX = 1000000 };
 
+/* Most characters of what says why a run failed, its terminating 0 included. */
+enum { RUN_FAILURE_MAX = 400 };
+
 typedef struct run_options {
     const char *source; /* a built-in scene's name or a level's path */
     long steps;
@@ -29,8 +32,14 @@ typedef struct run_options {
     int repeats;         /* timed runs of each setting that comes into question */
     double patience;     /* s that larger sizes may take to measure together */
     const char *picture; /* path of a picture to write; null: none */
+    char *failure; /* RUN_FAILURE_MAX characters for why a run failed, which then shows nothing on
+                      stderr; null: there */
 } run_options;
 
+/* What holds where the command line says nothing. */
+void run_options_default(run_options *out);
+/* Parses an option that takes a value, as "--steps". False after a message. */
+bool run_options_set(const char *option, const char *value, run_options *out);
 /* Parses the arguments. False, after a message on stderr, if one is unknown or has no valid value,
  * or if no scene is named. */
 bool run_options_parse(int count, char **arguments, run_options *out);

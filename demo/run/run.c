@@ -11,6 +11,7 @@
 #include "without.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <time.h>
 #include <unistd.h>
@@ -29,6 +30,17 @@ static void log_to_stderr(thud_result result, const char *message, void *context
     fprintf(stderr, "thud: %s\n", message);
 }
 
+/* Writes why a run failed to where the options say, or to stderr. */
+static void fail(const run_options *options, const char *format, ...) {
+    char text[RUN_FAILURE_MAX];
+    va_list values;
+    va_start(values, format);
+    vsnprintf(options->failure ? options->failure : text, sizeof text, format, values);
+    va_end(values);
+    if (!options->failure)
+        fprintf(stderr, "thud-run: %s\n", text);
+}
+
 /* Builds the scene's world with the systems that the options choose. Null after a message. */
 static thud_world *build(const run_options *options, const scene *s, pool *threads) {
     thud_world_def def = thud_default_world_def();
@@ -40,7 +52,7 @@ static thud_world *build(const run_options *options, const scene *s, pool *threa
     def.time_step = 1 / options->rate;
     def.sleeping = !options->no_sleeping;
     def.clock = seconds_now;
-    def.log = log_to_stderr;
+    def.log = options->failure ? NULL : log_to_stderr;
     def.job_system = pool_job_system(threads);
     thud_quality quality;
     without_change_world(&def, &quality, options->without);
@@ -49,10 +61,11 @@ static thud_world *build(const run_options *options, const scene *s, pool *threa
     thud_result result = scene_build_thud(s, &def, &world, NULL, &failed_body);
     if (result == THUD_OK)
         return world;
-    fprintf(stderr, "thud-run: %s cannot be built: %s", s->name, thud_result_text(result));
+    char where[64] = "";
     if (failed_body >= 0)
-        fprintf(stderr, " (body %d, object %u)", failed_body, s->bodies[failed_body].id);
-    fputc('\n', stderr);
+        snprintf(where, sizeof where, " (body %d, object %u)", failed_body,
+                 s->bodies[failed_body].id);
+    fail(options, "%.200s cannot be built: %s%s", s->name, thud_result_text(result), where);
     return NULL;
 }
 
@@ -83,7 +96,7 @@ static void keep_worst(thud_step_error *worst, thud_step_error step, bool first)
 /* Steps the world and fills *o. False after a message, if a step fails. */
 static bool step_all(thud_world *world, const scene *s, const run_options *options,
                      const run_watch *watch, passing *passed, run_outcome *o) {
-    bool terminal = isatty(STDERR_FILENO);
+    bool terminal = !options->failure && isatty(STDERR_FILENO);
     double start = seconds_now(NULL), last_shown = 0;
     *o = (run_outcome){0};
     while (o->steps < options->steps) {
@@ -93,8 +106,7 @@ static bool step_all(thud_world *world, const scene *s, const run_options *optio
         if (result == THUD_OK)
             result = passing_after(passed, world, &o->passed);
         if (result != THUD_OK) {
-            fprintf(stderr, "thud-run: step %ld failed: %s\n", o->steps + 1,
-                    thud_result_text(result));
+            fail(options, "step %ld failed: %s", o->steps + 1, thud_result_text(result));
             return false;
         }
         o->steps++;
