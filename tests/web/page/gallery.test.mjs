@@ -115,6 +115,16 @@ for (const browser of BROWSERS)
     await close();
   });
 
+test("gallery_enter_runs_the_scene_whose_title_was_typed_before_the_first_found", async () => {
+  const { page, errors, close } = await openGallery();
+  await page.fill("#scene-search", "Terrain");
+  assert.notEqual((await offered(page))[0], "lab_terrain");
+  await page.press("#scene-search", "Enter");
+  await page.waitForFunction(() => location.search.includes("scene=lab_terrain"));
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test("gallery_search_for_nothing_there_is_says_so", async () => {
   const { page, close } = await openGallery();
   await page.fill("#scene-search", "zebra");

@@ -88,7 +88,8 @@ function cardOf(entry: SceneEntry, run: () => void): HTMLButtonElement {
   return button;
 }
 
-/** The search shows the cards that contain every typed word; Enter runs the first of them. */
+/** The search shows the cards that contain every typed word; Enter runs the one whose title is what
+ * was typed, or the first. */
 function addSearch(dialog: HTMLDialogElement, groups: readonly GroupOfCards[]): void {
   const field = byId<HTMLInputElement>("scene-search");
   const filter = () => {
@@ -109,7 +110,9 @@ function addSearch(dialog: HTMLDialogElement, groups: readonly GroupOfCards[]): 
   field.addEventListener("keydown", (event) => {
     if (event.key === "Enter" && field.value.trim() !== "") {
       event.preventDefault();
-      visibleCards()[0]?.click();
+      const typed = field.value.trim().toLowerCase();
+      const found = visibleCards();
+      (found.find((card) => titleOn(card).toLowerCase() === typed) ?? found[0])?.click();
     }
   });
   dialog.addEventListener("close", () => {
@@ -167,6 +170,10 @@ function neighbour(
   return beyond
     .filter((_, i) => distances[i] < row + 1)
     .sort((a, b) => Math.abs(a.box.left - left) - Math.abs(b.box.left - left))[0].card;
+}
+
+function titleOn(card: HTMLElement): string {
+  return card.querySelector("b")?.textContent ?? "";
 }
 
 /** The cards that match the search, in the order of the page. */
