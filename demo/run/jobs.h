@@ -66,6 +66,11 @@ bool jobs_options_parse(int count, char **arguments, jobs_options *out);
 bool jobs_read(const char *path, job_list *list);
 void jobs_free(job_list *list);
 
+/* The jobs of the list in the order of their ids. The caller frees it; null if memory runs out. */
+job **jobs_by_id(const job_list *list);
+/* Where in that order the job with the id stands, or null. */
+job **jobs_find(job **sorted, int count, char *id);
+
 /* The text of a file with a 0 behind it, and its length in bytes. Null after a message, or without
  * one where the file does not exist and `missing` is not null, which is then set. The caller frees
  * it. */

@@ -286,15 +286,26 @@ static int by_id(const void *a, const void *b) {
     return strcmp((*(job *const *)a)->id, (*(job *const *)b)->id);
 }
 
+job **jobs_by_id(const job_list *list) {
+    job **sorted = malloc(((size_t)list->count + 1) * sizeof *sorted);
+    for (int i = 0; sorted && i < list->count; i++)
+        sorted[i] = &list->jobs[i];
+    if (sorted)
+        qsort(sorted, (size_t)list->count, sizeof *sorted, by_id);
+    return sorted;
+}
+
+job **jobs_find(job **sorted, int count, char *id) {
+    job key = {.id = id}, *wanted = &key;
+    return bsearch(&wanted, sorted, (size_t)count, sizeof *sorted, by_id);
+}
+
 /* Whether no two jobs have the same id. */
 static bool check_ids(jobs_reader *r) {
     int count = r->list->count;
-    const job **sorted = malloc(((size_t)count + 1) * sizeof *sorted);
+    job **sorted = jobs_by_id(r->list);
     if (!sorted)
         return complain(r, "out of memory", "");
-    for (int i = 0; i < count; i++)
-        sorted[i] = &r->list->jobs[i];
-    qsort(sorted, (size_t)count, sizeof *sorted, by_id);
     bool unique = true;
     for (int i = 1; i < count && unique; i++) {
         unique = strcmp(sorted[i - 1]->id, sorted[i]->id) != 0;

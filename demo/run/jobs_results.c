@@ -50,10 +50,6 @@ char *job_result(const job *j, const run_outcome *o, double error, const char *f
     return text;
 }
 
-static int by_id(const void *a, const void *b) {
-    return strcmp((*(job *const *)a)->id, (*(job *const *)b)->id);
-}
-
 /* Marks the job of a result as done. False if the line is no result of a job of the list. */
 static bool mark(const char *line, job **sorted, int count) {
     cJSON *json = cJSON_ParseWithOpts(line, NULL, 1);
@@ -61,9 +57,7 @@ static bool mark(const char *line, job **sorted, int count) {
     char *text = cJSON_PrintUnformatted(cJSON_GetObjectItemCaseSensitive(json, "job"));
     bool whole = cJSON_IsString(cJSON_GetObjectItemCaseSensitive(json, "hash")) ||
                  cJSON_IsString(cJSON_GetObjectItemCaseSensitive(json, "failed"));
-    job key = {.id = id}, *wanted = &key;
-    job **found =
-        id && text && whole ? bsearch(&wanted, sorted, (size_t)count, sizeof *sorted, by_id) : NULL;
+    job **found = id && text && whole ? jobs_find(sorted, count, id) : NULL;
     bool known = found && strcmp((*found)->text, text) == 0;
     if (known)
         (*found)->done = true;
@@ -104,12 +98,8 @@ bool jobs_resume(const char *path, job_list *list) {
     char *text = jobs_read_text(path, &length, &missing);
     if (!text)
         return missing;
-    job **sorted = malloc(((size_t)list->count + 1) * sizeof *sorted);
-    for (int i = 0; sorted && i < list->count; i++)
-        sorted[i] = &list->jobs[i];
-    if (sorted)
-        qsort(sorted, (size_t)list->count, sizeof *sorted, by_id);
-    else
+    job **sorted = jobs_by_id(list);
+    if (!sorted)
         fprintf(stderr, "thud-run: out of memory\n");
     bool done = sorted && mark_all(path, text, length, sorted, list->count, &whole) &&
                 (whole == length || cut(path, whole));
