@@ -7,6 +7,7 @@ Usage: python3 test_jobs.py PATH_OF_THUD_RUN, in the root of the project.
 import json
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -221,6 +222,15 @@ class Jobs(unittest.TestCase):
             done = self.run_jobs(path)
             self.assertEqual((done.returncode, done.stdout), (2, ""))
             self.assertIn("thud-run:", done.stderr)
+
+    def test_example_of_the_documentation_runs(self):
+        text = pathlib.Path("docs/embedding.md").read_text(encoding="utf-8")
+        [jobs] = re.findall(r"^```json\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+        results = self.results(*jobs.splitlines())
+        self.assertEqual(set(results), {f"stack/{i}" for i in range(1, 7)} |
+                         {f"2/{i}" for i in range(1, 21)})
+        pushed = {result["hash"] for name, result in results.items() if name.startswith("2/")}
+        self.assertEqual(len(pushed), 20)
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")
     def test_results_that_cannot_be_written_give_1(self):
