@@ -32,8 +32,8 @@ typedef struct run_options {
     int repeats;         /* timed runs of each setting that comes into question */
     double patience;     /* s that larger sizes may take to measure together */
     const char *picture; /* path of a picture to write; null: none */
-    char *failure; /* RUN_FAILURE_MAX characters for why a run failed, which then shows nothing on
-                      stderr; null: there */
+    char *failure; /* where a run writes why it failed, RUN_FAILURE_MAX characters; the run then
+                      prints nothing. Null: it prints that, and its progress, on stderr */
 } run_options;
 
 /* What holds where the command line says nothing. */
