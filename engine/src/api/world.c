@@ -128,6 +128,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(preview.proxy, td_shape_proxy),
     ARRAY(preview.number, int),
     ARRAY(scratch.found_shapes, int),
+    ARRAY(scratch.near_rest, int),
     ARRAY(scratch.ahead, int),
     ARRAY(scratch.crowded, int),
     ARRAY(scratch.stamps, uint32_t),

@@ -276,11 +276,11 @@ static bool add_hits(void *context, int shape, const int *hits, int count) {
     return !s->crowded && hold_hits(s, shape, hits, count);
 }
 
-/* Puts the shapes of a proxy set whose bounds overlap those of `shape` into scratch.found_shapes.
- */
-static bool query(thud_world *w, const td_proxy_set *set, int shape) {
+/* Puts the shapes of a proxy set whose bounds overlap `bounds`, which lie near those of `shape`,
+ * into scratch.found_shapes. False when memory is short. */
+static bool query(thud_world *w, const td_proxy_set *set, const td_bounds *bounds, int shape) {
     w->scratch.found_shapes.count = 0;
-    return w->def.broadphase->find[w->wide](set, &w->memory, td_fat_at(w, shape),
+    return w->def.broadphase->find[w->wide](set, &w->memory, bounds,
                                             td_shape_proxy_at(w, shape)->center,
                                             &w->scratch.found_shapes, &w->broadphase.tested);
 }
@@ -330,7 +330,7 @@ static bool find_awake_pairs_of(thud_world *w, int shape, bool with_moved) {
     if (td_kind_is_line(td_shape_at(w, shape)->kind)) {
         return true;
     }
-    if (!query(w, &w->awake_shapes, shape)) {
+    if (!query(w, &w->awake_shapes, td_fat_at(w, shape), shape)) {
         return false;
     }
     for (int k = 0; k < w->scratch.found_shapes.count; k++) {
@@ -352,7 +352,7 @@ static bool find_resting_sensor_pairs_of(thud_world *w, int shape) {
     if ((!own && !w->mobile_sensors) || td_kind_is_line(td_shape_at(w, shape)->kind)) {
         return true;
     }
-    bool done = query(w, &w->rest_shapes, shape);
+    bool done = query(w, &w->rest_shapes, td_fat_at(w, shape), shape);
     for (int k = 0; k < w->scratch.found_shapes.count && done; k++) {
         const int *other = TD_AT(int, &w->scratch.found_shapes, k);
         bool finds = (own || td_senses(w, *other)) && !(has_moved(w, *other) && *other < shape);
@@ -364,36 +364,83 @@ static bool find_resting_sensor_pairs_of(thud_world *w, int shape) {
 
 /* Adds the new pairs of an awake shape with resting ones. False when memory is short. */
 static bool find_resting_pairs_of(thud_world *w, int shape) {
-    if (!query(w, &w->rest_shapes, shape)) {
+    if (!query(w, &w->rest_shapes, td_fat_at(w, shape), shape)) {
         return false;
     }
     w->broadphase.found += w->scratch.found_shapes.count;
     return add_new_pairs(w, shape, w->scratch.found_shapes.data, w->scratch.found_shapes.count, 0);
 }
 
+/* Resting shapes query the awake ones where they are fewer than one for so many moved awake ones.
+ * Chosen; not tuned. */
+enum { MOVED_PER_RESTING = 8 };
+/* The resting shapes near those that moved are looked for where they should be at most so many for
+ * each of these, if the resting ones were spread evenly. Chosen: a query costs as much as a hundred
+ * shapes that are found, so that what is looked for in vain costs little. */
+enum { RESTING_PER_MOVED = 4 };
+
+/* Sets *few to the resting shapes that shall query the awake ones, where these are few beside the
+ * awake shapes that moved: all resting shapes, or those whose bounds meet the bounds around all
+ * that moved. Null where they are many. False when memory is short. */
+static bool find_few_resting(thud_world *w, const td_array **few) {
+    td_scratch *scratch = &w->scratch;
+    const td_proxy_set *rest = &w->rest_shapes;
+    int few_max = (w->awake_shapes.moved_count - 1) / MOVED_PER_RESTING, last = TD_NONE;
+    *few = rest->ids.count <= few_max ? &rest->ids : NULL;
+    if (*few || few_max <= 0 || w->vast) {
+        return true;
+    }
+    td_bounds moved = {0};
+    for (int i = 0; i < w->moved.count; i++) {
+        int shape = td_int_at(&w->moved, i);
+        if (is_awake(w, shape)) {
+            const td_bounds *b = td_fat_at(w, shape);
+            moved = td_bounds_around(last == TD_NONE ? b : &moved, b);
+            last = shape;
+        }
+    }
+    double area = (double)td_wrap_sub(moved.max_x, moved.min_x) *
+                  (double)td_wrap_sub(moved.max_y, moved.min_y);
+    double whole = (double)(rest->end_x - rest->origin_x) * (double)(rest->end_y - rest->origin_y);
+    if (rest->ids.count * area >= RESTING_PER_MOVED * whole * w->awake_shapes.moved_count) {
+        return true;
+    }
+    if (!query(w, rest, &moved, last)) {
+        return false;
+    }
+    if (scratch->found_shapes.count <= few_max) {
+        td_array found = scratch->found_shapes;
+        scratch->found_shapes = scratch->near_rest;
+        scratch->near_rest = found;
+        *few = &scratch->near_rest;
+    }
+    return true;
+}
+
 /* Adds every new pair of an awake and a resting shape of which one moved, and of two resting ones
- * with a sensor. Where the resting shapes are fewer than an eighth of the awake ones that moved,
- * each resting shape queries the awake set; else each moved awake shape queries the resting set.
- * (The eighth is chosen; not tuned.) Resting shapes that moved also query the awake set for shapes
- * that did not move, unless all of those moved, as in the first step. False when memory is short.
- */
+ * with a sensor. Where few resting shapes are near the awake ones that moved, each of those queries
+ * the awake set; else each moved awake shape queries the resting set. Resting shapes that moved
+ * also query the awake set for shapes that did not move, unless all of those moved, as in the first
+ * step. False when memory is short. */
 static bool find_mixed_pairs(thud_world *w) {
-    const td_array *rest = &w->rest_shapes.ids;
     bool all_moved = w->awake_shapes.moved_count == w->awake_shapes.ids.count;
-    bool few_rest = rest->count * 8 < w->awake_shapes.moved_count;
-    for (int i = 0; i < rest->count && few_rest; i++) {
-        if (!find_awake_pairs_of(w, td_int_at(rest, i), true)) {
+    const td_array *few;
+    if (!find_few_resting(w, &few)) {
+        return false;
+    }
+    for (int i = 0; few && i < few->count; i++) {
+        if (!find_awake_pairs_of(w, td_int_at(few, i), true)) {
             return false;
         }
     }
     bool moved_rest = w->awake_shapes.moved_count < w->moved.count;
-    if (few_rest && !moved_rest) {
+    if (few && !moved_rest) {
         return true;
     }
     for (int i = 0; i < w->moved.count; i++) {
         int shape = td_int_at(&w->moved, i);
         bool done = is_awake(w, shape)
-                        ? few_rest || rest->count == 0 || find_resting_pairs_of(w, shape)
+                        ? few || w->rest_shapes.ids.count == 0 || find_resting_pairs_of(w, shape)
                         : (all_moved || find_awake_pairs_of(w, shape, false)) &&
                               find_resting_sensor_pairs_of(w, shape);
         if (!done) {

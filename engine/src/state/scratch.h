@@ -8,6 +8,7 @@
 
 typedef struct td_scratch {
     td_array found_shapes;        /* int: shapes that a broadphase search has found */
+    td_array near_rest;           /* int: resting shapes near the awake ones that moved */
     td_array ahead;               /* int: resting shapes that a fast body may hit */
     td_array crowded;             /* int: shapes of a crowd that may lack contacts: broadphase.c */
     td_array stamps;              /* uint32_t, by shape: partners have `stamp`: stamp_partners */

@@ -209,6 +209,41 @@ static void grid_tests_as_many_bounds_a_shape_among_many_as_among_few(void **sta
     }
 }
 
+/* The pairs that are found in a step in which a hundred balls fly about near three resting ones,
+ * among ten thousand that rest elsewhere; `stray`: one more ball flies far away from all, so that
+ * the resting balls near what moves are not few. */
+static int64_t pairs_near_rest(const thud_broadphase *broadphase, bool stray) {
+    thud_world *world = world_with(broadphase, 0);
+    thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
+    thud_shape_def def = thud_default_shape_def();
+    for (int i = 0; i < 10000; i++) {
+        thud_vec2 center = {4 * (float)(i % 100), -20 - 4 * (float)(i / 100)};
+        OK(thud_shape_create_circle(world, ground, &def, center, 0.5f, NULL));
+    }
+    for (int i = 0; i < 3; i++) {
+        thud_vec2 center = {85 + 10 * (float)i, 10};
+        OK(thud_shape_create_circle(world, ground, &def, center, 3, NULL));
+    }
+    for (int i = 0; i < 100 + stray; i++) {
+        double x = i < 100 ? 80 + 3 * (i % 10) : 390, y = i < 100 ? 3 * (double)(i / 10) : -410;
+        OK(thud_body_set_velocity(world, ball_at(world, x, y), (thud_vec2){20, 20}, 0));
+    }
+    run(world, 2); /* in the first step all shapes are new */
+    thud_broadphase_counts counts = counts_of(world);
+    assert_int_equal(counts.moved, 100 + stray);
+    thud_world_destroy(world);
+    return counts.found;
+}
+
+static void what_rests_near_what_moves_is_found_among_much_that_rests(void **state) {
+    (void)state;
+    int64_t found = pairs_near_rest(&thud_broadphase_grid, true);
+    assert_true(found > 10);
+    for (int b = 0; b < BROADPHASES_IN_ALL; b++) {
+        assert_int_equal(pairs_near_rest(broadphases[b], false), found);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_broadphase_finds_the_same_pairs_of_all_that_there_are),
@@ -218,6 +253,7 @@ int main(void) {
         cmocka_unit_test(larger_shapes_have_cells_of_their_own),
         cmocka_unit_test(insertion_sort_moves_a_key_past_each_that_it_has_overtaken),
         cmocka_unit_test(counts_are_those_of_the_baseline_instruction_set),
+        cmocka_unit_test(what_rests_near_what_moves_is_found_among_much_that_rests),
         cmocka_unit_test(grid_tests_as_many_bounds_a_shape_among_many_as_among_few),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
