@@ -1,5 +1,5 @@
-/* wide_lock.c: solver passes for the locked directions of a joint (along u, across v, turn), of
- * which up to three are solved at once as a block (lock_matrix_of). Impulses are those of point[0],
+/* wide_lock.c: solver passes for the locked directions of a joint (along u, across v, turn). The up
+ * to three rows are solved at once as one block (lock_matrix_of). Impulses are those of point[0],
  * of point[1], and of the tangent. */
 #include "joints/wide_joint.h"
 
@@ -35,8 +35,8 @@ typedef struct lock_matrix {
 /* All rows of a lane are solved at once: Gauss-Seidel over them converges slowly where arms are
  * long, that is, where mass times arm^2 is large beside the moment of inertia. With i = 1 / I of
  * either side, m the sum of inverse masses, a and b the lever arms, d = b - a, and d_u = d x u as
- * arms are crossed with directions, these formulas give the Schur complement without differences,
- * which would cancel in single precision:
+ * arms are crossed with directions, these formulas give the Schur complement without subtractions,
+ * which would suffer cancellation in single precision:
  *     turn locked:  K_uu - K_ut^2 / K_tt = m + i_a i_b / (i_a + i_b) d_u^2
  *                   det = m^2 + m i_a i_b / (i_a + i_b) |d|^2
  *     turn free:    det = m^2 + m (i_a |a|^2 + i_b |b|^2) + i_a i_b (a x b)^2
