@@ -3,8 +3,9 @@
  *
  * A row of penalty weight D and multiplier y (the latest estimate of its impulse) acts on its
  * bodies by
- *     unilateral: impulse = max(0, y - D (J v - target)) equality: impulse = y - D (J v - target)
- *     friction: impulse = y - D (J v - target), clamped to -max_impulse and max_impulse
+ *     unilateral:  impulse = max(0, y - D (J v - target))
+ *     equality:    impulse = y - D (J v - target)
+ *     friction:    impulse = y - D (J v - target), clamped to -max_impulse and max_impulse
  * (Hestenes, "Multiplier and gradient methods", 1969; Powell, "A method for nonlinear constraints
  * in minimization problems", 1969; for inequalities Rockafellar, "The multiplier method of Hestenes
  * and Powell applied to convex programming", 1973). These impulses are the gradient of a function

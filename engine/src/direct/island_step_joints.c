@@ -300,7 +300,8 @@ static bool has_only_locks_and_springs(const td_island_work *work) {
  * - Where gaps were closed, all rows are solved for anew, from the velocities without impulses.
  * - Otherwise impulses of equality rows are kept, and the rest is solved for. In an island without
  *   contacts, limits and motors nothing is solved unless the velocities violate the joints' rows by
- *   more than END_ERROR_MAX g h. Returns the residual, as a speed. */
+ *   more than END_ERROR_MAX g h.
+ * Returns the residual, as a speed. */
 static double solve_end_velocity(td_island_work *work, double start, double tolerance) {
     td_direct *d = &work->problem;
     td_island_extrapolate(work);
