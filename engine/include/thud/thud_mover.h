@@ -77,7 +77,8 @@ struct thud_mover {
     thud_body_id body;    /* a kinematic body that follows the mover's centre, so that dynamic
                              bodies and sensors react to it: each move sets the velocity by which
                              the next step brings the body to the mover. Default null: none */
-    thud_query_filter filter; /* which shapes stop the mover; default all but sensors. Sensors never
+    thud_query_filter filter; /* which shapes stop the mover; default all except sensors. Sensors
+                                 never
                                 stop it; with `sensors` the report lists those that it passes */
     thud_mover_pass_fn *pass; /* default null: the mover passes through no shape */
     void *context;            /* passed to pass */

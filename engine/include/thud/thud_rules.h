@@ -44,8 +44,9 @@ typedef struct thud_rule {
     float friction;      /* coefficient, [0, THUD_FRICTION_MAX]; default NaN */
     float restitution;   /* [0, THUD_PAIR_RESTITUTION_MAX]; default NaN */
     float surface_speed; /* length/s, |.| <= THUD_SURFACE_SPEED_MAX length scales a second; default
-                            NaN. Clockwise speed of the surface, as in thud_shape_def, for each of
-                            the two shapes */
+                            NaN. Replaces the sum of both shapes' surface speeds: the speed at which
+                            one surface moves over the other, clockwise about either shape, as in
+                            thud_shape_def */
     /* mass * length / s, >= 0: a contact whose normal impulse in a step is larger than this makes
      * an event, see thud_world_get_impulse_events. Default infinite: no events. */
     float event_impulse;

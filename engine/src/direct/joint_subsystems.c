@@ -25,8 +25,8 @@ enum { BACKOFF_MAX = 5 };
 /* If more joints than this are overloaded in the world, no linkage is solved: in a crowd of
  * ragdolls the solves would cost much and improve little. Chosen. */
 enum { OVERLOADED_MAX = 64 };
-/* A linkage is solved if at least one in so many of its joints is overloaded: the soft solver
- * corrects a few overloaded joints by itself. Chosen. */
+/* A linkage is solved if at least one in OVERLOADED_PART of its joints is overloaded: the soft
+ * solver corrects a few overloaded joints by itself. Chosen. */
 enum { OVERLOADED_PART = 2 };
 /* The value of td_islands.local of bodies whose linkage cannot be solved in this step. */
 enum { UNFIT = -5 };

@@ -16,7 +16,7 @@
 
 /* ---- reading ---- */
 
-/* The texture of a shape; null: it is no line, or has none. */
+/* The texture of a shape; null if it is not a line or has none. */
 static const td_texture *texture_of(const thud_world *w, int shape) {
     const td_shape *s = td_shape_at(w, shape);
     return w->texture_hooks && s->terrain != TD_NONE ? td_texture_of(w, s->terrain) : NULL;
