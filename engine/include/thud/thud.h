@@ -13,15 +13,16 @@
  * its type.
  *
  * Reads: thud_X_get_Y(..., out) writes the value and returns a thud_result. For use in expressions
- * some have an inline twin thud_Y_of(...), which returns the value, or zero where the read is
- * refused. Lists end with (out, capacity, out_count): at most `capacity` (>= 0) elements are
- * written, and *out_count is the number of all; `out` may be null where capacity is 0.
+ * some have an inline variant thud_Y_of(...), which returns the value, or zero if the read fails.
+ * Lists end with (out, capacity, out_count): at most `capacity` (>= 0) elements are written, and
+ * *out_count is the number of all; `out` may be null where capacity is 0.
  *
  * Structs: every def (thud_..._def) must be initialised by its thud_default_... function, which
- * sets the defaults and a cookie. A def without the cookie, for example a zeroed one, is refused,
- * and so is a zeroed one of the other structs that have such a function (query filter, rule, mover,
- * explosion, water). In options (thud_..._options) zero is the default of every field. The ranges
- * of all values are in thud_limits.h; thud_math.h says which vector type is used where.
+ * sets the defaults and a cookie. A def without the cookie, for example a zeroed one, is
+ * THUD_ERROR_INVALID. The other structs with such a function (query filter, rule, mover, explosion,
+ * water) are refused likewise if they are zeroed. In options (thud_..._options) zero is the default
+ * of every field. The ranges of all values are in thud_limits.h; thud_math.h says which vector type
+ * is used where.
  *
  * Errors: every call that can fail returns a thud_result. When a call fails, it has changed
  * nothing, written no output, and the log hook has been told the reason. Output pointers may be
@@ -62,21 +63,22 @@ typedef struct thud_contact {
     thud_vec2 normal;      /* unit, from a to b */
     thud_pos point;        /* the middle of the contact points */
     float separation;      /* length, of the deepest point; negative: penetration */
-    float normal_impulse;  /* epilogue only: the sum applied over the step, mass * length / s */
-    float tangent_impulse; /* epilogue only: that of friction on b, along (normal.y, -normal.x) */
+    float normal_impulse;  /* epilogue only: sum over the step, mass * length / s */
+    float tangent_impulse; /* epilogue only: friction impulse on b over the step, along (normal.y,
+                              -normal.x) */
     int point_count;       /* 1 or 2 */
 } thud_contact;
 
 /* The surface of a pair of shapes in this step. A prologue (pre-solve callback) gets the values
- * that follow from the two shapes, and may change them. Where a value is not finite or out of
- * range, the log hook is told, and the pair keeps its own values. */
+ * that follow from the two shapes, and may change them. A value that is not finite or out of range
+ * is logged, and the pair keeps the values of its shapes. */
 typedef struct thud_contact_settings {
     float friction;      /* coefficient, [0, THUD_FRICTION_MAX] */
-    float restitution;   /* speed after over speed before, [0, THUD_PAIR_RESTITUTION_MAX]; above 1 a
-                            bounce adds energy */
+    float restitution;   /* ratio of the speed after a bounce to the speed before, [0,
+                            THUD_PAIR_RESTITUTION_MAX]; above 1 a bounce adds energy */
     float surface_speed; /* length/s, |.| <= THUD_SURFACE_SPEED_MAX length scales a second: the
                             speed of b over a at which friction is zero, along (normal.y,
-                            -normal.x), which is +x where b lies on top of a */
+                            -normal.x), which is +x if b lies on top of a */
 } thud_contact_settings;
 
 typedef struct thud_world_def {
@@ -87,7 +89,7 @@ typedef struct thud_world_def {
                            engine is a multiple of it */
     const thud_quality *quality; /* default &thud_quality_default; never null */
     /* Overrides of the quality; the default 0 takes the value of the quality. */
-    int substeps;            /* a step is divided into so many, 1 .. THUD_SUBSTEPS_MAX */
+    int substeps;            /* number of substeps in a step, 1 .. THUD_SUBSTEPS_MAX */
     float contact_stiffness; /* see thud_quality; [THUD_CONTACT_STIFFNESS_MIN,
                                 THUD_CONTACT_STIFFNESS_MAX] */
     float contact_damping;   /* see thud_quality; [0, THUD_CONTACT_DAMPING_MAX] */
@@ -100,9 +102,9 @@ typedef struct thud_world_def {
                                     gravity * time_step / 8 */
     float
         hit_speed; /* [0, THUD_SPEED_MAX]: pairs that approach faster make hit events; default 1 */
-    float maximum_speed; /* (0, THUD_SPEED_MAX]; default THUD_SPEED_MAX. A step clamps x and y of a
-                            velocity to it, each by itself; after an impact within a step a body may
-                            be faster until the next step */
+    float maximum_speed; /* (0, THUD_SPEED_MAX]; default THUD_SPEED_MAX. A step clamps the
+                            components x and y of a velocity to it; after an impact within a step a
+                            body may be faster until the next step */
     bool sleeping; /* default true. An island (bodies that constraints connect) falls asleep once
                       each of its bodies has been slower than 0.05 length scales a second for 0.5 s,
                       and no gap of a joint and no overlap in it closes faster than that */
@@ -111,17 +113,18 @@ typedef struct thud_world_def {
     thud_allocator allocator; /* default (all zero): the C library's */
     thud_log_fn *log;     /* default null: no log; where thud is built without NDEBUG the default is
                              thud_log_to_stderr */
-    void *log_context;    /* handed to log */
+    void *log_context;    /* passed to log */
     thud_clock_fn *clock; /* default null: stages are not timed */
-    void *clock_context;  /* handed to clock */
+    void *clock_context;  /* passed to clock */
     double max_error;     /* length, [0, THUD_MAX_ERROR_MAX]; default 0: no limit. An island with a
-                             contact that overlaps by more, or will under its load, is solved by the
-                             quality's island solver until the soft solver keeps to the limit again.
-                             Needs a quality with an island solver (thud_quality.islands) */
-    double time_budget;   /* s a step, [0, THUD_TIME_BUDGET_MAX]; default 0: no budget. Where steps
+                             contact that overlaps by more, or will do so under its load, is solved
+                             by the quality's island solver until the soft solver, which solves all
+                             other islands, keeps to the limit again. Needs a quality with an island
+                             solver (thud_quality.islands) */
+    double time_budget;   /* s a step, [0, THUD_TIME_BUDGET_MAX]; default 0: no budget. If steps
                              take longer, substeps and the quality's island_work are halved, down to
-                             one substep, and doubled again where time allows. Results then depend
-                             on the clock, and differ from run to run. Needs `clock` */
+                             one substep, and doubled again when time allows. Results then depend on
+                             the clock, and differ from run to run. Needs `clock` */
     const thud_detection *detection;   /* default null: the quality's */
     const thud_broadphase *broadphase; /* default, also for null: &thud_broadphase_grid */
     float cell_size; /* length, [0, THUD_SIZE_MAX length scales]: the width of the cells of
@@ -148,30 +151,30 @@ THUD_API void thud_world_destroy(thud_world *world);
 /* Runs one step of time_step seconds. A body without contacts and joints follows the exact path of
  * its acceleration and damping, at every quality, to the rounding of its velocity to a float. On
  * THUD_ERROR_MEMORY no body has moved and no event is reported, but edits have taken effect, and
- * bodies that the step was to wake may be awake. A step that is run again ends with the same
- * results, bit for bit, and the same events. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback.
- */
+ * bodies that the step was going to wake may be awake. If the step is run again, it has the same
+ * results, bit for bit, and the same events. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a
+ * callback. */
 THUD_API thud_result thud_world_step(thud_world *world);
 
 /* Advances the world by `elapsed` seconds, in [0, THUD_ADVANCE_MAX]: runs the whole steps that fit
- * into it together with the time that earlier calls left over, but at most `max_steps` (>= 1), and
- * drops the time of further steps. *out_steps: the number of steps run. *out_alpha, in [0, 1): the
- * time left over as a fraction of a step, for thud_world_get_poses. Call it once a frame; the
- * motion does not depend on the frame rate:
+ * into this time plus the remainder of earlier calls, but at most `max_steps` (>= 1), and drops the
+ * time of further steps. *out_steps: the number of steps run. *out_alpha, in [0, 1): the time left
+ * over as a fraction of a step, for thud_world_get_poses. Call it once a frame; the motion does not
+ * depend on the frame rate.
  *
  * Events, meetings, broken joints and impulses (thud_events_of and so on) are afterwards those
  * of all steps of the call, in order; none if it ran no step.
  *
- * Forces that were applied since the last call act over all of `elapsed`: each step applies their
- * mean over its time, also where its time comes from several calls. So a force that is applied
- * before each call acts all the time at any frame rate, and a force that is applied once acts for
- * one frame. For forces that shall act in a single step, or that depend on positions or velocities
- * of bodies, as those of thud_fields.h, use `before` of thud_world_advance_with.
+ * Forces that were applied since the last call act during all of `elapsed`: each step applies their
+ * mean over its time, even if its time comes from several calls. So a force that is applied before
+ * each call acts continuously at any frame rate, and a force that is applied once acts for one
+ * frame. For forces that act in a single step, or that depend on positions or velocities of bodies,
+ * such as those of thud_fields.h, use `before` of thud_world_advance_with.
  *
- * Where a step runs out of memory the call returns THUD_ERROR_MEMORY; *out_steps, *out_alpha and
- * the events are those of the steps before it, and the rest of the time waits for the next call. If
- * it was the first step, nothing has changed. THUD_ERROR_NULL; THUD_ERROR_INVALID for a value out
- * of range; THUD_ERROR_LOCKED inside a callback. */
+ * If a step runs out of memory the call returns THUD_ERROR_MEMORY; *out_steps, *out_alpha and the
+ * events are those of the steps before it, and the rest of the time waits for the next call. If it
+ * was the first step, nothing has changed. THUD_ERROR_NULL; THUD_ERROR_INVALID for a value out of
+ * range; THUD_ERROR_LOCKED inside a callback. */
 THUD_API thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps,
                                         int *out_steps, double *out_alpha);
 
@@ -181,11 +184,11 @@ typedef void thud_step_fn(thud_world *world, void *context);
  * snapshot as between two calls of thud_world_step; only stepping, thud_world_restore and
  * thud_world_destroy are THUD_ERROR_LOCKED. Forces applied inside them act in one step: those of
  * `before` in the step that follows, those of `after` in the one after it. Events are those of the
- * last step alone; in `after`, of the step just run. When a step that ran out of memory is tried
- * again, `before` is not called again. */
+ * last step alone; in `after` these are the events of the step just run. When a step that ran out
+ * of memory is tried again, `before` is not called again. */
 typedef struct thud_step_calls {
     thud_step_fn *before, *after; /* null: not called */
-    void *context;                /* handed to both */
+    void *context;                /* passed to both */
 } thud_step_calls;
 
 /* As thud_world_advance, with these callbacks; `calls` may be null. */
@@ -199,15 +202,15 @@ THUD_API thud_result thud_world_set_log(thud_world *world, thud_log_fn *log, voi
 
 /* Settings take effect with the next step. All return THUD_ERROR_NULL for a null world,
  * THUD_ERROR_INVALID for a value out of range, and THUD_ERROR_LOCKED inside a callback, because the
- * step under way has begun with the old value. */
+ * present step has begun with the old value. */
 /* length/s^2, finite. Wakes all bodies. */
 THUD_API thud_result thud_world_set_gravity(thud_world *world, thud_vec2 gravity);
 /* The length of a step, s, (0, THUD_TIME_STEP_MAX]. */
 THUD_API thud_result thud_world_set_time_step(thud_world *world, double time_step);
 /* length, [0, THUD_MAX_ERROR_MAX]; see thud_world_def.max_error. */
 THUD_API thud_result thud_world_set_max_error(thud_world *world, double max_error);
-/* Substeps, contact_stiffness, contact_damping and detection that the def of the world set itself
- * keep their values. `quality` is copied. Wakes all bodies. */
+/* Substeps, contact_stiffness, contact_damping and detection keep their values if the def of the
+ * world set them. `quality` is copied. Wakes all bodies. */
 THUD_API thud_result thud_world_set_quality(thud_world *world, const thud_quality *quality);
 /* Whether islands fall asleep; false wakes all bodies. */
 THUD_API thud_result thud_world_set_sleeping(thud_world *world, bool sleeping);
@@ -231,9 +234,9 @@ typedef struct thud_body_def {
     float angular_velocity; /* rad/s; default 0; must be 0 for static bodies. A step clamps it to
                                |.| <= THUD_ANGULAR_SPEED_MAX */
     float gravity_scale;    /* factor of the world's gravity, finite; default 1 */
-    float linear_damping;   /* 1/s, >= 0; default 0. What is left of a velocity after t seconds is
-                               exp(-damping * t) of it */
-    float angular_damping;  /* 1/s, >= 0; default 0; the same of the angular velocity */
+    float linear_damping;   /* 1/s, >= 0; default 0. After t seconds a velocity is multiplied by
+                               exp(-damping * t) */
+    float angular_damping;  /* 1/s, >= 0; default 0; the same for the angular velocity */
     bool fixed_rotation;    /* no torque turns the body; default false */
     bool may_sleep;         /* default true */
     const thud_detection *detection; /* default null: the world's */
@@ -245,7 +248,8 @@ THUD_API thud_body_def thud_default_body_def(void);
 
 /* Creates a body without shapes; *out (may be null) is its handle. THUD_ERROR_NULL for a null world
  * or def, THUD_ERROR_INVALID for a def without cookie or with a field out of range,
- * THUD_ERROR_MEMORY. Inside a callback the body enters the world with the next step. */
+ * THUD_ERROR_MEMORY. A body that is created inside a callback is added to the world in the next
+ * step. */
 THUD_NODISCARD THUD_API thud_result thud_body_create(thud_world *world, const thud_body_def *def,
                                                      thud_body_id *out);
 /* Destroys a body with its shapes and joints. THUD_ERROR_NULL, THUD_ERROR_STALE. */
@@ -262,8 +266,8 @@ typedef struct thud_body_state {
     thud_vec2 velocity;     /* of the centre of mass, length/s */
     float angular_velocity; /* rad/s */
     float mass, inertia; /* inertia: about the centre of mass, mass * length^2; 0 when rotation is
-                            fixed. Both are 0 for static and kinematic bodies; the mass of a dynamic
-                            body whose shapes have none is 1 */
+                            fixed. Both are 0 for static and kinematic bodies; a dynamic body whose
+                            shapes have no mass has mass 1 */
     float gravity_scale;
     bool awake, enabled;
     bool quarantined; /* its position or velocity became non-finite, and the engine stopped it */
@@ -275,14 +279,15 @@ typedef struct thud_body_state {
 THUD_API thud_result thud_body_get_state(const thud_world *world, thud_body_id body,
                                          thud_body_state *out);
 
-/* Edits. An edit wakes the body and the bodies that touch it. Places and angles have the ranges of
- * the def. All edits take effect together when the next step begins; queries before it already see
- * shapes where edits put them. Edits inside a callback wait for the start of the next step, and are
- * applied after the edits that are made between the steps: until then no query sees them, and a
- * shape that was made there takes part in nothing, and has no mass. What is destroyed inside a
- * callback is stale at once. All return THUD_ERROR_NULL for a null world, THUD_ERROR_STALE,
- * THUD_ERROR_INVALID for a value out of range, and, inside a callback, THUD_ERROR_MEMORY. */
-/* Puts the body's origin at a place, and turns it to an angle, rad. The angle of a body with an
+/* Edits. An edit wakes the body and the bodies that touch it. Positions and angles have the ranges
+ * of the def. All edits take effect together when the next step begins; queries before it already
+ * see shapes at the poses that edits gave them. Edits inside a callback wait for the start of the
+ * next step, and are applied after the edits that are made between the steps: until then no query
+ * sees them, and a shape that was created inside a callback has no contacts and no mass. Handles of
+ * objects that are destroyed inside a callback are stale at once. All return THUD_ERROR_NULL for a
+ * null world, THUD_ERROR_STALE, THUD_ERROR_INVALID for a value out of range, and, inside a
+ * callback, THUD_ERROR_MEMORY. */
+/* Sets the position of the body's origin, and the body's angle, rad. The angle of a body with an
  * AABB or terrain must be 0. */
 THUD_API thud_result thud_body_set_transform(thud_world *world, thud_body_id body,
                                              thud_pos position, double angle);
@@ -290,21 +295,21 @@ THUD_API thud_result thud_body_set_transform(thud_world *world, thud_body_id bod
  * THUD_ERROR_INVALID for a static body, and for a kinematic body with an AABB that would turn. */
 THUD_API thud_result thud_body_set_velocity(thud_world *world, thud_body_id body,
                                             thud_vec2 velocity, float angular_velocity);
-/* Changes the velocities of a dynamic body by an impulse, mass * length / s, at a point of the
- * world. |x|, |y| of the point <= THUD_PLACE_MAX length scales. */
+/* Changes the velocities of a dynamic body by an impulse, mass * length / s, at a point in world
+ * coordinates, |x|, |y| <= THUD_PLACE_MAX length scales. */
 THUD_API thud_result thud_body_apply_impulse(thud_world *world, thud_body_id body,
                                              thud_vec2 impulse, thud_pos point);
 /* Applies a force, mass * length / s^2, at the centre of mass of a dynamic body, or a torque, mass
- * * length^2 / s^2, through the next step, or through the time of the next thud_world_advance;
- * forces and torques add up. At a point of the body: thud_forces.h. */
+ * * length^2 / s^2, during the next step, or during `elapsed` of the next thud_world_advance;
+ *   forces and torques add up. At a point of the body: thud_forces.h. */
 THUD_API thud_result thud_body_apply_center_force(thud_world *world, thud_body_id body,
                                                   thud_vec2 force);
 THUD_API thud_result thud_body_apply_torque(thud_world *world, thud_body_id body, float torque);
-/* Of a dynamic body: true wakes it. False: it counts as at rest from now on, and falls asleep as
- * soon as its whole island does. */
+/* For a dynamic body: true wakes it. False: it counts as at rest, and falls asleep as soon as all
+ * bodies of its island are at rest. */
 THUD_API thud_result thud_body_set_awake(thud_world *world, thud_body_id body, bool awake);
 /* False removes the body and its shapes from the simulation, as if it were destroyed: its contacts
- * end, and no body, query or joint acts on it. True brings it back at its place, with the velocity
+ * end, and no body, query or joint acts on it. True brings it back at its pose, with the velocity
  * that it had. */
 THUD_API thud_result thud_body_set_enabled(thud_world *world, thud_body_id body, bool enabled);
 /* Does not wake the body, and takes effect at once. */
@@ -318,24 +323,26 @@ THUD_API thud_result thud_body_get_shapes(const thud_world *world, thud_body_id 
 
 /* ---- shapes ---- */
 
-/* Which shapes collide: those where the category of each is in the mask of the other. */
+/* Which shapes collide: two shapes collide if the category of each is in the mask of the other. */
 typedef struct thud_filter {
     uint32_t category; /* bits: what the shape is; default 1 */
     uint32_t mask;     /* bits: the categories that it collides with; default all */
     int32_t group; /* two shapes of the same group > 0 always collide, of the same group < 0 never,
                       whatever category and mask are; default 0: no group */
-} thud_filter;     /* an all-zero filter collides with nothing, which the log is told */
+} thud_filter;     /* an all-zero filter collides with nothing, which is logged */
 
 typedef struct thud_shape_def {
     float density;     /* mass / length^2, [0, THUD_DENSITY_MAX]; default 1 */
     float friction;    /* coefficient, [0, THUD_FRICTION_MAX]; default 0.6. A pair has the geometric
-                          mean of its two */
-    float restitution; /* [0, THUD_RESTITUTION_MAX]; default 0. A pair has the larger of its two */
+                          mean of both values */
+    float restitution; /* [0, THUD_RESTITUTION_MAX]; default 0. A pair has the larger of both
+                          values */
     float surface_speed; /* length/s, |.| <= THUD_SURFACE_SPEED_MAX length scales a second; default
                             0. The surface moves clockwise about the shape at this speed, to +x on
-                            its top, like a conveyor belt. A pair has the sum of its two */
+                            its top, like a conveyor belt. A pair has the sum of both values */
     thud_filter filter;  /* default: category 1, mask all, no group */
-    bool sensor; /* reports overlaps and collides with nothing, see thud_events.h; default false */
+    bool sensor; /* the shape reports overlaps and collides with nothing, see thud_events.h; default
+                    false */
     bool events; /* default true; false: no contact of the shape makes events, see thud_events.h */
     uint64_t user_data; /* the caller's own; default 0 */
     uint32_t cookie;    /* set by thud_default_shape_def */
@@ -345,11 +352,11 @@ THUD_API thud_shape_def thud_default_shape_def(void);
 
 /* Creating shapes. The offset is the shape's centre in the body's frame, |x|, |y| <= THUD_SIZE_MAX
  * length scales. Sizes (radius, half extents) lie in [THUD_SIZE_MIN, THUD_SIZE_MAX] length scales,
- * of static bodies in [THUD_SIZE_MIN, THUD_STATIC_SIZE_MAX]; longer ground is a terrain, or several
- * boxes. The surface of a large shape that is turned, or large in both directions, is rounded to
- * 1e-7 of its size. |angle| <= THUD_ANGLE_MAX. *out (may be null) is the shape's handle. All return
- * THUD_ERROR_NULL for a null world or def, THUD_ERROR_STALE for the body, THUD_ERROR_INVALID for a
- * value out of range, and THUD_ERROR_MEMORY. */
+ * on static bodies in [THUD_SIZE_MIN, THUD_STATIC_SIZE_MAX]; for longer ground use a terrain or
+ * several boxes. If a large shape is rotated, or large in both directions, the position of its
+ * surface is rounded to 1e-7 of its size. |angle| <= THUD_ANGLE_MAX. *out (may be null) is the
+ * shape's handle. All return THUD_ERROR_NULL for a null world or def, THUD_ERROR_STALE for the
+ * body, THUD_ERROR_INVALID for a value out of range, and THUD_ERROR_MEMORY. */
 THUD_NODISCARD THUD_API thud_result thud_shape_create_circle(thud_world *world, thud_body_id body,
                                                              const thud_shape_def *def,
                                                              thud_vec2 offset, float radius,
@@ -365,7 +372,7 @@ THUD_NODISCARD THUD_API thud_result thud_shape_create_obb(thud_world *world, thu
                                                           const thud_shape_def *def,
                                                           thud_vec2 offset, thud_vec2 half_extents,
                                                           double angle, thud_shape_id *out);
-/* A ground line, on a static body with angle 0 only. Its coordinates are relative to the body's
+/* A ground line; only on a static body with angle 0. Its coordinates are relative to the body's
  * origin. The points are copied. */
 THUD_NODISCARD THUD_API thud_result thud_shape_create_terrain(thud_world *world, thud_body_id body,
                                                               const thud_shape_def *def,
@@ -407,12 +414,12 @@ typedef struct thud_pose {
 /* The poses of all bodies between the last two steps, interpolated by alpha in [0, 1] (0: the step
  * before, 1: the last step). The array *out is indexed by slot (thud_body_id.index1 - 1) and has
  * *out_count elements; slots without a body have x = y = NaN. It belongs to the world and is valid
- * until the world's next call. THUD_ERROR_NULL, THUD_ERROR_INVALID where alpha is out of range or
+ * until the world's next call. THUD_ERROR_NULL, THUD_ERROR_INVALID if alpha is out of range or
  * |origin.x| or |origin.y| > THUD_PLACE_MAX length scales, THUD_ERROR_MEMORY. */
 THUD_API thud_result thud_world_get_poses(thud_world *world, thud_pos origin, double alpha,
                                           const thud_pose **out, int *out_count);
 
-/* The same array, and its size in *out_count; null and 0 where the call is refused. */
+/* Returns the same array, and its size in *out_count; null and 0 if the call fails. */
 static inline const thud_pose *thud_poses_of(thud_world *world, thud_pos origin, double alpha,
                                              int *out_count) {
     const thud_pose *poses = NULL;
@@ -454,20 +461,20 @@ typedef struct thud_stats {
     uint64_t step_allocations; /* allocations of the last step */
     double stage_seconds[THUD_STAGE_COUNT]; /* of the last step; 0 without a clock */
     double step_seconds;                    /* of the whole step; 0 without a clock */
-    /* Islands solved directly in the last step, also those of joints, see thud_joint.h. */
+    /* Islands solved directly in the last step, also because of joints, see thud_joint.h. */
     int direct_islands, direct_bodies;
-    int soft_islands;    /* those of them that kept the result of the soft solver */
+    int soft_islands;    /* of these, islands that kept the result of the soft solver */
     int factorings;      /* matrix factorisations */
     int64_t island_work; /* operations on 3 x 3 blocks, see thud_quality.island_work */
     /* Detection in the last step. */
     int impacts;         /* collisions that were resolved within the step, bisected or swept */
     int held_bodies;     /* bodies that were stopped before the end of the step */
-    double held_seconds; /* the time that these lost, together */
-    int unbisectable; /* bodies faster than the bisection limit, where any body is bisected: unless
-                         swept, they may have passed through something */
-    int motion_pairs; /* pairs of moving shapes that were tested */
-    /* Those of them whose swept circles met, whose swept boxes met, and whose time of collision was
-     * computed. */
+    double held_seconds; /* sum of the times that these bodies lost */
+    int unbisectable;    /* bodies faster than the bisection limit, counted if any body is bisected:
+                            unless they are swept, they may have passed through a shape */
+    int motion_pairs;    /* pairs of moving shapes that were tested */
+    /* Of these, the pairs whose swept circles met, whose swept boxes met, and whose time of
+     * collision was computed. */
     int motion_circles, motion_boxes, motion_exact;
 } thud_stats;
 
@@ -481,38 +488,39 @@ static inline thud_stats thud_stats_of(const thud_world *world) {
     return stats;
 }
 
-/* *out_speed: the thickness of the thinnest shape (terrain left out) over the time step, length/s;
- * infinite without shapes. A body that moves faster, counted with its rotation, may pass through a
- * shape between two steps, so that thud_detection_bisect misses the collision; slower bodies miss
- * none. THUD_ERROR_NULL. */
+/* *out_speed: the thickness of the thinnest shape (except terrain) divided by the time step,
+ * length/s; infinite without shapes. A body that moves faster, counted with its rotation, may pass
+ * through a shape between two steps, so that thud_detection_bisect misses the collision; no
+ * collision of slower bodies is missed. THUD_ERROR_NULL. */
 THUD_API thud_result thud_world_get_bisection_limit(thud_world *world, double *out_speed);
 
-/* The errors of the last step. They are collected while it is solved, so that the call costs a pass
- * over joints, where there are any, and otherwise nothing; after a step in which detection held
- * bodies back or resolved collisions, a pass over contacts as well. Only contacts of awake bodies
- * count (thud_measure_of also counts those of sleeping bodies), with bodies where detection left
- * them at the end of the step. The values do not depend on the number of workers. */
+/* The errors of the last step. They are collected while it is solved, so that the call only costs a
+ * pass over joints; after a step in which detection held bodies back or resolved collisions, also a
+ * pass over contacts. Only contacts of awake bodies count (thud_measure_of also counts those of
+ * sleeping bodies), at the poses that detection left at the end of the step. The values do not
+ * depend on the number of workers. */
 typedef struct thud_step_error {
     /* Length, at the end of the step, over the points of touching pairs; rotations are linearised.
      */
     double penetration_max, penetration_mean;
     double residual; /* length/s: the largest approach speed of a contact before the last pass of
                         the soft solver corrected it; in a step that solved islands directly, after
-                        the last */
+                        that pass */
     double energy_change;  /* change of kinetic plus potential energy, mass * length^2 / s^2, to a
                               millionth of the kinetic energy. Friction, damping and restitution make
                               it negative; forces, kinematic bodies, moving surfaces and errors of
                               the solver make it positive */
     double energy_decided; /* mass * length^2 / s^2: the part of energy_change that prologues
                               decided (thud_contact_decide) */
-    int overlaps; /* points deeper than max_error, or than 0.005 length scales where that is 0 */
-    double shortfall; /* length: the largest distance between where a held body
-                         (thud_stats.held_bodies) ended and where its motion would have taken it; 0
-                         where none was held */
+    int overlaps; /* points deeper than max_error, or deeper than 0.005 length scales if max_error
+                     is 0 */
+    double shortfall; /* length: the largest distance between the final position of a held body
+                         (thud_stats.held_bodies) and the position to which its motion would have
+                         taken it; 0 if none was held */
     /* Length: the gaps of all joints, asleep or awake, at the end of the step:
      * thud_joint_state.gap. */
     double joint_gap_max, joint_gap_mean;
-    double joint_angle_max; /* rad: the same of thud_joint_state.angle_gap */
+    double joint_angle_max; /* rad: the maximum of thud_joint_state.angle_gap */
 } thud_step_error;
 
 /* All 0 before the first step. THUD_ERROR_NULL. */
@@ -527,7 +535,7 @@ static inline thud_step_error thud_step_error_of(const thud_world *world) {
 
 /* Penetration and energy of the present state. */
 typedef struct thud_measure {
-    /* Length, over the points of touching pairs, asleep or awake; where detection moved or held
+    /* Length, over the points of touching pairs, asleep or awake; if detection moved or held
      * bodies, as in thud_step_error. */
     double penetration_max, penetration_mean;
     /* mass * length^2 / s^2, of dynamic bodies; the potential energy is 0 at the world's origin. */

@@ -7,11 +7,11 @@
  * in [0, THUD_DENSITY_MAX], sizes in [THUD_SIZE_MIN, THUD_SIZE_MAX] length scales and on static
  * bodies up to THUD_STATIC_SIZE_MAX, dampings finite and >= 0, gravity_scale finite.
  *
- * A change takes effect with the next step. It wakes the body and the bodies that touch it, also
- * those that sleep on a static body. Where a static shape changes so that it now collides with a
+ * A change takes effect with the next step. It wakes the body and the bodies that touch it,
+ * including those that sleep on a static body. If a changed static shape now collides with a
  * sleeping body that already overlaps it, the contact begins when that body wakes, as with a new
- * static shape. Contacts and their impulses persist, unless the comment says otherwise; where a
- * body becomes lighter, the impulses that carried its old weight are scaled down.
+ * static shape. Contacts and their impulses persist, unless the comment says otherwise; if a body
+ * becomes lighter, the impulses that carried its old weight are scaled down.
  *
  * All setters return THUD_ERROR_NULL for a null world, THUD_ERROR_STALE for a handle that names
  * nothing, THUD_ERROR_INVALID for a value out of range, and THUD_ERROR_LOCKED inside a callback:
@@ -34,15 +34,15 @@ typedef struct thud_body_shape {
     const thud_shape_def *def; /* null: thud_default_shape_def */
 } thud_body_shape;
 
-/* Creates a body and `count` (>= 0) shapes. If any part is refused nothing is made, and the result
- * is that of the call for this part alone. The handles are written to *out_body and, in the order
- * of `shapes`, to shape_ids, which has room for `count`; both may be null.
+/* Creates a body and `count` (>= 0) shapes. If any part is refused, nothing is created, and the
+ * result is that of the call for this part alone. The handles are written to *out_body and, in the
+ * order of `shapes`, to shape_ids, which has room for `count`; both may be null.
  *
  *     thud_body_create_with_shapes(world, &def, &(thud_body_shape){thud_circle_at(0, 0, 0.5)}, 1,
  *                                  &ball, NULL);
  *
  * Terrain is made by thud_shape_create_terrain. A program that uses this call links circles, AABBs
- * and OBBs. THUD_ERROR_NULL where `shapes` is null and count is not 0; THUD_ERROR_MEMORY. */
+ * and OBBs. THUD_ERROR_NULL if `shapes` is null and count is not 0; THUD_ERROR_MEMORY. */
 THUD_NODISCARD THUD_API thud_result thud_body_create_with_shapes(thud_world *world,
                                                                  const thud_body_def *def,
                                                                  const thud_body_shape *shapes,
@@ -55,24 +55,25 @@ THUD_NODISCARD THUD_API thud_result thud_body_create_with_shapes(thud_world *wor
  * begin with the next step. THUD_ERROR_MEMORY. */
 THUD_API thud_result thud_shape_set_filter(thud_world *world, thud_shape_id shape,
                                            thud_filter filter);
-/* Friction, restitution and surface speed of a pair follow from those of its two shapes
- * (thud_shape_def), then from a rule of the two, and last from a prologue (pre-solve callback). */
+/* Friction, restitution and surface speed of a pair are computed from those of its two shapes
+ * (thud_shape_def), then replaced by a rule for the two (thud_rules.h), and last by a prologue
+ * (pre-solve callback). */
 THUD_API thud_result thud_shape_set_friction(thud_world *world, thud_shape_id shape,
                                              float friction);
 THUD_API thud_result thud_shape_set_restitution(thud_world *world, thud_shape_id shape,
                                                 float restitution);
 THUD_API thud_result thud_shape_set_surface_speed(thud_world *world, thud_shape_id shape,
                                                   float surface_speed);
-/* Recomputes the mass of the body at once; its centre of mass moves. The velocity, which is that of
- * the centre, keeps its value. */
+/* Recomputes the mass of the body at once; its centre of mass moves. The velocity keeps its value,
+ * as the velocity of the new centre. */
 THUD_API thud_result thud_shape_set_density(thud_world *world, thud_shape_id shape, float density);
 /* Makes a shape a sensor, or a sensor a shape that collides. Its contacts end, with end events (or
  * sensor_end events, if it was a sensor), and begin again as those of the other kind.
  * THUD_ERROR_MEMORY. */
 THUD_API thud_result thud_shape_set_sensor(thud_world *world, thud_shape_id shape, bool sensor);
 /* The radius of a circle, and the half extents of an AABB or OBB, about the same centre;
- * THUD_ERROR_INVALID for another kind. Recomputes the body's mass as thud_shape_set_density. Shapes
- * that the larger shape overlaps are separated at no more than the world's push_speed. */
+ * THUD_ERROR_INVALID for another kind. Recomputes the body's mass as thud_shape_set_density does.
+ * Shapes that the larger shape overlaps are separated at no more than the world's push_speed. */
 THUD_API thud_result thud_shape_set_radius(thud_world *world, thud_shape_id shape, float radius);
 THUD_API thud_result thud_shape_set_half_extents(thud_world *world, thud_shape_id shape,
                                                  thud_vec2 half_extents);
@@ -86,10 +87,10 @@ THUD_API thud_result thud_shape_set_user_data(thud_world *world, thud_shape_id s
 
 /* Changes the kind of a body. A body that becomes static loses its velocity; one that becomes
  * kinematic keeps it; one that becomes dynamic gets the mass of its shapes. All its contacts end,
- * and those that still touch begin again with the next step; forces that wait for the step are
- * dropped. The sizes of its shapes must fit the new kind, and a body with terrain stays static.
- * THUD_ERROR_INVALID also for a quarantined body, and for a body with joints, unless it changes
- * between kinematic and dynamic and each joint allows the new kind (thud_joint.h).
+ * and those that still touch begin again with the next step; forces that were applied for the next
+ * step are dropped. The sizes of its shapes must fit the new kind, and a body with terrain stays
+ * static. THUD_ERROR_INVALID also for a quarantined body, and for a body with joints, unless it
+ * changes between kinematic and dynamic and each joint allows the new kind (thud_joint.h).
  * THUD_ERROR_MEMORY. */
 THUD_API thud_result thud_body_set_kind(thud_world *world, thud_body_id body, thud_body_kind kind);
 /* 1/s, both >= 0; see thud_body_def. */
@@ -99,15 +100,15 @@ THUD_API thud_result thud_body_set_damping(thud_world *world, thud_body_id body,
 THUD_API thud_result thud_body_set_gravity_scale(thud_world *world, thud_body_id body,
                                                  float gravity_scale);
 /* True: no torque turns the body, and the angular velocity of a dynamic body becomes 0 at once. A
- * kinematic body turns at the angular velocity that is set in any case. */
+ * kinematic body always turns at the angular velocity that is set. */
 THUD_API thud_result thud_body_set_fixed_rotation(thud_world *world, thud_body_id body, bool fixed);
-/* Null: the body uses the world's detection, also when that changes later. */
+/* Null: the body uses the world's detection, including later changes of it. */
 THUD_API thud_result thud_body_set_detection(thud_world *world, thud_body_id body,
                                              const thud_detection *detection);
 /* False: the body, and its island with it, does not fall asleep. */
 THUD_API thud_result thud_body_set_may_sleep(thud_world *world, thud_body_id body, bool may_sleep);
 
-/* A mass that does not follow from shapes. */
+/* A mass that is set instead of computed from shapes. */
 typedef struct thud_mass {
     float mass;    /* [THUD_MASS_MIN, THUD_MASS_MAX] */
     float inertia; /* about the centre of mass, mass * length^2, [THUD_MASS_MIN, THUD_MASS_MAX], or
@@ -116,10 +117,10 @@ typedef struct thud_mass {
                          scales */
 } thud_mass;
 
-/* Sets the mass of a dynamic body. It holds, whatever shapes are added, removed or changed, until
- * it is set again, the body changes its kind, or `mass` is null: then the mass is that of the
- * shapes. While the rotation is fixed the inertia has no effect; a body with an AABB never turns.
- * The velocity, which is that of the centre of mass, keeps its value. */
+/* Sets the mass of a dynamic body. It stays, even if shapes are added, removed or changed, until it
+ * is set again or the body changes its kind. `mass` null: the mass is computed from the shapes
+ * again. While the rotation is fixed the inertia has no effect; a body with an AABB never turns.
+ * The velocity keeps its value, as the velocity of the new centre of mass. */
 THUD_API thud_result thud_body_set_mass(thud_world *world, thud_body_id body,
                                         const thud_mass *mass);
 

@@ -2,37 +2,36 @@
  * Included by thud.h.
  *
  * Events are in a deterministic order, and valid until the next step or thud_world_advance. Inside
- * a callback of a step they are still those of the step before.
+ * a callback of a step the previous step's events are still returned.
  *
- * Begin and end: of one pair of shapes begin and end events alternate, and each begin is followed
- * by an end, also when a shape or its body is destroyed, moved or changed, or falls asleep. Where
- * an edit ended a contact, the end event comes with the next step. A pair that is in both lists of
- * one step has ended and begun again if it touched before the step, and else begun and ended.
+ * Begin and end: begin and end events of a pair of shapes alternate, and each begin is followed by
+ * an end, even if a shape or its body is destroyed, moved or changed, or falls asleep. If an edit
+ * ended a contact, the end event comes with the next step. If a pair is in both lists of one step,
+ * it has ended and begun again if it touched before the step; otherwise it has begun and ended.
  *
- * Shapes without events: a pair makes begin, end, hit and sensor events only where both shapes have
+ * Shapes without events: a pair makes begin, end, hit and sensor events only if both shapes have
  * `events` set (thud_shape_def, thud_shape_set_events; the default). A begin and a hit depend on
- * the setting at that time; an end is reported if its begin was, whatever has been set since.
- * Callbacks, rules, lists, quarantine and joints do not depend on the setting.
+ * the setting at that time; an end is reported if its begin was, even if the setting has changed
+ * since. Callbacks, rules, lists, quarantine and joints do not depend on the setting.
  *
  * Hits: a hit may come without a begin. Shapes that meet and bounce off within a step
- * (thud_detection_swept) touch neither before nor after it, and make a hit event only.
+ * (thud_detection_swept) touch neither before nor after it, and make only a hit event.
  *
  * Sensors: a sensor reports every shape of another body that it overlaps and that the filters of
  * both allow, sensors included, of dynamic, kinematic and static bodies, awake or asleep; it does
  * not wake them. Sensor and shape of two static bodies make no events, since neither moves:
- * thud_world_overlap_shape finds such overlaps. Of two sensors each reports the other. Overlap is
- * tested with bodies where they are at the end of the step, so that a body that moves into or out
- * of a sensor is reported by that step. A step reserves room for 512 new pairs of sensors, one for
- * each awake body, and as many as there are pairs of sensors already. Where more come up in a step,
- * all new pairs of that step are reported by the next step instead, so that a step allocates no
- * memory once bodies have moved.
+ * thud_world_overlap_shape finds such overlaps. Two overlapping sensors report each other. Overlap
+ * is tested at the poses at the end of the step, so that a body that moves into or out of a sensor
+ * is reported by that step. A step reserves memory for new pairs of sensors: 512, plus one for each
+ * awake body, plus the present number of pairs. If more begin in a step, all new pairs of that step
+ * are reported by the next step instead, since a step allocates no memory after bodies have moved.
  *
  * Passing through: a shape that enters and leaves a sensor within one step is reported as begun and
- * ended where a detection tests the motion: thud_detection_continuous that of bodies past sensors
- * of static bodies, thud_detection_bisect and thud_detection_swept that of all bodies which move
- * further than half their smallest half extent in a step. The time of such an event is the time of
- * the overlap within the step, exact up to rounding where nothing rotates. The time of other events
- * is 1, and of those where an edit ended the pair before the step 0. */
+ * ended if detection tests the motion: thud_detection_continuous tests bodies that pass sensors of
+ * static bodies; thud_detection_bisect and thud_detection_swept test all bodies that move further
+ * than half their smallest half extent in a step. The time of such an event is the time of the
+ * overlap within the step, exact up to rounding where nothing rotates. The time of other events is
+ * 1, or 0 if an edit ended the pair before the step. */
 #ifndef THUD_EVENTS_H
 #define THUD_EVENTS_H
 
@@ -45,7 +44,7 @@
 extern "C" {
 #endif
 
-/* Two shapes that began or ceased to touch. */
+/* Two shapes that began to touch, or stopped touching. */
 typedef struct thud_contact_event {
     thud_shape_id shape_a, shape_b; /* in an end event either may have been destroyed */
 } thud_contact_event;

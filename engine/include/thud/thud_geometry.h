@@ -27,12 +27,12 @@ typedef enum thud_shape_kind {
  * name it. */
 enum { THUD_SHAPE_KIND_COUNT = THUD_SHAPE_TERRAIN + 1 };
 
-/* A circle, AABB or OBB at a place. */
+/* A circle, AABB or OBB at a pose. */
 typedef struct thud_geometry {
     thud_shape_kind kind; /* not THUD_SHAPE_TERRAIN */
     double x, y;          /* centre; |x|, |y| <= THUD_COORDINATE_MAX */
-    double c, s;          /* cosine and sine of the angle; of an OBB c * c + s * s is 1 within
-                             THUD_UNIT_ERROR, of an AABB they are 1, 0; not read for a circle */
+    double c, s;          /* cosine and sine of the angle; for an OBB c * c + s * s is 1 within
+                             THUD_UNIT_ERROR, for an AABB they are 1, 0; not read for a circle */
     double hx, hy; /* half extents, (0, THUD_COORDINATE_MAX]; a circle has its radius in hx, and
                       hy 0 */
 } thud_geometry;
@@ -78,8 +78,8 @@ typedef struct thud_closest {
     double bx, by;   /* point on b's surface */
 } thud_closest;
 
-/* The contact points of two shapes that touch, or nearly: first the closest points; where two faces
- * lie along each other, second the far end of the part that they share. */
+/* The contact points of two shapes that touch or nearly touch: first the closest points; if two
+ * faces lie along each other, second the far end of the part where they face each other. */
 typedef struct thud_contacts {
     int count;             /* 0..2 */
     thud_closest point[2]; /* the distance of each is its separation */
@@ -89,8 +89,8 @@ typedef struct thud_contacts {
 typedef struct thud_approach {
     bool hit;                 /* the circles touch during the motion */
     double time;              /* of the impact, in [0, 1]; 1 without one */
-    double min_distance;      /* of the centres during the motion */
-    double min_distance_time; /* in [0, 1]; the first where the distance is constant */
+    double min_distance;      /* between the centres during the motion */
+    double min_distance_time; /* time of that distance, in [0, 1]; the first such time */
 } thud_approach;
 
 /* THUD_OK if all fields are finite and in their ranges; the kind must not be THUD_SHAPE_TERRAIN. */
@@ -105,14 +105,14 @@ THUD_API thud_result thud_geometry_closest(const thud_geometry *a, const thud_ge
                                            thud_closest *out);
 
 /* The contact points at which the shapes are within `margin` ([0, THUD_COORDINATE_MAX]) of each
- * other. The first is that of thud_geometry_closest. Two boxes of which one has a face at a right
- * angle to the normal may have a second: the point furthest from the first, along this face, at
+ * other. The first is that of thud_geometry_closest. There may be a second if a face of one of two
+ * boxes is at a right angle to the normal: the point furthest from the first along this face at
  * which the opposite face of the other box lies over it. */
 THUD_API thud_result thud_geometry_contacts(const thud_geometry *a, const thud_geometry *b,
                                             double margin, thud_contacts *out);
 
-/* Whether the ray hits the shape; *out_fraction, in [0, 1], is the part of the ray before the hit,
- * (*out_nx, *out_ny) the unit outward normal there. A ray that starts inside hits nothing. */
+/* Whether the ray hits the shape; *out_fraction, in [0, 1], is the fraction of the ray before the
+ * hit, (*out_nx, *out_ny) the unit outward normal there. A ray that starts inside hits nothing. */
 THUD_API bool thud_geometry_cast_ray(const thud_geometry *shape, thud_segment ray,
                                      double *out_fraction, double *out_nx, double *out_ny);
 
@@ -121,8 +121,8 @@ THUD_API bool thud_geometry_cast_ray(const thud_geometry *shape, thud_segment ra
  * that start within the target hit at 0. Without rotation the time is in closed form, exact up to
  * rounding. With rotation it is found by conservative advancement (B. Mirtich, Impulse-based
  * dynamic simulation, 1996), which ends when the distance is within 1e-10 of the shapes' size of
- * the target. The time is never late; it is early where the shapes rotate close to each other for
- * so long that the number of iterations is cut off. */
+ * the target. The time is never late; it is early only if the shapes rotate close to each other for
+ * so long that the limit of iterations is reached. */
 THUD_API thud_result thud_geometry_time_of_impact(const thud_geometry *a, thud_motion motion_a,
                                                   const thud_geometry *b, thud_motion motion_b,
                                                   double target, bool *out_hit, double *out_time);
@@ -137,9 +137,9 @@ THUD_API thud_result thud_geometry_approach(const thud_geometry *a, thud_motion 
 /* The time at which moving shapes that are apart at time 0 and overlap at time 1 began to overlap,
  * by bisection over the motion. At *out_time, in [0, 1), they are still apart; at some time within
  * `tolerance` after it they overlap. tolerance, in [THUD_TOLERANCE_MIN, 1], is a fraction of the
- * motion; each halving of it costs one overlap test. *out_collided = false and *out_time = 1 where
- * the shapes are apart at the end, whatever happened in between (see thud_geometry_is_bisectable),
- * or overlap at the start. */
+ * motion; each halving of it costs one overlap test. *out_collided = false and *out_time = 1 if the
+ * shapes are apart at the end, even if they passed through each other (see
+ * thud_geometry_is_bisectable), or overlap at the start. */
 THUD_API thud_result thud_geometry_time_of_collision(const thud_geometry *a, thud_motion motion_a,
                                                      const thud_geometry *b, thud_motion motion_b,
                                                      double tolerance, bool *out_collided,
@@ -160,10 +160,10 @@ typedef enum thud_terrain_kind {
     THUD_TERRAIN_IRREGULAR /* points with strictly increasing x */
 } thud_terrain_kind;
 
-/* A ground line, solid below, with upright sides below its two ends. The caller owns `points`, and
- * must keep them as long as the struct is used; a world copies them. Only thud_terrain_check looks
- * at all vertices; the other functions check the fields of the struct only, and give a meaningless
- * result for a line that thud_terrain_check would refuse. */
+/* A ground line, solid below, with vertical sides below its two ends. The caller owns `points`, and
+ * must keep them as long as the struct is used; a world copies them. Only thud_terrain_check checks
+ * all vertices; the other functions only check the fields of the struct, and give a meaningless
+ * result for invalid vertices. */
 typedef struct thud_terrain {
     thud_terrain_kind kind;
     double slope;           /* flat only: rise over run, |slope| <= THUD_TERRAIN_SLOPE_MAX */
@@ -183,7 +183,7 @@ typedef struct thud_terrain_sample {
                          vertices at x = 0 and x = 1, and the weights 1 - x and x at any x */
 } thud_terrain_sample;
 
-/* THUD_OK if all fields and all vertices are valid; a pass over the vertices. */
+/* THUD_OK if all fields and all vertices are valid. Takes a pass over the vertices. */
 THUD_API thud_result thud_terrain_check(const thud_terrain *terrain);
 
 /* The line at x. Takes constant time for flat and uniform lines, logarithmic for irregular ones.
@@ -204,10 +204,11 @@ THUD_API bool thud_terrain_cast_ray(const thud_terrain *terrain, thud_segment ra
 /* Whether the shape touches the line or the solid ground below it. */
 THUD_API bool thud_terrain_overlap(const thud_terrain *terrain, const thud_geometry *shape);
 
-/* As thud_geometry_closest with the terrain as a. Where they overlap, distance and normal are those
- * of the shortest translation that moves the shape out of the ground, and the points are one of the
- * places that touch after it. The time is proportional to the number of segments that are as near
- * as the result, and with overlap to that number times the number of segments under the shape. */
+/* As thud_geometry_closest with the terrain as a. If they overlap, distance and normal are those of
+ * the shortest translation that moves the shape out of the ground, and the points belong to one of
+ * the spots that touch after it. The time is proportional to the number of segments within the
+ * resulting distance, and with overlap to that number times the number of segments under the
+ * shape. */
 THUD_API thud_result thud_terrain_closest(const thud_terrain *terrain, const thud_geometry *shape,
                                           thud_closest *out);
 
@@ -215,9 +216,9 @@ THUD_API thud_result thud_terrain_closest(const thud_terrain *terrain, const thu
  * of a box with the closest point of the ground; each convex vertex of the ground with the closest
  * point of the shape; and each segment that a circle touches. The second point is the candidate
  * within the margin that is furthest from the point of thud_terrain_closest. The first is the point
- * of thud_terrain_closest, or, of candidates as deep (to 1e-9 of the shape's size), the one
- * furthest from the second. Each point has its own normal: a circle in a valley touches both
- * slopes. */
+ * of thud_terrain_closest or, if several candidates are equally deep (to 1e-9 of the shape's size),
+ * the one of them that is furthest from the second. Each point has its own normal: a circle in a
+ * valley touches both slopes. */
 THUD_API thud_result thud_terrain_contacts(const thud_terrain *terrain, const thud_geometry *shape,
                                            double margin, thud_contacts *out);
 

@@ -17,13 +17,13 @@ extern "C" {
 typedef struct thud_allocator {
     void *(*allocate)(size_t bytes, void *context);            /* 64-byte aligned memory, or null */
     void (*release)(void *block, size_t bytes, void *context); /* bytes: as it was allocated */
-    void *context;                                             /* handed to both */
+    void *context;                                             /* passed to both */
 } thud_allocator;
 
 /* ---- log and clock ---- */
 
-/* Called with the reason when a call is refused; with THUD_OK, it warns of a call that was done but
- * is probably a mistake. Where one number is out of range the message says which, its value and its
+/* Called with the reason when a call is refused; with THUD_OK, it warns of a call that succeeded
+ * but is probably a mistake. If one number is out of range, the message names it, its value and its
  * range: "shape def: friction is -1, not in [0, 1000000]". The message is valid during the call. */
 typedef void thud_log_fn(thud_result result, const char *message, void *context);
 /* A log that writes one line to the C library's stderr. A program that does not use it does not
@@ -41,13 +41,13 @@ typedef void thud_task_fn(void *argument);
 /* Must call task(argument) `workers` times, each on a thread of its own if possible, one of them
  * the calling thread, and return when all calls have returned. The calls divide the work among
  * themselves and never wait for a call that has not begun: with fewer threads a step is slower, but
- * the same. It is called once or twice a step, from inside thud_world_step, and once by each call
- * for many casts (thud_casts.h), and never while an earlier call is under way. */
+ * the same. The engine calls it once or twice in a step, from inside thud_world_step, and once in
+ * each call for many casts (thud_casts.h), but never before an earlier call has returned. */
 typedef void thud_parallel_fn(thud_task_fn *task, void *argument, int workers, void *context);
 
 typedef struct thud_job_system {
     thud_parallel_fn *run; /* null (the default): the calling thread alone */
-    void *context;         /* handed to run */
+    void *context;         /* passed to run */
     int workers; /* 0 .. THUD_WORKERS_MAX; default 0, which means 1; more than 1 needs run */
 } thud_job_system;
 

@@ -10,9 +10,9 @@ typedef struct thud_world thud_world;
 /* A handle is a slot and a generation, which changes with each use of the slot. An all-zero handle
  * is the null handle. A stale handle is refused until its slot has been used 2^32 times over. A
  * handle of another world is refused as well, with one exception: if n worlds were created between
- * the two, the same slot has the same generation by chance only where it was used at least 2^32 /
- * (2.24 n) times more in one world than in the other: 1.9 million with n a thousand. A world that a
- * snapshot was restored to takes over the handles of the world that the snapshot was taken of. */
+ * the two, a slot can have the same generation in both only if it was used at least 2^32 / (2.24 n)
+ * times more in one than in the other: 1.9 million with n a thousand. After a restore from a
+ * snapshot, the handles of the world of which it was taken are valid in the restored world. */
 typedef struct thud_body_id {
     uint32_t index1;     /* slot + 1 */
     uint32_t generation; /* of the slot, mixed with the world's own number */

@@ -1,5 +1,5 @@
 /* thud_limits.h: the ranges of all values. The comment of each field and argument names its limits.
- * The limits themselves are allowed; values beyond them and values that are not finite are
+ * Values equal to a limit are allowed; values beyond it and values that are not finite are
  * THUD_ERROR_INVALID. A value without a limit may be any finite number.
  *
  * "length scales": multiples of thud_world_def.length_scale, rounded down to a power of two. */
@@ -20,8 +20,9 @@
 #define THUD_CONTACT_STIFFNESS_MIN 0.01f
 #define THUD_CONTACT_STIFFNESS_MAX 0.5f
 #define THUD_CONTACT_DAMPING_MAX 100.0f
-#define THUD_ISLAND_LIMIT_MAX \
-    16384 /* bodies; finding an elimination order takes its square in bits of memory */
+#define THUD_ISLAND_LIMIT_MAX                                                                \
+    16384 /* bodies; the search for an elimination order takes the square of this in bits of \
+             memory */
 #define THUD_ISLAND_SLOW_STEPS_MAX 1000 /* steps */
 #define THUD_WORKERS_MAX 64
 
@@ -34,7 +35,7 @@
 #define THUD_SIZE_MIN 1e-4f           /* radius or half extent, length scales */
 #define THUD_SIZE_MAX 16384.0f        /* the same, and |x|, |y| of a shape in its body's frame */
 #define THUD_STATIC_SIZE_MAX 32000.0f /* radius or half extent on a static body, length scales */
-#define THUD_DENSITY_MAX 1e12f        /* mass/length^2; above it the units are probably wrong */
+#define THUD_DENSITY_MAX 1e12f        /* mass/length^2; a larger value is probably in wrong units */
 #define THUD_FRICTION_MAX 1e6f
 #define THUD_RESTITUTION_MAX 1.0f      /* of a shape */
 #define THUD_PAIR_RESTITUTION_MAX 4.0f /* of a pair, by a rule or a prologue */
@@ -44,8 +45,8 @@
 
 /* ---- forces and fields ---- */
 
-/* |component| of a force, torque, impulse or angular impulse, of the force that an impulse becomes
- * inside a callback, and of the change of velocity that an impulse makes. */
+/* |component| of a force, torque, impulse or angular impulse, of the force into which an impulse is
+ *  converted inside a callback, and of the change of velocity by an impulse. */
 #define THUD_FORCE_MAX 1e30f
 #define THUD_DRAG_MAX \
     1e6f /* coefficients of drag, lift and rolling resistance; drag in water, 1/s */

@@ -2,18 +2,18 @@
  * a weight must not tilt, platforms on rails. Rotation is locked by fixed_rotation of thud.h.
  *
  * A lock is a joint (thud_joint.h) between the body's centre of mass and a static body without
- * shapes, the anchor, which the engine makes where there is none near, and destroys with its last
- * lock. Lists leave anchors out, and statistics count them. A lock of x or of y is a wheel joint
- * without spring and motor, a lock of both a hinge. It is listed among the joints, and can be
- * destroyed as one. It is solved together with all other constraints: a locked body resists forces
- * along the locked axis, gravity included, as stiffly as joints do (docs/joints.md has the
- * figures). Sleep, workers and snapshots are those of joints: a world that never had a joint or a
+ * shapes, the anchor, which the engine creates if there is none nearby, and destroys with its last
+ * lock. Lists leave anchors out, but statistics count them. A lock of x or of y is a wheel joint
+ * without spring and motor, a lock of both is a hinge. It is in the lists of joints, and can be
+ * destroyed as a joint. It is solved together with all other constraints: a locked body resists
+ * forces along the locked axis, including gravity, as stiffly as joints do (docs/joints.md has the
+ * figures). Sleep, workers and snapshots treat it as any joint: a world that never had a joint or a
  * lock needs thud_world_use_joints before it is restored from a snapshot with locks.
  *
- * A lock keeps the centre of mass at its coordinate at the time when the lock takes effect, with
- * the next step. Where thud_body_set_transform moves a locked body, or shapes or a mass that is set
- * move its centre, the lock keeps the new place, to 1e-7 of the distance moved. A velocity that is
- * set along a locked axis is removed by the next step.
+ * A lock takes effect with the next step, and keeps the coordinate that the centre of mass has
+ * then. If thud_body_set_transform moves a locked body, or changed shapes or a set mass move its
+ * centre, the lock keeps the new position, to 1e-7 of the distance moved. The next step removes a
+ * velocity that is set along a locked axis.
  *
  * A program that does not use this header does not link it. */
 #ifndef THUD_LOCKS_H

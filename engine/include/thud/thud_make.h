@@ -8,9 +8,9 @@
  *     thud_body_options bouncy = {.kind = THUD_BODY_DYNAMIC, .restitution = 0.8f};
  *     thud_body_id ball = thud_body_make(world, thud_circle_at(0, 5, 0.5), &bouncy);
  *
- * Both return what they made; null, or the null handle, where they are refused, for the reasons of
- * thud_world_create and thud_body_create_with_shapes. Then nothing has changed, and the world's log
- * has been told the reason. A null handle may be passed to any call: it is refused. */
+ * Both return the created object; null, or the null handle, if they fail, for the reasons of
+ * thud_world_create and thud_body_create_with_shapes. Nothing has changed then, and the reason is
+ * in the world's log. A null handle may be passed to any call, which then fails. */
 #ifndef THUD_MAKE_H
 #define THUD_MAKE_H
 
@@ -25,8 +25,8 @@ extern "C" {
 THUD_NODISCARD THUD_API thud_world *thud_world_make(thud_vec2 gravity, const thud_quality *quality);
 
 /* Options of a body and its shape, with the meaning and ranges of the fields of thud_body_def and
- * thud_shape_def. Zero selects the default, also where the default of the def is not zero; where
- * zero is a useful value itself, a flag selects it. */
+ * thud_shape_def. Zero selects the default, even if the default of the def is not zero; if zero
+ * itself is a useful value, a flag selects it. */
 typedef struct thud_body_options {
     thud_body_kind kind;                   /* default static */
     thud_vec2 velocity;                    /* length/s */
@@ -46,8 +46,8 @@ typedef struct thud_body_options {
     uint64_t user_data; /* of the body, and of its shape */
 } thud_body_options;
 
-/* A body with one circle, AABB or OBB at the place that `shape` gives: the body's origin is the
- * shape's centre, and its angle that of the OBB. `options` null: the defaults. */
+/* A body with one circle, AABB or OBB at the pose of `shape`: the body's origin is the shape's
+ * centre, and its angle that of the OBB. `options` null: the defaults. */
 THUD_API thud_body_id thud_body_make(thud_world *world, thud_geometry shape,
                                      const thud_body_options *options);
 

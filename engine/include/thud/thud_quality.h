@@ -1,6 +1,5 @@
-/* thud_quality.h: qualities, sets of solver settings between speed and accuracy, of which a world
- * def names one. A program does not link what only the qualities use that it does not name.
- * Included by thud.h.
+/* thud_quality.h: qualities: sets of solver settings, from fast to accurate. A world def names one.
+ * A program does not link code that only other qualities use. Included by thud.h.
  *
  * docs/tradeoff.md shows the cost and the errors of each, as `./run tradeoff` measures them. */
 #ifndef THUD_QUALITY_H
@@ -14,25 +13,29 @@
 extern "C" {
 #endif
 
-/* A solver for islands in which the soft solver's contacts would overlap too much.
- * thud_islands_direct solves all constraints of such an island at once, by sparse factorisation. */
+/* A solver for islands in which the contacts of the soft solver would overlap too much. (The soft
+ * solver is the iterative one for all islands: it treats contacts as stiff springs and dampers, in
+ * substeps.) thud_islands_direct solves all constraints of such an island at once, by sparse
+ * factorisation. */
 typedef struct thud_island_solver thud_island_solver;
 extern THUD_API const thud_island_solver thud_islands_direct;
 
-/* A caller may copy one of the four below, change the copy and use it. Worlds keep a copy of their
- * own. */
+/* A caller may copy one of the four below, change the copy and use it. Worlds keep their own
+ * copy. */
 typedef struct thud_quality {
     const char *name; /* for the caller's use */
-    int substeps; /* a step is divided into so many, 1 .. THUD_SUBSTEPS_MAX. Contact stiffness rises
+    int substeps; /* number of substeps in a step, 1 .. THUD_SUBSTEPS_MAX. Contact stiffness rises
                      with the substep rate, so that with more substeps contacts also overlap less.
                      Fewer substeps in a world def, or by a time budget, reduce island_work in
                      proportion, and do not make more islands direct */
-    float contact_stiffness;           /* frequency of the contact springs over the substep rate,
-                                          [THUD_CONTACT_STIFFNESS_MIN, THUD_CONTACT_STIFFNESS_MAX] */
+    float contact_stiffness;           /* frequency of the contact springs divided by the substep
+                                          rate, [THUD_CONTACT_STIFFNESS_MIN,
+                                          THUD_CONTACT_STIFFNESS_MAX] */
     float contact_damping;             /* damping ratio of the contact springs, [0,
                                           THUD_CONTACT_DAMPING_MAX] */
     const thud_detection *detection;   /* not null */
-    const thud_island_solver *islands; /* null: the soft solver (thud_detection_swept) */
+    const thud_island_solver *islands; /* null: only the soft solver (for an exception see
+                                          thud_detection_swept) */
     float overlap_limit; /* >= 0: an island in which a contact would overlap under its load by more
                         than this share of the smaller body's size is solved by `islands`; 0: every
                         island is. In a world that chooses bisect or swept every island without
@@ -40,13 +43,13 @@ typedef struct thud_quality {
     int island_limit;    /* bodies, 1 .. THUD_ISLAND_LIMIT_MAX: larger islands are left to the soft
                             solver */
     int64_t
-        island_work; /* budget of all direct islands in a step, >= 0: operations on 3 x 3 blocks of
-                        the factorisations, and for each factorisation one more a body and two a
-                        contact. Islands beyond the budget are left to the soft solver. At rest a
-                        step needs one factorisation, of 6 operations a body in a column and 140 in
-                        a pyramid of 500 bodies; in motion it needs many, of the same size. Whole
+        island_work; /* budget of all direct islands in a step, >= 0: operations on 3 x 3 blocks in
+                        factorisations, plus, for each factorisation, one for each body and two for
+                        each contact. Islands beyond the budget are left to the soft solver. At rest
+                        a step needs one factorisation, of 6 operations a body in a column and 140
+                        in a pyramid of 500 bodies; in motion it needs many, of the same size. Whole
                         steps at quality high (docs/tradeoff.md): at rest a column of boxes takes
-                        1.1 µs a body, a pyramid 4.0 µs. An island of joints alone may use eight
+                        1.1 µs a body, a pyramid 4.0 µs. An island without contacts may use eight
                         times the rest of the budget. Whatever the budget is, islands with joints
                         together use a bounded part of a frame, which is larger in worlds of over a
                         thousand bodies, and each island may use at least its bodies' share of this
@@ -54,14 +57,15 @@ typedef struct thud_quality {
                         steps, and for twice as many each time that this happens again */
     int island_slow_steps; /* number of successive slow steps after which an island is left to the
                             soft solver for a pause of 120 steps, 0 .. THUD_ISLAND_SLOW_STEPS_MAX. A
-                            step is slow where the island needs more than eight factorisations, or
-                            twenty times as many while it hardly moves. The pause also follows where
-                            the direct result is not valid. It doubles each time that it follows
-                            again before the island had an easy step, up to 1920 steps; where eight
-                            factorisations exceed island_work it is 1920 at once. 0: no limit, every
-                            step is tried; but an island with joints that could not be solved in
-                            eight successive steps is left to the soft solver for 8 steps, and for
-                            twice as many each time that it happens again, up to 128 */
+                            step is slow if the island needs more than eight factorisations; while
+                            the island hardly moves, twenty times as many slow steps are allowed.
+                            The pause also follows a direct result that is not valid. It doubles
+                            each time that it follows again before the island had a step that is not
+                            slow, up to 1920 steps; if eight factorisations exceed island_work it is
+                            1920 at once. 0: no limit, the direct solver is tried in every step; but
+                            an island with joints that could not be solved in eight successive steps
+                            is left to the soft solver for 8 steps, and for twice as many each time
+                            that it happens again, up to 128 */
 } thud_quality;
 
 /* From fastest to most accurate. draft has no island solver. */

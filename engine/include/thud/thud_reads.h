@@ -1,7 +1,7 @@
-/* thud_reads.h: getters of single values of bodies and shapes, in place of all values by
- * thud_body_get_state or thud_shape_get_state, and the settings that steps use. Each checks the
- * handle and copies the value. They change nothing, and are allowed inside callbacks; edits made
- * inside a callback do not show before the next step.
+/* thud_reads.h: getters of single values of bodies and shapes (thud_body_get_state and
+ * thud_shape_get_state get all values), of the settings of steps, and of counts of the broadphase.
+ * The getters change nothing, and are allowed inside callbacks; edits made inside a callback are
+ * not visible before the next step.
  *
  * Outputs may be null. THUD_ERROR_NULL for a null world, THUD_ERROR_STALE; outputs are then not
  * written. */
@@ -31,7 +31,7 @@ THUD_API thud_result thud_shape_get_body(const thud_world *world, thud_shape_id 
                                          thud_body_id *out_body);
 
 /* Position of the origin and velocity of the centre of mass as return values, for use in
- * expressions; (0, 0) where the handle names nothing. */
+ * expressions; (0, 0) if the handle is not valid. */
 static inline thud_pos thud_position_of(const thud_world *world, thud_body_id body) {
     thud_pos position = {0.0, 0.0};
     thud_body_get_position(world, body, &position);
@@ -49,32 +49,34 @@ typedef struct thud_step_settings {
     thud_vec2 gravity; /* length/s^2 */
     double time_step;  /* s */
     double max_error;  /* length; 0: none */
-    int substeps;      /* fewer than the quality's where a time budget has reduced them */
+    int substeps;      /* fewer than the quality's if a time budget has reduced them */
     bool sleeping;
     thud_quality quality; /* the world's copy, with the values that its def overrides */
 } thud_step_settings;
 
 THUD_API thud_result thud_world_get_step_settings(const thud_world *world, thud_step_settings *out);
 
-/* What the broadphase did in the last step, in counts, which do not depend on the machine, on the
- * clock or on the number of workers. Each shape whose bounds moved is tested against others; of n
- * shapes there are n (n - 1) / 2 pairs, which is what thud_broadphase_all tests where more than
- * half of all have moved. Counts of the first step after thud_world_restore may differ from those
- * of the world that was saved, where a query was asked between two steps; before it they are 0. */
+/* Counts of the broadphase's work in the last step. They do not depend on the machine, the clock or
+ * the number of workers. Each shape whose bounds moved is tested against others; of n shapes there
+ * are n (n - 1) / 2 pairs, all of which thud_broadphase_all tests if more than half of the shapes
+ * have moved. After thud_world_restore all counts are 0 until the next step, and those of this step
+ * may differ from the saved world's if a query ran between two steps. */
 typedef struct thud_broadphase_counts {
-    int moved;          /* shapes whose bounds moved or that are new: those that are searched for */
-    int64_t tested;     /* pairs of bounds that were compared */
-    int64_t found;      /* those that overlap */
-    int64_t sort_moves; /* plane sweeps: keys that insertion sort moved past another one since the
-                           broadphase of the step before; in a list that is nearly sorted the number
-                           of its inversions, pairs in the wrong order */
-    int cells;          /* grid: cells with shapes of awake bodies, as the grid was last built */
-    int cell_shapes;    /* grid: those shapes; over `cells` the mean of a cell */
-    int cell_shapes_max; /* grid: the most in a cell */
+    int moved;           /* shapes that are new or whose bounds moved: those that are tested against
+                            others */
+    int64_t tested;      /* pairs of bounds that were compared */
+    int64_t found;       /* pairs of bounds that overlap */
+    int64_t sort_moves;  /* plane sweeps: keys that insertion sort moved past another key since the
+                            broadphase of the step before; for a nearly sorted list, the number of
+                            its inversions (pairs in the wrong order) */
+    int cells;           /* grid: cells with shapes of awake bodies, as the grid was last built */
+    int cell_shapes;     /* grid: the shapes in these cells; divided by `cells`, the mean of a
+                            cell */
+    int cell_shapes_max; /* grid: the maximum in a cell */
 } thud_broadphase_counts;
 
-/* The cells are counted by the call, in time of their number. THUD_ERROR_NULL; *out is then not
- * written. */
+/* The call counts the cells, in time proportional to their number. THUD_ERROR_NULL; *out is then
+ * not written. */
 THUD_API thud_result thud_world_get_broadphase_counts(const thud_world *world,
                                                       thud_broadphase_counts *out);
 

@@ -1,5 +1,5 @@
-/* thud_result.h: the results of calls, and the marks of public functions. Included by all headers
- * of thud. */
+/* thud_result.h: the results of calls, and the attributes of public functions. Included by all
+ * headers of thud. */
 #ifndef THUD_RESULT_H
 #define THUD_RESULT_H
 
@@ -17,7 +17,7 @@
 #define THUD_API __attribute__((visibility("default")))
 #endif
 
-/* Marks calls that create something: a compiler warns where their result is not used. */
+/* Marks calls that create something: a compiler warns if their result is not used. */
 #if (defined(__cplusplus) && __cplusplus >= 201703L) || \
     (defined(__STDC_VERSION__) && __STDC_VERSION__ >= 202311L)
 #define THUD_NODISCARD [[nodiscard]]
@@ -39,7 +39,8 @@ typedef enum thud_result {
     THUD_OK = 0,
     THUD_ERROR_NULL,    /* a pointer that must not be null is null */
     THUD_ERROR_INVALID, /* a value is not finite or outside its documented range */
-    THUD_ERROR_STALE,   /* a handle names nothing: destroyed, never made, or of another world */
+    THUD_ERROR_STALE,   /* a handle is not valid: its object was destroyed, never existed, or
+                           belongs to another world */
     THUD_ERROR_MEMORY,  /* the allocator returned null; the world is as before the call */
     THUD_ERROR_LOCKED   /* not allowed inside a callback */
 } thud_result;

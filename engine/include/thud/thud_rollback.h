@@ -1,17 +1,18 @@
-/* thud_rollback.h: rollback for networked games: each peer runs every step at once, with the inputs
- * that it knows; for players whose input has not arrived it predicts their last one. When an input
- * arrives that differs from the prediction, the peer restores a snapshot and runs the steps since
- * then again. Only inputs are sent; an input may arrive up to `depth` steps late. thud.h does not
- * include this header; a program that uses it links what thud_snapshot.h names.
+/* thud_rollback.h: rollback for networked games: each peer runs every step without waiting, with
+ * the inputs that it knows; for players whose input has not arrived it assumes their last known
+ * one. When an input arrives that differs from this prediction, the peer restores a snapshot and
+ * runs the steps since then again. Only inputs are sent; an input may arrive up to `depth` steps
+ * late. thud.h does not include this header; a program that uses it links what thud_snapshot.h
+ * names.
  *
  *     thud_rollback_options options = {.step = play, .state = &game, .state_bytes = sizeof game};
  *     thud_rollback_create(world, &options, &rollback);
- *     ... each step: one's own input, and those of the others as they arrive, with their step
+ *     ... each step: the own input, and those of other players as they arrive, with their step
  *     thud_rollback_input(rollback, me, thud_progress_of(rollback).steps, held);
  *     thud_rollback_advance(rollback, NULL);
  *
  * All calls return THUD_ERROR_NULL for a null pointer where none is allowed, and THUD_ERROR_LOCKED
- * inside a callback of the world and inside `step`; the world's log is told the reason. When a call
+ * inside a callback of the world and inside `step`; the reason is in the world's log. When a call
  * fails nothing has changed, unless its comment says otherwise. */
 #ifndef THUD_ROLLBACK_H
 #define THUD_ROLLBACK_H
@@ -38,10 +39,10 @@ typedef thud_result thud_rollback_step_fn(thud_world *world, const uint64_t *inp
 
 /* All zero selects the defaults; `step` must be set. */
 typedef struct thud_rollback_options {
-    int players; /* [0, THUD_ROLLBACK_PLAYERS_MAX]; default (0) 2 */
-    int depth; /* steps that an input may arrive late, [0, THUD_ROLLBACK_DEPTH_MAX]; default (0) 60
-                */
-    uint64_t idle; /* input of a player before the first that is known; the caller packs buttons and
+    int players;   /* [0, THUD_ROLLBACK_PLAYERS_MAX]; default (0) 2 */
+    int depth;     /* maximum number of steps by which an input may be late, [0,
+                      THUD_ROLLBACK_DEPTH_MAX]; default (0) 60 */
+    uint64_t idle; /* input of a player before the first known one; the caller packs buttons and
                       sticks into the 64 bits of an input */
     thud_rollback_step_fn *step; /* not null */
     void *state; /* the caller's data that is restored with the world: score, movers, handles.
@@ -50,7 +51,7 @@ typedef struct thud_rollback_options {
 } thud_rollback_options;
 
 /* Creates a rollback, which keeps a snapshot of the world for each of depth + 1 steps. It allocates
- * their memory here, and again only where the world outgrows it. THUD_ERROR_INVALID,
+ * their memory here, and more only if the world outgrows it. THUD_ERROR_INVALID,
  * THUD_ERROR_MEMORY. */
 THUD_NODISCARD THUD_API thud_result thud_rollback_create(thud_world *world,
                                                          const thud_rollback_options *options,
@@ -65,14 +66,14 @@ THUD_API void thud_rollback_destroy(thud_rollback *rollback);
 THUD_API thud_result thud_rollback_input(thud_rollback *rollback, int player, int64_t step,
                                          uint64_t input);
 
-/* Runs again the steps with a wrong prediction, and then the next step. While an input of `depth`
+/* Repeats the steps with a wrong prediction, and then runs the next step. While an input of `depth`
  * steps ago is not known, the next step is not run and *out_made (may be null) is false: wait for
- * the other peers. Where `step` fails, or memory is short (THUD_ERROR_MEMORY), the call returns
- * that error. World and state are then at the beginning of the step that failed, or still at that
- * of a later one, and the next call starts from there. */
+ * the other peers. If `step` fails, or memory is short (THUD_ERROR_MEMORY), the call returns that
+ * error. World and state are then at the beginning of the step that failed, or still at the
+ * beginning of a later one, and the next call starts from there. */
 THUD_API thud_result thud_rollback_advance(thud_rollback *rollback, bool *out_made);
-/* Runs again the steps with a wrong prediction, and no further step: world and state then follow
- * from all known inputs. Fails as thud_rollback_advance. */
+/* Repeats the steps with a wrong prediction, and runs no further step: world and state then follow
+ * from all known inputs. Errors as for thud_rollback_advance. */
 THUD_API thud_result thud_rollback_settle(thud_rollback *rollback);
 
 typedef struct thud_rollback_progress {
@@ -94,8 +95,9 @@ static inline thud_rollback_progress thud_progress_of(const thud_rollback *rollb
 
 /* The world's hash, and a copy of the state (state_bytes), before one of the last `depth` steps or
  * before the next one. Up to `confirmed` the hash is the same on all peers; if it is not, `step` is
- * not deterministic. Either output may be null. Runs wrongly predicted steps again first, and fails
- * as thud_rollback_settle; THUD_ERROR_INVALID for a step that is not kept. */
+ * not deterministic. Either output may be null. The call first repeats wrongly predicted steps;
+ * errors as for thud_rollback_settle, and THUD_ERROR_INVALID for a step that is no longer
+ * stored. */
 THUD_API thud_result thud_rollback_get_state(thud_rollback *rollback, int64_t step,
                                              uint64_t *out_hash, void *out_state);
 

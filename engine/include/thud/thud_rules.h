@@ -1,13 +1,13 @@
-/* thud_rules.h: collision rules: a table in the world of how shapes of two kinds interact (ignore
- * each other, one-way, friction and so on), a filter function, and events of contacts with a large
- * impulse. Rules replace most prologues, without a call for each contact in each step. A program
- * that does not use this header does not link it.
+/* thud_rules.h: collision rules: a table of how shapes of two kinds interact (ignore each other,
+ * one-way, friction and so on), a filter function, and events of contacts with a large impulse.
+ * Rules replace most prologues (pre-solve callbacks), without a call for each contact in each step.
+ * A program that does not use this header does not link it.
  *
  * The kind of a shape is the lowest bit of its filter's category; a shape with category zero has no
  * kind, and no rule. A snapshot contains the rules, and the impulse events of the last step: a
  * restored world has exactly the rules of the snapshot. The filter function is not in a snapshot; a
- * world keeps its own. Queries and movers have filters of their own (for one-way platforms a mover
- * has thud_mover_passes_one_way), and do not use rules. */
+ * restored world keeps its own. Queries and movers have their own filters (for one-way platforms a
+ * mover has thud_mover_passes_one_way), and do not use rules. */
 #ifndef THUD_RULES_H
 #define THUD_RULES_H
 
@@ -20,43 +20,46 @@ extern "C" {
 /* How shapes of two kinds interact. */
 typedef enum thud_rule_kind {
     THUD_RULE_COLLIDE = 0, /* they collide */
-    THUD_RULE_IGNORE, /* they never make a pair, as if their filters excluded it; sensors neither */
+    THUD_RULE_IGNORE,      /* they never form a pair, as if their filters excluded it; this includes
+                              sensors */
     THUD_RULE_ONE_WAY /* they collide on one side only, as a platform that is jumped through from
                        * below
                        */
 } thud_rule_kind;
 
-/* The number of enumerators; no enumerator itself, so that a switch need not name it. */
+/* The number of enumerators. It is not an enumerator itself, so that a switch need not name it. */
 enum { THUD_RULE_KIND_COUNT = THUD_RULE_ONE_WAY + 1 };
 
-/* The rule of two kinds. Where friction, restitution or surface_speed is NaN, the default, the pair
- * has the value of its two shapes (thud_shape_def). A prologue is called after the rules, and not
+/* The rule of two kinds. If friction, restitution or surface_speed is NaN, the default, the pair
+ * has the value of its two shapes (thud_shape_def). A prologue is called after the rules, but not
  * for pairs that a rule lets pass. */
 typedef struct thud_rule {
     thud_rule_kind kind;
     /* THUD_RULE_ONE_WAY: the side of the first kind's shape on which the second collides with it,
      * as a direction in the frame of the first's body, of any length but 0. Default (0, 1): the
-     * top. A shape that comes from this side collides until the two part. A shape that comes from
-     * another side, or starts inside, passes until the two part or it has come out on this side. */
+     * top. A shape that comes from this side collides until the two separate. A shape that comes
+     * from another side, or starts inside, passes until the two separate or it has come out on this
+     * side. */
     thud_vec2 solid_side;
     float friction;      /* coefficient, [0, THUD_FRICTION_MAX]; default NaN */
     float restitution;   /* [0, THUD_PAIR_RESTITUTION_MAX]; default NaN */
     float surface_speed; /* length/s, |.| <= THUD_SURFACE_SPEED_MAX length scales a second; default
-                            NaN. The speed of each of the two surfaces, clockwise, as in
+                            NaN. Replaces the sum of both shapes' surface speeds: the speed at which
+                            one surface moves over the other, clockwise about either shape, as in
                             thud_shape_def */
     /* mass * length / s, >= 0: a contact whose normal impulse in a step is larger than this makes
      * an event, see thud_world_get_impulse_events. Default infinite: no events. */
     float event_impulse;
 } thud_rule;
 
-/* A rule without effect: shapes collide, with the values of their defs, and make no impulse events.
- */
+/* A rule without effect: shapes collide with the values of their defs, and without impulse
+ * events. */
 THUD_API thud_rule thud_default_rule(void);
 
 /* Sets the rule between each kind of `first` and each of `second`: category bits, at least one
  * each. It replaces the rules that these pairs of kinds had, in either order. `rule` null removes
- * them. It holds from the next step on, also for pairs that touch now, and wakes the bodies with
- * shapes of these kinds.
+ * them. It takes effect with the next step, also for pairs that touch now, and wakes the bodies
+ * with shapes of these kinds.
  *
  * THUD_ERROR_NULL for a null world, THUD_ERROR_INVALID without a bit, for a value out of range, or
  * for a one-way rule of a kind with itself, THUD_ERROR_MEMORY, THUD_ERROR_LOCKED inside a callback:
@@ -74,11 +77,11 @@ THUD_API thud_result thud_world_get_rule(const thud_world *world, uint32_t first
  * inside a callback. */
 THUD_API thud_result thud_world_use_rules(thud_world *world);
 
-/* Whether two shapes may make a pair; false has the same effect as filters that exclude it. It is
- * called when the bounds of two shapes begin to overlap, for some pairs more than once, between
- * steps or within one. As long as nothing else changes it must return the same. Setting it again
- * calls it anew for all pairs. The world is locked meanwhile. The order of the two shapes is not
- * specified. */
+/* Returns whether two shapes may form a pair; false has the same effect as filters that exclude it.
+ * It is called when the bounds of two shapes begin to overlap, for some pairs more than once,
+ * between steps or within a step. It must return the same value for a pair as long as nothing on
+ * which it depends changes. Setting it again calls it again for all pairs. The world is locked
+ * meanwhile. The order of the two shapes is not specified. */
 typedef bool thud_filter_fn(const thud_world *world, thud_shape_id shape_a, thud_shape_id shape_b,
                             void *context);
 
@@ -88,7 +91,7 @@ THUD_API thud_result thud_world_set_filter(thud_world *world, thud_filter_fn *fi
                                            void *context);
 
 /* A contact whose normal impulse was larger than its rule's event_impulse. Each segment of a
- * terrain is a contact of its own, and so is each collision that detection resolves within the
+ * terrain is a separate contact, and so is each collision that detection resolves within the
  * step. */
 typedef struct thud_impulse_event {
     thud_shape_id shape_a, shape_b;

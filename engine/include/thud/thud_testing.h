@@ -9,9 +9,10 @@
 extern "C" {
 #endif
 
-/* True: a world that is made of the def does not use AVX2. Its results are the same, bit for bit,
- * but a step takes longer. False, as by thud_default_world_def: it uses the widest instructions
- * that the processor has. THUD_ERROR_NULL; THUD_ERROR_INVALID for a def without its cookie. */
+/* True: a world that is created from the def does not use AVX2. Its results are the same, bit for
+ * bit, but a step takes longer. False, as by thud_default_world_def: it uses the widest
+ * instructions that the processor has. THUD_ERROR_NULL; THUD_ERROR_INVALID for a def without its
+ * cookie. */
 THUD_API thud_result thud_world_def_set_baseline_simd(thud_world_def *def, bool baseline_simd);
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
 /* thud_version.h: the version of thud. CMake reads the three numbers here, also for the installed
- * package. Before 1.0.0 a program must be built again for each minor version. */
+ * package. Before 1.0.0, programs must be recompiled for each minor version. */
 #ifndef THUD_VERSION_H
 #define THUD_VERSION_H
 

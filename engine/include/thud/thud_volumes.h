@@ -1,19 +1,19 @@
 /* thud_volumes.h: bounding volumes: a circle, AABB or OBB around an object, for a cheap test before
  * an exact one. Pure functions: no state, no allocation. Included by thud.h.
  *
- * In ascending order of cost, both to compute and to test, and of how tightly they fit:
+ * The kinds, in ascending order of the cost to compute and test them, and of tightness:
  *
  *     circle   loosest; unchanged by rotation of the object
  *     AABB     tighter, a test compares two intervals; changes with rotation
  *     OBB      tightest, a test compares along up to four directions; rotates with the object
  *
- * Volumes are enlarged by 2e-15 of their place and size, so that no test misses a contained object
- * because of rounding. The volume of a body is the merged volume of its shapes.
+ * Volumes are enlarged by 2e-15 of their position and size, so that no test misses a contained
+ * object because of rounding. The volume of a body is the merged volume of its shapes.
  *
  * Every function returns THUD_ERROR_NULL for a null pointer and THUD_ERROR_INVALID for a value that
- * is not finite or out of range, or where the result would be out of the range of
- * thud_volume_check; outputs are then not written. `out` may be one of the inputs. Lengths are in
- * any unit, relative to any origin. */
+ * is not finite or out of range, or if the result would be out of the range of thud_volume_check;
+ * outputs are then not written. `out` may be one of the inputs. Lengths are in any unit, relative
+ * to any origin. */
 #ifndef THUD_VOLUMES_H
 #define THUD_VOLUMES_H
 
@@ -23,8 +23,8 @@
 extern "C" {
 #endif
 
-/* A placed shape, of which the extents (for a circle hx, the radius) may also be 0. `kind` is the
- * kind of volume. */
+/* A shape at a pose, whose extents (for a circle hx, the radius) may also be 0. `kind` is the kind
+ * of volume. */
 typedef thud_geometry thud_volume;
 
 /* THUD_OK if the volume is a circle, AABB or OBB, |x|, |y| <= THUD_VOLUME_MAX, extents are in [0,
@@ -38,9 +38,9 @@ THUD_API thud_result thud_volume_check(const thud_volume *volume);
 THUD_API thud_result thud_volume_around_shape(thud_shape_kind kind, const thud_geometry *shape,
                                               thud_volume *out);
 
-/* A volume around all places of a shape during its motion, with rotation. A box is taken as wide as
- * it is at any time of the motion; for a bounding circle, as the circle around it. An OBB is
- * aligned to the motion or to the shape at half the motion, whichever makes it smaller. */
+/* A volume that contains a shape at all times of its motion, with rotation. A box counts with its
+ * maximum extent during the motion; for a bounding circle, it counts as the circle around it. An
+ * OBB is aligned to the motion, or to the shape at half the motion, whichever makes it smaller. */
 THUD_API thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_geometry *shape,
                                                thud_motion motion, thud_volume *out);
 
@@ -48,8 +48,8 @@ THUD_API thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_
  * one line or a single point. The smallest circle is found by exchanging the points that define it
  * (Gaertner, Fast and robust smallest enclosing balls, 1999), in a few passes over the points. The
  * OBB of least area has a side along a side of the convex hull (Freeman and Shapira, Determining
- * the minimum-area encasing rectangle, 1975): two passes for each side of the hull, of which the
- * first 512 are tried. */
+ * the minimum-area encasing rectangle, 1975): two passes over the points for each side of the hull;
+ * at most 512 sides are tried. */
 THUD_API thud_result thud_volume_around_points(thud_shape_kind kind, const thud_pos *points,
                                                int count, thud_volume *out);
 

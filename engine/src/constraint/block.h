@@ -2,10 +2,10 @@
  * the narrowphase and of the solver (Box2D v3's src/contact_solver.c has the same as wide
  * contacts).
  *
- * A constraint that acts (a contact that touches, a part of a joint that is in force) holds one
- * lane of a block. Invariants:
- * - The lanes of a bin (kind of constraint, side a static or not, graph colour) name no moving body
- *   twice, so that eight lanes are read, solved and written back at once.
+ * A constraint that acts (a touching contact, or a constraint of an enabled joint) holds one lane
+ * of a block. Invariants:
+ * - The lanes of a bin (kind of constraint, side a static or not, graph colour) refer to no moving
+ * body twice, so that eight lanes can be read, solved and written back at once.
  * - Slot 0 of the awake bodies is a dummy at rest with inverse mass 0. Static sides and empty lanes
  *   point to it, and write it back unchanged.
  *
@@ -26,47 +26,48 @@
 #include <stddef.h>
 #include <string.h>
 
-/* A shape as it stands in the world: all of the geometry that the wide kernels of td_finalize, of
- * the broadphase and of the narrowphase read of it, in one cache line. */
+/* A shape at its present pose: all of its geometry that the wide kernels of td_finalize, the
+ * broadphase and the narrowphase read, in one cache line. */
 typedef struct td_shape_proxy {
     td_position center;   /* of the shape, position quanta (base/fixed.h) */
     float c, s;           /* cosine and sine of the rotation; 1, 0 for kinds that do not turn */
     float half_x, half_y; /* half extents; of a circle both are its radius (td_kind_half_y) */
     float x, y;           /* offset of the centre from the body's centre of mass, world axes */
     float turns;          /* 1 where the bounds depend on the rotation, else 0 */
-    int32_t margin;       /* by which the fat bounds exceed the tight ones, bounds quanta */
+    int32_t margin;       /* how far the fat bounds exceed the tight ones, bounds quanta */
     td_bounds fat;        /* bounds with that margin */
 } td_shape_proxy;
 
 /* A contact point of eight lanes; wide_solve.h has the equations. The solver is bound by memory
  * traffic, so that the fields that it reads in each pass stand together, in three cache lines. */
 typedef struct td_point {
-    f8 separation;     /* at present, less the skin (thud_world.skin); negative: overlap. The relax
-                          pass writes it for the next solve pass. TD_APART: no point here */
-    f8 normal_mass;    /* effective mass along the normal; 0: no point here */
-    f8 normal_impulse; /* of one substep, >= 0 for contacts */
+    f8 separation;       /* present separation of the shapes minus the skin (thud_world.skin);
+                            negative: overlap. The relax pass writes it for the next solve pass.
+                            TD_APART: no point here */
+    f8 normal_mass;      /* effective mass along the normal; 0: no point here */
+    f8 normal_impulse;   /* of one substep, >= 0 for contacts */
     f8 cross_a, cross_b; /* r x n: the lever arm r from the body's centre of mass to the point */
-    f8 start_separation; /* that at the start of the step */
+    f8 start_separation; /* separation at the start of the step */
 } td_point;
 
 /* The fields of a contact point that few passes need, apart from td_point so that it stays small.
  * Blocks of locks and rods have a td_brace_rows in their place. */
 typedef struct td_point_history {
-    f8 normal_velocity; /* at the start of the step, length/s; negative: closing. Of manifolds that
-                           are kept from an earlier step valid in bouncy blocks only */
+    f8 normal_velocity; /* at the start of the step, length/s; negative: closing. For a manifold
+                           that is kept from an earlier step it is valid in bouncy blocks only */
     f8 total; /* normal impulse of all substeps; valid where td_solve_context.keep_totals */
 } td_point_history;
 
-/* What locks and rods keep for bracing (joints/joint_brace.c), where contacts have their two
- * td_point_history. Work is impulse times speed, an energy, mass length^2 / s^2. */
+/* Data of locks and rods for bracing (joints/joint_brace.c), in the place of the two
+ * td_point_history of contacts. Work is impulse times speed, an energy, mass length^2 / s^2. */
 typedef struct td_brace_rows {
-    f8 group; /* number of the lane's group of tied bodies */
+    f8 group; /* number of the lane's group of bodies that locks and rods connect */
     union {
-        f8 work_without; /* at the speeds without the impulses: p.u */
-        f8 kept_share;   /* then: the share of the impulses that is kept */
+        f8 work_without; /* work at the speeds without the impulses: p.u */
+        f8 kept_share;   /* afterwards: the share of the impulses that is kept */
     };
     f8 same_group; /* element 0: 1 where all lanes have the same group, else 0; others not used */
-    f8 work_with;  /* at the speeds with the impulses: p.u' */
+    f8 work_with;  /* work at the speeds with the impulses: p.u' */
 } td_brace_rows;
 
 static_assert(sizeof(td_brace_rows) == 2 * sizeof(td_point_history), "they share their place");
@@ -80,30 +81,30 @@ typedef struct td_surface {
                   this step; < 0: it has not bounced */
 } td_surface;
 
-/* The poses for which a lane's manifold was computed. While both shapes stay near them, relative to
- * each other and in the world, the manifold is kept, and only its separations are updated:
- * contact/wide_manifold_cache.h. */
+/* The poses for which a lane's manifold was computed. While both shapes stay near these poses,
+ * relative to each other and in the world, the manifold is kept, and only its separations are
+ * updated: contact/wide_manifold_cache.h. */
 typedef struct td_manifold_cache {
     f8 dx, dy;         /* from a's centre of mass to b's, length; on terrain: b's position, as the
                           bits of an int in units of 256 position quanta */
     f8 ac, as, bc, bs; /* cosine and sine of both shapes' rotations */
-    f8 separation[2];  /* of the points, in those poses */
+    f8 separation[2];  /* separations of the points in those poses */
     f8 limit;          /* relative motion up to which the manifold is kept, length */
     f8 reach; /* greatest half extent: the lever arm by which a rotation counts as motion */
 } td_manifold_cache;
 
-/* The impulse that a joint has given in this substep, in world axes: b gets (x, y) and moment_b, a
- * gets the opposite of (x, y) and of moment_a. A substep begins with the impulses of the substep
- * before (motion.h); a joint whose direction has turned since then takes that impulse back, and
- * applies it along its present direction. */
+/* The impulse that a joint has applied in this substep, in world axes: (x, y) and moment_b to body
+ * b, -(x, y) and -moment_a to body a. A substep begins with the impulses of the substep before
+ * (motion.h); a joint whose direction has turned since then removes that impulse, and applies it
+ * along its present direction. */
 typedef struct td_applied_impulse {
     f8 x, y, moment_a, moment_b;
 } td_applied_impulse;
 
-/* The anchors of a joint. They follow from the joint and the bodies' centres of mass alone, and are
- * looked up again where td_block.anchors_stale is set (joints/anchors.c). */
+/* The anchors of a joint. They depend only on the joint and the bodies' centres of mass, and are
+ * copied again when td_block.anchors_stale is set (joints/anchors.c). */
 typedef struct td_anchor_rows {
-    i8 body_a, body_b;     /* td_body_index, of a static side too */
+    i8 body_a, body_b;     /* td_body_index, also of static bodies */
     f8 a_x, a_y, b_x, b_y; /* from the centre of mass to the anchor, in the body's frame */
     f8 axis_c, axis_s;     /* td_joint.axis_c and .axis_s: direction `along` in the frame of a */
     i8 turn;               /* td_joint.turn: the relative angle that is 0, 2^32 a full turn */
@@ -122,8 +123,8 @@ typedef struct td_lock_rows {
     };
     f8 turn_sign;      /* 1, or -1 where td_joint.swapped: the sides are the caller's b and a */
     f8 turn_gap;       /* gap of `turn` at present, rad */
-    f8 closing_factor; /* gaps close at no more than so many times TD_JOINT_CLOSING_SPEED in this
-                          step */
+    f8 closing_factor; /* maximum closing speed of gaps in this step, in multiples of
+                          TD_JOINT_CLOSING_SPEED */
     i8 locked;         /* td_joint.locked: bits of the locked directions */
     td_anchor_rows anchor;
 } td_lock_rows;
@@ -155,7 +156,7 @@ typedef struct td_gear_rows {
     f8 a_x, a_y;
 } td_gear_rows;
 
-/* Flags and counters of a lane. Of the size of a word, so that they are copied as a row. */
+/* Flags and counters of a lane: 32 bits, so that they are copied like a row. */
 typedef struct td_lane_marks {
     uint8_t internal_edges; /* td_shape.internal_edges of shape_a, where that is static */
     uint8_t loaded;         /* times in succession that its load was above the threshold of
@@ -169,12 +170,12 @@ enum {
     TD_LANE_ALTERED = 1 << 13, /* contact: a prologue has changed its settings */
     TD_LANE_REFUSED = 1 << 12, /* contact: a prologue has vetoed it */
     /* Joint: it pressed a body into a static shape in the last step, or in the one before, so that
-     * its motion was taken back (joints/joint_yield.c). */
+     * its motion was corrected (joints/joint_yield.c). */
     TD_LANE_LOST = 1 << 11,
     TD_LANE_WAS_LOST = 1 << 10
 };
 
-/* The head of a block; see above for what stands behind its points. */
+/* The head of a block; the head of this file says what follows its points in memory. */
 typedef struct td_block {
     int32_t shape_a[TD_LANES], shape_b[TD_LANES]; /* of joints TD_NONE */
     int32_t constraint[TD_LANES];                 /* TD_NONE: empty lane */
@@ -183,7 +184,7 @@ typedef struct td_block {
     /* One row that belongs to the block as a whole, not to lanes. */
     int32_t next, prev; /* indices of blocks of the same bin, or TD_NONE */
     int32_t used;       /* lanes 0 .. used - 1 are in use */
-    uint32_t touching;  /* a bit a lane: it has a point, by the last narrowphase */
+    uint32_t touching;  /* one bit for each lane: the last narrowphase found a contact point */
     int32_t bouncy;     /* 1: a lane may have restitution */
     union {
         int32_t has_offsets;   /* contacts, 1: a shape may be off its body's centre of mass, turned
@@ -191,15 +192,15 @@ typedef struct td_block {
         int32_t anchors_stale; /* joints, 1: td_anchor_rows and settings must be looked up again */
     };
     int32_t shared; /* 1: a lane has a kinematic body, which other blocks may have as well */
-    uint32_t apart; /* a bit a lane: the motion of the step surely keeps its shapes apart
-                       (detection/gaps.h) */
+    uint32_t apart; /* one bit for each lane: its shapes provably stay apart during the motion of
+                       the step (detection/gaps.h) */
     td_lane_marks mark[TD_LANES];
     /* The rows that the solver reads begin here. */
     uint32_t a[TD_LANES], b[TD_LANES]; /* awake slot times TD_AWAKE_BYTES; 0: that side is static */
     f8 nx, ny;                         /* unit normal, from a to b; of joints direction u */
     f8 inv_inertia_a, inv_inertia_b;   /* 0: the side does not turn */
-    /* One friction row a block, along the tangent t = (ny, -nx): the points of a contact lie on one
-     * line along t, so that friction at each of them has the same line of action. */
+    /* One friction row for each contact, along the tangent t = (ny, -nx): the points of a contact
+     * lie on one line along t, so that friction at each of them has the same line of action. */
     f8 friction;                         /* friction coefficient of the pair */
     f8 tangent_mass, tangent_impulse;    /* effective mass along t; impulse of one substep */
     f8 tangent_cross_a, tangent_cross_b; /* r x t, where r is the mean of the points' lever arms */
@@ -222,7 +223,7 @@ enum { TD_DIRECT = 128 }; /* in td_lane_marks.loaded: impulses are the direct so
 /* Bytes of a record of an array by awake slot (float[4]). */
 enum { TD_AWAKE_BYTES = 4 * (int)sizeof(float) };
 
-/* The value of td_block.a or .b for an awake slot, and the other way round. A body without a slot
+/* Conversion between awake slots and the values of td_block.a and .b. A body without a slot
  * (TD_NONE) counts as the dummy, slot 0. */
 static inline uint32_t td_side_of_slot(td_awake_slot slot) {
     return (uint32_t)td_max_int(slot.at, 0) * TD_AWAKE_BYTES;
@@ -232,11 +233,12 @@ static inline td_awake_slot td_slot_of_side(uint32_t side) {
     return (td_awake_slot){(int32_t)(side / TD_AWAKE_BYTES)};
 }
 
-/* Blocks that a worker takes at once, 22 to 36 KB: enough work to outweigh the atomic operation
- * that claims it, and little enough to be in the cache when the tally follows. Chosen. */
+/* Number of blocks in a chunk, the unit that a worker claims, 22 to 36 KB: enough work to outweigh
+ * the atomic operation of claiming it, and small enough to be still in the cache when the tally
+ * reads it. Chosen. */
 enum { TD_CHUNK_BLOCKS = 24 };
 
-/* ---- what stands behind a block's points ---- */
+/* ---- the data after a block's points ---- */
 
 static inline td_point_history *td_history_of(td_block *block, int points) {
     return (td_point_history *)&block->point[points];
@@ -290,7 +292,7 @@ TD_INLINE void td_fetch_early(td_block *const *blocks, int i, int count, int poi
     }
 }
 
-/* The forms of blocks: the number of their points, and what stands behind their td_surface. */
+/* The forms of blocks: the number of points, and what follows td_surface in memory. */
 typedef enum td_block_form {
     TD_FORM_ONE,        /* one point */
     TD_FORM_ONE_CACHED, /* one point, td_manifold_cache */
@@ -319,13 +321,13 @@ static inline size_t td_form_bytes(td_block_form form) {
 
 /* ---- arguments of the wide kernels ---- */
 
-/* Of the narrowphase. */
+/* Arguments of the narrowphase. */
 typedef struct td_collide_context {
     const td_shape_proxy *proxy; /* by shape */
     const float (*velocity)[4];  /* by awake slot: x, y, turn, inverse mass */
-    td_block **separated; /* out: the blocks that have a lane without a point; has room for one
-                             more than there are blocks */
-    int *separated_count; /* in and out: their number */
+    td_block **separated; /* out: the blocks that have a lane without a point; has room for the
+                             number of blocks plus one */
+    int *separated_count; /* in and out: number of elements of `separated` */
     int *has_offsets;     /* out: set to 1 where a block has offsets */
     float quantum;        /* length of a position quantum */
     float margin;         /* separation below which a pair touches (speculative margin), length */
@@ -344,55 +346,58 @@ typedef enum td_brace {
     TD_BRACE_WARM_START,   /* apply the warm start along the present directions; not in the first
                               substep */
     TD_BRACE_WORK_WITH,    /* compute impulse times speed, at the speeds with the impulses */
-    TD_BRACE_REMOVE,       /* where energy may have been added: take the impulses back */
+    TD_BRACE_REMOVE,       /* where energy may have been added: remove the impulses */
     TD_BRACE_WORK_WITHOUT, /* compute impulse times speed, at the speeds without them */
     TD_BRACE_APPLY_SHARE   /* apply the share of the impulses that adds no energy */
 } td_brace;
 
-/* Passes over blocks that one bracing takes, and tasks of a single worker between them; by these
- * the counters of a job are reserved (state/jobs.c). */
+/* Number of passes over blocks in one bracing, and of single-worker tasks between them; counters of
+ * a job are reserved accordingly (state/jobs.c). */
 enum { TD_BRACE_STAGES = TD_BRACE_APPLY_SHARE + 1, TD_BRACE_TASKS = 2 };
 
-/* Greatest speed at which the gap of a joint closes, length scales/s, or rad/s of a rotation: in
- * the direct solver, and in the soft solver in groups that are braced. Chosen, the same as the
- * default of push_speed for contacts. */
+/* Maximum speed at which the gap of a joint closes, length scales/s, or rad/s for rotations: in the
+ * direct solver, and in the soft solver in groups that are braced. Chosen: the default of
+ * push_speed for contacts. */
 #define TD_JOINT_CLOSING_SPEED 3.0f
-/* In the soft solver otherwise, gaps close at up to so many times TD_JOINT_CLOSING_SPEED. The
- * impulse of a soft joint grows with its gap, so that this bound also bounds the load that it
- * bears. Chosen. */
+/* In groups of the soft solver that are not braced, gaps close at up to this many times
+ * TD_JOINT_CLOSING_SPEED. The impulse of a soft joint grows with its gap, so that this also bounds
+ * the load that it can carry. Chosen. */
 #define TD_JOINT_CLOSING_FACTOR 30.0f
 
 /* Softness of a joint in the soft solver, h omega in the equations of solve.c: the phase of its
- * spring in a substep, rad, with a damping ratio of 1. Bodies that swing lose less energy with
- * stiffer joints. Measured: from some 2.2 on, hanging chains and lattices never come to rest. */
+ * spring in a substep, rad, with a damping ratio of 1. Swinging bodies lose less energy with
+ * stiffer joints. Measured: at about 2.2 and above, hanging chains and lattices never come to
+ * rest. */
 #define TD_JOINT_PHASE 2.0f
 /* The share of a gap that closes in a substep: h bias_rate = h omega / (2 + h omega), one half. */
 #define TD_JOINT_GAP_SHARE (TD_JOINT_PHASE / (2.0f + TD_JOINT_PHASE))
 
-/* Greatest phase q = h omega of a joint's spring in a substep, rad: a faster spring acts as one
- * with this phase. Derived: with damping ratio d and a = q (q + 2 d), a soft row has mass_scale =
- * a / (1 + a) and h bias_rate = q / (q + 2 d) (solve.c). Rows that share bodies, each solved twice
- * in a substep, add no energy while q^2 < (1 + 2 a) / (1 + a), which is above 1 for every d. */
+/* Maximum phase q = h omega of a joint's spring in a substep, rad: a faster spring acts like one
+ * with this phase. Derived: with damping ratio d and a = q (q + 2 d), a soft row has mass_scale = a
+ * / (1 + a) and h bias_rate = q / (q + 2 d) (solve.c). Rows that share bodies, each solved twice in
+ * a substep, add no energy while q^2 < (1 + 2 a) / (1 + a), which is above 1 for every d. */
 #define TD_SPRING_PHASE 1.0f
 
-/* Greatest number of bounce passes before the substeps. A pass hands an impact on along a row of
- * bodies by at least two contacts, so that rows of 128 bodies hand it on in one step. Chosen. */
+/* Maximum number of bounce passes before the substeps. A pass propagates an impact along a row of
+ * bodies by at least two contacts, so that it passes through a row of 128 bodies in one step.
+ * Chosen. */
 enum { TD_BOUNCE_PASSES = 64 };
 
-/* Of the solver's passes: constants of the step, then the state of the present pass. */
+/* Arguments of the solver's passes: constants of the step, then the state of the present pass. */
 typedef struct td_solve_context {
     float (*velocity)[4]; /* by awake slot: x, y, turn, inverse mass */
-    float (*delta)[4];    /* by awake slot: motion since the start of the step: x, y, angle; 1 where
-                             a pair with restitution closes or parts faster than what rests */
+    float (*delta)[4];    /* by awake slot: motion since the start of the step: x, y, angle; 1 if a
+                             pair of the body with restitution closes or parts faster than pairs at
+                             rest */
     const float (*substep_gain)[4]; /* by awake slot: velocity gained by forces in a substep */
     float inv_h;                    /* 1 / h: substeps per second */
     float substeps;                 /* number of substeps of the step */
-    float push_speed;               /* greatest speed at which overlap is corrected, length/s */
+    float push_speed;               /* maximum speed at which overlap is corrected, length/s */
     float joint_closing_speed;      /* TD_JOINT_CLOSING_SPEED, length/s */
     float bounce_speed;  /* <= 0, length/s: a pair bounces if its normal velocity is below this */
     float elastic_speed; /* the same for pairs with a restitution of 1 or more */
-    /* s: a pair bounces in this step if it meets within this time, which is a step and a substep:
-     * what would meet in the substep after the step, the last relax pass would stop. */
+    /* A pair bounces in this step if it meets within this time, s: a step and a substep, since the
+     * last relax pass would otherwise stop a pair that meets in the substep after the step. */
     float bounce_time;
     float fall; /* gravity times time_step^2, length: a pair bounces in this step only if its
                    separation would be below this at the end */
@@ -412,9 +417,9 @@ typedef struct td_solve_context {
     atomic_bool *bounced;   /* ... and the flag that it sets where a pair bounces */
     td_brace brace;         /* the present pass of bracing */
     atomic_bool *adds;      /* flag of the present bracing: impulses of torn joints may have added
-                               energy. Those of the next bracings follow it */
-    atomic_bool *torn;      /* set by the warm start where the gap of a joint is so large that the
-                               bias of one substep exceeds TD_JOINT_CLOSING_SPEED */
+                               energy. The flags of the next bracings follow it */
+    atomic_bool *torn;      /* set by the warm start if a joint's gap is so large that the bias of
+                               one substep exceeds TD_JOINT_CLOSING_SPEED */
     struct td_tally *tally; /* error statistics of this worker */
 } td_solve_context;
 
@@ -424,9 +429,9 @@ typedef void td_collide_fn(td_block *const *blocks, int count, const td_collide_
 /* A pass of the solver over blocks of one run. */
 typedef void td_solve_fn(td_block *const *blocks, int count, const td_solve_context *context);
 
-/* The result of a quick test of eight waiting pairs, a bit a pair. bounds_apart: the fat bounds no
- * longer overlap, and the contact ends. near: the shapes may touch, and need the exact test. A pair
- * in neither waits on. */
+/* The result of a quick test of eight waiting pairs, one bit for each pair. bounds_apart: the fat
+ * bounds no longer overlap, and the contact ends. near: the shapes may touch, and need the exact
+ * test. A pair with neither bit keeps waiting. */
 typedef struct td_sifted {
     unsigned bounds_apart, near;
 } td_sifted;

@@ -1,5 +1,5 @@
 /* constraint.c: see constraint.h. Lists are doubly linked; waiting lists are arrays in which the
- * last element takes the place of one that leaves. */
+ * last element replaces a removed one. */
 #include "constraint/constraint.h"
 
 #include "constraint/joint_hooks.h"
@@ -57,7 +57,7 @@ static void leave_waiting(thud_world *w, const td_constraint *constraint) {
     td_array *waiting = &w->waiting[constraint->kind];
     int last = td_int_at(waiting, waiting->count - 1);
     if (TD_HAS_PREFETCH &&
-        waiting->count > 8) { /* it will be the last after eight more have left; chosen */
+        waiting->count > 8) { /* it will be the last element after eight more removals; chosen */
         __builtin_prefetch(td_constraint_at(w, td_int_at(waiting, waiting->count - 9)), 1);
     }
     td_int_set(waiting, constraint->slot, last);

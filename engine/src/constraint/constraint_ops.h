@@ -1,7 +1,7 @@
 /* constraint_ops.h: the operations of a kind of constraint: a table of functions that each kind of
- * contact (contact/pair_kinds.h) and of joint (joints/) plugs into the world (thud_world.kinds).
- * The stages that work on constraints of all kinds call them: lanes.c, the narrowphase, the solver,
- * the direct solver. */
+ * contact (contact/pair_kinds.h) and of joint constraint (joints/) registers in the world
+ * (thud_world.kinds). The stages that work on constraints of all kinds call them: lanes.c, the
+ * narrowphase, the solver, the direct solver. */
 #ifndef TD_CONSTRAINT_OPS_H
 #define TD_CONSTRAINT_OPS_H
 
@@ -15,12 +15,14 @@ struct td_direct_constraint;
 typedef bool td_take_rows_fn(const struct thud_world *world, td_block *block, int lane,
                              const float *impulses, struct td_direct_constraint *constraint);
 
-/* A part of a step, as island_step_joints.c divides steps of islands with joints. */
+/* A part of a step: direct/island_step_joints.c divides the steps of islands with joints into
+ * parts. */
 typedef struct td_span {
     /* Motions (x, y, turn) of sides a and b since the start of the step: [0] to the start of the
      * part, [1] to its end, by the present iteration. */
     double a[2][3], b[2][3];
-    double time; /* length of the part, s; 0: an instant, at which [0] and [1] are equal */
+    double time; /* length of the part, s; 0: [0] and [1] are equal, and describe the poses at the
+                    end of a part */
 } td_span;
 
 /* Computes the Jacobian and the target speeds of a joint's rows for a part of the step. The
@@ -28,37 +30,38 @@ typedef struct td_span {
  * the joint's coordinate, so that the impulses of locked rows do no work (O. Gonzalez, "Mechanical
  * systems subject to holonomic constraints: differential-algebraic formulations and conservative
  * integration", 1999). The target speeds are the mean speeds that close the gaps by the end of the
- * part. For an instant it is the ordinary Jacobian, and the target speeds do not close gaps. */
+ * part. With td_span.time 0 it is the ordinary Jacobian, and the target speeds do not close
+ * gaps. */
 typedef void td_update_rows_fn(const struct thud_world *world, const td_block *block, int lane,
                                const td_span *span, struct td_direct_constraint *constraint);
 
-/* How a kind fills, empties and counts its lanes. The bodies' awake slots and inverse inertias in a
- * lane are set by lanes.c, for all kinds alike. */
+/* How a kind fills, clears and measures its lanes. lanes.c sets the bodies' awake slots and inverse
+ * inertias in a lane, for all kinds alike. */
 typedef struct td_lane_ops {
-    /* The constraint takes the lane, which is all zeros: sets what the kind keeps in it. */
+    /* The constraint takes the lane, which is all zeros: sets the kind's own data in it. */
     void (*fill)(struct thud_world *world, td_block *block, int lane, int constraint);
     /* The constraint gives the lane back. */
     void (*clear)(struct thud_world *world, td_block *block, int lane, int constraint);
-    /* Masses or shapes of its bodies have changed: the next narrowphase is to compute the lane
-     * again, whatever is cached. */
+    /* Masses or shapes of its bodies have changed: invalidates what is cached, so that the next
+     * narrowphase computes the lane again. */
     void (*renew)(struct thud_world *world, td_block *block, int lane, int constraint);
     /* Adds the residuals of a block's lanes to the step's error statistics, after the direct solver
      * has changed velocities; null for contacts, which solver/error.c counts itself. */
     void (*count)(struct thud_world *world, const td_block *block);
     /* Returns the load of a lane: its impulse of a substep over the lighter side's mass, length/s.
-     * *off gets the length by which the joint is open. Rotations count as lengths by `size`, the
-     * size of the smaller body. Null for contacts. */
+     * *off is set to the length by which the joint is open. Rotations are multiplied by `size`, the
+     * size of the smaller body, to become lengths. Null for contacts. */
     float (*load)(const struct thud_world *world, const td_block *block, int lane, float size,
                   float *off);
-    /* Null for contacts, whose function direct/rows.h names, so that a program without the direct
+    /* Null for contacts: direct/rows.h names their function, so that a program without the direct
      * solver does not link it. */
     td_take_rows_fn *take_rows;
-    /* Null for contacts, whose rows are those of the start of the step. */
+    /* Null for contacts, whose rows do not change within a step. */
     td_update_rows_fn *update_rows;
 } td_lane_ops;
 
-/* All of a kind. Pair kinds plug theirs in when their shapes are first used (state/kinds.h), joints
- * when the first one of the kind is made. */
+/* All operations of a kind. Pair kinds are registered when their shapes are first used
+ * (state/kinds.h), kinds of joints when the first joint is created. */
 typedef struct td_constraint_ops {
     td_block_form form;
     const td_lane_ops *lanes; /* null: those of contacts, td_contact_lanes */

@@ -1,4 +1,4 @@
-/* joint_hooks.h: what a step calls of the joints: a table of functions that a world gets with its
+/* joint_hooks.h: the functions of joints that a step calls: a table that a world gets with its
  * first joint (joints/joint_make.c), so that a program without joints does not link them. */
 #ifndef TD_JOINT_HOOKS_H
 #define TD_JOINT_HOOKS_H
@@ -8,7 +8,7 @@
 struct td_island_work;
 struct td_drawing;
 
-/* Gaps of joints, by which locked directions are open and limits exceeded, as thud_step_error
+/* Gaps of joints (displacement in locked directions, and excess over limits), as thud_step_error
  * reports them: the greatest and the mean length, and the greatest angle (rad). All are >= 0. */
 typedef struct td_joint_gaps {
     double worst, mean, angle;
@@ -17,11 +17,11 @@ typedef struct td_joint_gaps {
 typedef struct td_joint_hooks {
     /* ---- joint_engage.c ---- */
     /* Gives lanes to the parts of joints that wait for one, where both bodies are in the world and
-     * enabled. False when memory is short; the parts that remain wait on. */
+     * enabled. False when memory is short; the others keep waiting. */
     bool (*engage)(thud_world *w);
     /* Takes the lanes of a body's joints away; they wait until the body is enabled again. */
     void (*suspend)(thud_world *w, td_body_index body);
-    /* After a body or its centre of mass was moved by the caller: locks of single axes
+    /* After the caller moved a body or its centre of mass: makes locks of single axes
      * (edits/locks.c) hold it at its new position. */
     void (*move_locks)(thud_world *w, td_body_index body);
     /* Whether a joint of both bodies excludes contacts between them. */
@@ -31,10 +31,10 @@ typedef struct td_joint_hooks {
     void (*remove_part)(thud_world *w, int joint, int part);
 
     /* ---- joint_tied.c, see tied_bodies.h ---- */
-    /* Makes the groups of tied bodies, unless this step has them already. */
+    /* Finds the groups of tied bodies, unless they are already known in this step. */
     void (*tie)(thud_world *w);
-    /* Detection stopped a body at a share `time` (0 .. 1) of its motion: stops the others of its
-     * group there, too. */
+    /* Detection stopped a body at a share `time` (0 .. 1) of its motion: stops the other bodies of
+     * its group at the same time. */
     void (*hold_back)(thud_world *w, td_awake_slot slot, double time);
 
     /* ---- joint_brace.c, between passes of the solver ---- */
@@ -76,7 +76,7 @@ static inline const thud_island_solver *td_direct_solver_of(const thud_world *w)
     return w->joint_hooks ? w->joint_hooks->islands : &thud_islands_direct;
 }
 
-/* The functions of that table, from the files named there. */
+/* The functions of that table; the comments there name their files. */
 bool td_joints_engage(thud_world *w);
 void td_joints_suspend(thud_world *w, td_body_index body);
 void td_joints_move_locks(thud_world *w, td_body_index body);
@@ -96,8 +96,8 @@ bool td_joints_exclude_contact(const thud_world *w, td_body_index a, td_body_ind
 
 /* The bit of a body in td_body.passes, a Bloom filter of the bodies that its joints exclude
  * contacts with: if contacts of two bodies are excluded, each has the bit of the other. Other pairs
- * may have them as well, since bodies share the 16 bits and bits are never cleared; keeps_apart
- * decides. */
+ * may also have them, since many bodies share the 16 bits and bits are never cleared; keeps_apart
+ * gives the exact answer. */
 static inline uint16_t td_passing_bit(td_body_index body) {
     return (uint16_t)(1u << (body.at & 15));
 }

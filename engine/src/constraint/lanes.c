@@ -11,13 +11,14 @@ static td_slots *pool_of(thud_world *w, int kind) {
     return &w->pool[w->kinds[kind]->form];
 }
 
-/* The awake slot of the body if the solver moves it, else 0. */
+/* The awake slot of a dynamic body, which the solver moves; 0 for other bodies. */
 static td_awake_slot moving_slot(const td_body *body) {
     return body->kind == THUD_BODY_DYNAMIC && body->awake.at > 0 ? body->awake : (td_awake_slot){0};
 }
 
 /* Sets or clears the colour of a bin at a body. Slot 0 and the bin of sleeping lanes have none. The
- * overflow colour, which a body may have many times, stays until the body sleeps. */
+ * overflow colour, which several constraints of a body may have, stays marked until the body
+ * sleeps. */
 static void mark_colour(thud_world *w, td_awake_slot slot, int bin, bool taken) {
     if (slot.at > 0 && bin != TD_SLEEPING && (taken || bin % TD_COLOURS != TD_OVERFLOW)) {
         td_colours *colours = td_colours_at(w, slot);
@@ -59,13 +60,13 @@ static int lanes_a_block(int bin) {
     return bin != TD_SLEEPING && bin % TD_COLOURS == TD_OVERFLOW ? 1 : TD_LANES;
 }
 
-/* The number of blocks that so many lanes of the bin need. */
+/* The number of blocks that `lanes` lanes of the bin need. */
 static int blocks_for(int bin, int lanes) {
     int size = lanes_a_block(bin);
     return (lanes + size - 1) / size;
 }
 
-/* Takes an empty block from the pool, which has room. Returns its index. */
+/* Takes an empty block from the pool, where one must be reserved. Returns its index. */
 static int take_block(thud_world *w, int kind) {
     td_slots *pool = pool_of(w, kind);
     int index = td_slots_take(pool);
@@ -78,11 +79,11 @@ static int take_block(thud_world *w, int kind) {
 }
 
 /* Bytes of a row of eight words, one a lane; and the index of the one row that belongs to the block
- * as a whole (td_block.next and what follows). */
+ * as a whole (td_block.next and the fields after it). */
 enum { ROW = (int)sizeof(f8), OWN_ROW = (int)offsetof(td_block, next) / ROW };
 
-/* Copies the first `bytes` of a block, as far as they belong to the lane. The block's own row is
- * copied like the others and then restored, which saves a test in each row. */
+/* Copies one lane of the first `bytes` bytes of a block. The block's own row is copied like the
+ * others and then restored, which saves a test in each row. */
 static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_lane, int bytes) {
     uint32_t *t = (uint32_t *)to + to_lane;
     const uint32_t *f = (const uint32_t *)from + from_lane;
@@ -92,7 +93,7 @@ static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_
     }
     t[OWN_ROW * TD_LANES] = own;
     to->bouncy |= to->restitution[to_lane] > 0.0f;
-    to->has_offsets |= from->has_offsets; /* of joints anchors_stale, in the same place */
+    to->has_offsets |= from->has_offsets; /* for joints the same bits are anchors_stale */
     to->shared |= from->shared;
     to->touching =
         (to->touching & ~(1u << to_lane)) | ((from->touching >> from_lane & 1u) << to_lane);
@@ -167,7 +168,8 @@ static void set_slots(thud_world *w, td_block *block, int lane, const td_constra
     block->inv_inertia_b[lane] = b->inv_inertia;
 }
 
-/* Puts a constraint into a bin: from the lane that it has, or a new one that its kind fills. */
+/* Gives a constraint a lane in a bin: the contents are moved from its present lane, or its kind
+ * fills the new one. */
 static void place(thud_world *w, int index, int bin) {
     td_constraint *constraint = td_constraint_at(w, index);
     int kind = constraint->kind, lane;
@@ -185,8 +187,8 @@ static void place(thud_world *w, int index, int bin) {
         w->touching += td_is_contact(constraint);
     }
     set_slots(w, td_block_at(w, kind, block), lane, constraint);
-    /* A kinematic body takes no colour, so that other blocks may name it too: a single worker must
-     * solve the run. */
+    /* A kinematic body takes no colour, so that other blocks may also contain it: a single worker
+     * must solve the run. */
     if (td_body_at(w, constraint->body[0])->kind == THUD_BODY_KINEMATIC ||
         td_body_at(w, constraint->body[1])->kind == THUD_BODY_KINEMATIC) {
         td_block_at(w, kind, block)->shared = 1;
@@ -220,9 +222,9 @@ static bool reserve_grown(thud_world *w, lane_counts grown) {
     return true;
 }
 
-/* While lanes move to the bin of sleeping lanes, a kind gives as many lanes back as it takes.
- * Besides the blocks in use, it needs at any time at most one for the last, partly filled block of
- * each bin that loses lanes, and one in the bin of sleeping lanes. */
+/* While lanes move to the bin of sleeping lanes, a kind frees as many lanes as it takes. Besides
+ * the blocks in use, it needs at any time at most one for the last, partly filled block of each bin
+ * that loses lanes, and one in the bin of sleeping lanes. */
 bool td_lanes_reserve_sleeping(thud_world *w) {
     int more[TD_FORM_COUNT] = {0};
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
@@ -242,12 +244,12 @@ bool td_lanes_reserve_sleeping(thud_world *w) {
     return true;
 }
 
-/* How many constraints ahead of the loop each record is prefetched: far enough that the one before
- * it, which names it, has arrived. Chosen. */
+/* How many constraints ahead of the loop each record is prefetched: far enough that the record
+ * which refers to it has arrived from memory. Chosen. */
 enum { FETCH_RECORD = 24, FETCH_BODIES = 12, FETCH_EDGES = 6 };
 
-/* Prefetches the bodies and shapes of a constraint: the lines of their records that are read where
- * contacts begin, take lanes and end. */
+/* Prefetches the bodies and shapes of a constraint: the cache lines of their records that are read
+ * when contacts begin, take lanes and end. */
 static void fetch_bodies(const thud_world *w, const td_constraint *constraint) {
     for (int side = 0; side < 2; side++) {
         const td_body *body = td_body_at(w, constraint->body[side]);
@@ -328,7 +330,7 @@ void td_lane_remove(thud_world *w, int index) {
     assert(constraint->state == TD_TOUCHING);
     release_bin(w, constraint, constraint->bin);
     td_lane at = td_lane_of(w, constraint);
-    /* Takes the lane out of the world's counts of surfaces that bounce or move. */
+    /* Removes the lane from the world's counts of contacts with restitution or a surface speed. */
     td_lane_ops_of(w, constraint->kind)->clear(w, at.block, at.lane, index);
     bin_shrink(w, constraint->kind, constraint->bin, constraint->slot);
     w->touching -= td_is_contact(constraint);
@@ -347,8 +349,9 @@ void td_lane_renew(thud_world *w, int index) {
     td_lane_ops_of(w, constraint->kind)->renew(w, at.block, at.lane, index);
 }
 
-/* Prefetches a block that the list had eight places further on when it was last made. It is most
- * likely there again; following the links of blocks all over memory would wait for each of them. */
+/* Prefetches the block that was eight elements further on when the list was last made: it is most
+ * likely there again, while following the links between scattered blocks would wait for each of
+ * them. */
 static void prefetch_listed(const td_array *blocks) {
     int ahead = blocks->count + 8;
     if (ahead < blocks->capacity) {
@@ -400,7 +403,7 @@ static bool cut_chunks(thud_world *w) {
 }
 
 /* Lists the kinds that have blocks, in the order of solving within a colour. Contacts come last, so
- * that joints do not leave bodies overlapping that contacts have separated. */
+ * that joints do not push bodies back into an overlap that contacts have corrected. */
 static int kinds_in_order(const thud_world *w, int kinds[TD_CONSTRAINT_KINDS]) {
     int count = 0;
     for (int i = 0; i < TD_CONSTRAINT_KINDS; i++) {

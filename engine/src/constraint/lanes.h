@@ -7,8 +7,8 @@
  * colour goes to the overflow colour, whose blocks have one lane each.
  *
  * Invariants: all blocks of a bin but the last are full (a lane that is given back is filled with
- * the bin's last lane). Which lane a constraint has depends on the history of the world alone,
- * never on addresses or workers. */
+ * the bin's last lane). Which lane a constraint has depends only on the history of the world, never
+ * on addresses or workers. */
 #ifndef TD_LANES_H
 #define TD_LANES_H
 
@@ -17,20 +17,20 @@
 /* A run of blocks of one bin, in the order of solving. */
 typedef struct td_run {
     int32_t kind, a_static; /* kind of the constraints; `a_static` 1: side a is static */
-    int32_t bin; /* colour, + TD_COLOURS where a_static: runs of the same bin, of whatever kinds,
-                    have no moving body in common, except in the overflow colour */
+    int32_t bin; /* colour, + TD_COLOURS where a_static: runs with equal `bin`, even of different
+                    kinds, have no moving body in common, except in the overflow colour */
     int32_t first, count; /* blocks, in scratch.blocks */
     int32_t has_offsets;  /* 1: one of its blocks has offsets (td_block.has_offsets) */
     int32_t shared;       /* 1: one of its blocks is shared, so that only one worker may solve it */
 } td_run;
 
-/* Whether two blocks of the run may name the same body, so that the run is not divided among
- * workers: in the overflow colour, and where there are kinematic bodies, which take no colours. */
+/* Whether two blocks of the run may contain the same body, so that the run cannot be divided among
+ * workers: in the overflow colour, and with kinematic bodies, which take no colours. */
 static inline bool td_run_is_single(const td_run *run) {
     return run->shared || run->bin % TD_COLOURS == TD_OVERFLOW;
 }
 
-/* A part of a run, which one worker takes, and the result of its narrowphase. */
+/* A piece of a run, which one worker claims, and the result of its narrowphase. */
 typedef struct td_chunk {
     int32_t run, first, count; /* index of the run; blocks, in scratch.blocks */
     int32_t has_offsets;       /* 1: one of its blocks has offsets */
@@ -50,8 +50,8 @@ static inline const td_lane_ops *td_lane_ops_of(const thud_world *w, int kind) {
     return own ? own : &td_contact_lanes;
 }
 
-/* The lane of a constraint that acts. It is a type of its own since td_constraint.slot packs block
- * and lane into one number, and means something else while the constraint waits. */
+/* The lane of a constraint that acts. td_constraint.slot packs both into one number, and has
+ * another meaning while the constraint waits. */
 typedef struct td_lane {
     td_block *block;
     int lane;
@@ -66,9 +66,9 @@ static inline td_lane td_lane_of(const thud_world *w, const td_constraint *const
 /* See td_constraints_fetch. */
 void td_constraints_fetch_ahead(const thud_world *w, const int *constraints, int count, int i);
 
-/* For a loop over a list of constraints, whose records lie anywhere in memory as those of their
- * bodies and shapes do: at index i it prefetches what the loop will read of the constraints further
- * on. Does nothing in a small world (td_fetches). */
+/* For a loop over a list of constraints, whose records are scattered in memory like those of their
+ * bodies and shapes: at index i it prefetches what the loop will read of later constraints. Does
+ * nothing in a small world (td_fetches). */
 static inline void td_constraints_fetch(const thud_world *w, const int *constraints, int count,
                                         int i) {
     if (td_fetches(w)) {
@@ -76,21 +76,21 @@ static inline void td_constraints_fetch(const thud_world *w, const int *constrai
     }
 }
 
-/* Gives each of the constraints a lane, by its graph colour. The contents of a constraint that has
- * a lane already (of a sleeping body) move along. False when memory is short, and nothing has
- * changed.
- */
+/* Gives each of the constraints a lane, by its graph colour. The contents of a lane that a
+ * constraint already has, while its bodies sleep, are moved. False when memory is short, and
+ * nothing has changed. */
 bool td_lanes_place(thud_world *w, const int *constraints, int count);
-/* Moves the lanes of the constraints, contents and all, to their kinds' bins of sleeping lanes.
- * td_lanes_reserve_sleeping must have been called before; it makes room for any number of them. */
+/* Moves the lanes of the constraints with their contents to their kinds' bins of sleeping lanes.
+ * td_lanes_reserve_sleeping must have been called before; it reserves memory for any number of
+ * lanes. */
 void td_lanes_put_to_sleep(thud_world *w, const int *constraints, int count);
 bool td_lanes_reserve_sleeping(thud_world *w);
-/* The constraint gives its lane back. */
+/* Frees the constraint's lane. */
 void td_lane_remove(thud_world *w, int constraint);
 
 /* Lists blocks, runs and chunks in the order of solving, in scratch, unless they are listed
  * already. Bins of pairs of moving bodies come first and those with a static side last, so that
- * contacts with the ground are solved last and are left with the smallest error. False when memory
+ * contacts with the ground are solved last and have the smallest remaining error. False when memory
  * is short. */
 bool td_lanes_sequence(thud_world *w);
 

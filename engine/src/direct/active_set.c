@@ -1,41 +1,42 @@
 /* active_set.c: an active-set method on the augmented Lagrangian, started from the active set of
  * the last step.
  *
- * A row of penalty weight D and multiplier y (the impulse as known so far) acts on its bodies by
+ * A row of penalty weight D and multiplier y (the latest estimate of its impulse) acts on its
+ * bodies by
  *     unilateral:  impulse = max(0, y - D (J v - target))
  *     equality:    impulse = y - D (J v - target)
- *     friction:    impulse = y - D (J v - target), cut off at -max_impulse and max_impulse
+ *     friction:    impulse = y - D (J v - target), clamped to -max_impulse and max_impulse
  * (Hestenes, "Multiplier and gradient methods", 1969; Powell, "A method for nonlinear constraints
  * in minimization problems", 1969; for inequalities Rockafellar, "The multiplier method of Hestenes
  * and Powell applied to convex programming", 1973). These impulses are the gradient of a function
- * of v that is convex and piecewise quadratic. A row is active where its impulse is not cut off.
- * Newton's method on the active rows finds the minimum as soon as a whole step leaves the active
- * set as it is (a semismooth Newton method). Then
+ * of v that is convex and piecewise quadratic. A row is active where its impulse is not clamped.
+ * Newton's method on the active rows (a semismooth Newton method) has found the minimum when a
+ * whole step does not change the active set. Then
  *   1. conjugate gradients reduce the residual that the penalties left (conjugate_gradients.c),
- *   2. y takes the impulses, and friction rows get the bounds of the new normal impulses,
- * and both are repeated until residual and friction are within the tolerance. */
+ *   2. y is set to the impulses, and friction bounds are computed from the new normal impulses, and
+ *      everything is repeated until residual and friction are within the tolerance. */
 #include "direct/direct.h"
 
-/* The penalty weight D of a row, in multiples of its effective mass, or of the mass whose weight it
- * carries (impulse / (g h)) where that is more: at 1e5 a body of the row's own mass misses its
- * speed by 1e-5 g h before conjugate gradients. PENALTY_MAX, in effective masses, bounds D: above
- * it rounding (2^-53) leaves nothing of the masses in the matrix, and a drop with a load of 10^5
- * times ended as not a number. */
+/* The penalty weight D of a row is PENALTY times its effective mass, or times the mass whose weight
+ * it carries (impulse / (g h)) if that is larger: at 1e5 a body of the row's own mass misses the
+ * target speed by 1e-5 g h before conjugate gradients. D is at most PENALTY_MAX effective masses:
+ * above it the masses in the matrix are lost to rounding (2^-53), and in a drop test with a load
+ * ratio of 10^5 velocities became NaN. */
 #define PENALTY 1e5
 #define PENALTY_MAX 1e9
 
 /* Hysteresis of the active set, in tolerances of speed. Chosen. */
 #define HYSTERESIS 0.1
 
-/* A friction bound that is right to this factor is not recomputed: normal impulses of a heap at
- * rest vary by less from step to step. Chosen. */
+/* A friction bound that is wrong by less than this factor is not recomputed: normal impulses of a
+ * heap at rest vary by less from step to step. Chosen. */
 #define BOUND_FACTOR 1.02
 
-/* A friction row whose impulse is above this share of its bound is taken to slide: SLIDING_SHARE
- * where its speed says so too, AT_BOUND by the impulse alone. Chosen. */
+/* A friction row whose impulse is above this share of its bound is taken to slide: above
+ * SLIDING_SHARE if the surfaces also slide against it, above AT_BOUND in any case. Chosen. */
 #define SLIDING_SHARE 0.9
 #define AT_BOUND 0.999
-/* The same for an impulse of the last step, which was at its bound exactly, but for rounding. */
+/* As AT_BOUND, for an impulse of the last step: one that slid was at its bound up to rounding. */
 #define AT_BOUND_BEFORE (1.0 - 1e-6)
 
 /* Conjugate gradients reduce residuals to this share of the tolerance. Chosen. */
@@ -43,10 +44,12 @@
 
 enum {
     FACTORINGS_MAX = 6,    /* factorisations before the method gives up; at rest it takes one */
-    UPDATES_MAX = 12,      /* updates of multipliers and friction bounds */
-    UPDATES_AGAIN = 4,     /* the same with the active set of before, without a factorisation */
-    CHANGED_PART = 6,      /* with more than one in so many rows changing in a Newton step, ... */
-    CHANGED_ROWS_MIN = 100 /* ... of at least so many rows, the warm start is given up as useless */
+    UPDATES_MAX = 12,      /* maximum number of updates of multipliers and friction bounds */
+    UPDATES_AGAIN = 4,     /* the same in td_direct_solve_same_active_set, which does not factor */
+    CHANGED_PART = 6,      /* if more than one in CHANGED_PART rows changes its activity in a Newton
+                              step, ... */
+    CHANGED_ROWS_MIN = 100 /* ... in a problem of at least CHANGED_ROWS_MIN rows, the method gives
+                              up */
 };
 
 static double magnitude(double x) {
@@ -58,9 +61,9 @@ static double clamp(double x, double max) {
 }
 
 /* Sets impulse and activity of a row from the impulse that its penalty gives. In a heap at rest
- * many contacts carry nothing, or have friction just at its bound, and rounding would have them
- * enter and leave the active set for ever: `hysteresis` is the speed, and times the effective mass
- * the impulse, within which a row stays as it is. True where the row's activity has changed. */
+ * many contacts carry no load, or have friction just at its bound, and rounding would make them
+ * enter and leave the active set forever. So a row keeps its activity within `hysteresis` of the
+ * threshold: a speed, and times the effective mass an impulse. True if the activity changed. */
 static bool update_row(td_direct_row *r, double impulse, double hysteresis) {
     bool before = r->active;
     double little = hysteresis * r->mass;
@@ -68,12 +71,13 @@ static bool update_row(td_direct_row *r, double impulse, double hysteresis) {
         r->active = r->active ? impulse > -little : r->speed < r->target_speed - hysteresis;
         r->impulse = r->active && impulse > 0.0 ? impulse : 0.0;
     } else if (r->kind >= TD_ROW_FRICTION) {
-        /* A sliding row becomes active again where the impulse leaves its bound inward, and where
-         * it has gone past the other bound: it sticks for one Newton step in between. */
+        /* A sliding row becomes active (sticks) again if its impulse falls below its bound, or if
+         * it passes the opposite bound: then it sticks for one Newton step before it slides the
+         * other way. */
         double against = r->impulse < 0.0 ? -impulse : impulse;
         r->active = r->active ? magnitude(impulse) < r->max_impulse + little
                               : against < r->max_impulse - little;
-        r->active = r->active && r->max_impulse > 0.0; /* a bound of 0 leaves no friction */
+        r->active = r->active && r->max_impulse > 0.0; /* bound 0: no friction */
         r->impulse = clamp(impulse, r->max_impulse);
     } else {
         r->impulse = impulse; /* an equality row is always active */
@@ -82,7 +86,7 @@ static bool update_row(td_direct_row *r, double impulse, double hysteresis) {
     return r->active != before;
 }
 
-/* The impulse that the penalty gives, y - D (J v - target), before it is cut off. */
+/* The impulse that the penalty gives, y - D (J v - target), before it is clamped. */
 static double penalty_impulse(const td_direct_row *r, double multiplier) {
     return multiplier - r->weight * (r->speed - r->target_speed);
 }
@@ -116,10 +120,10 @@ static bool has_no_impulses(const td_direct *d) {
 }
 
 /* Warm-starts the active set: unilateral rows that had an impulse in the last step, and those whose
- * speed is below the target speed. An island without impulses, or with those of the soft solver,
- * which are not converged, has all rows active that do not separate; there, friction rows that
- * slide by less than g h are unbounded until the first normal impulses are known. Returns the
- * number of rows. */
+ * speed is below the target speed. The soft solver's impulses are not converged: an island that
+ * starts from them, or from none, has all rows active that do not separate, and with the soft
+ * solver's impulses friction rows that slide slower than g h are unbounded until the first normal
+ * impulses are known. Returns the number of rows. */
 static int warm_start(td_direct *d, double hysteresis) {
     int rows = 0;
     double margin = d->soft_warm_start || has_no_impulses(d) ? hysteresis : -hysteresis;
@@ -153,12 +157,12 @@ static bool keeps_sliding(const td_direct_row *r, double hysteresis) {
 typedef enum multiplier_update {
     FROM_LAST_STEP,  /* the impulses are the warm start */
     FROM_THIS_SOLVE, /* the impulses are those of the Newton steps so far */
-    KEEP_ACTIVE_SET  /* no row changes its activity; impulses are copied to `warm_start`, to go back
-                        to */
+    KEEP_ACTIVE_SET  /* no row changes its activity; impulses are copied to `warm_start`, for
+                        td_direct_restore */
 } multiplier_update;
 
-/* Sets the multipliers to the impulses. A friction row whose bound has grown by much since it slid
- * becomes active. True where no row has changed its activity. */
+/* Sets the multipliers to the impulses. A sliding friction row whose bound has since grown by much
+ * becomes active. True if no row changed its activity. */
 static bool update_multipliers(td_direct *d, double hysteresis, multiplier_update how) {
     bool same = true;
     for (int i = 0; i < d->constraint_count; i++) {
@@ -185,8 +189,8 @@ static bool update_multipliers(td_direct *d, double hysteresis, multiplier_updat
 }
 
 /* Updates impulses and activities from the penalties, and returns how many rows changed their
- * activity. With `keeps` the active set stays: such rows get their activity back, and an inactive
- * row the impulse of its multiplier. */
+ * activity. With `keeps` the active set does not change: the activity of such rows is restored, and
+ * the impulse of an inactive one is its multiplier. */
 static int update_active_set(td_direct *d, double hysteresis, bool keeps) {
     int changed = 0;
     for (int i = 0; i < d->constraint_count; i++) {
@@ -209,7 +213,7 @@ static int update_active_set(td_direct *d, double hysteresis, bool keeps) {
     return changed;
 }
 
-/* A whole Newton step with the factor that stands. *changed: the number of rows that changed their
+/* A whole Newton step with the present factor. *changed: the number of rows that changed their
  * activity. False where numbers are not finite or the budget of work is spent. */
 static bool newton_step(td_direct *d, double hysteresis, bool keeps, int *changed) {
     if (!td_direct_step(d)) {
@@ -220,9 +224,9 @@ static bool newton_step(td_direct *d, double hysteresis, bool keeps, int *change
     return done;
 }
 
-/* The error of friction as a speed, since bounds are of other normal impulses than the present
- * ones: the sliding speed of a row whose bound has changed, or the speed that an impulse beyond the
- * bound gives the effective mass. */
+/* The error of friction, as a speed. Bounds were computed from earlier normal impulses; with the
+ * present ones, a sliding row whose bound has changed has an error of its sliding speed, and a
+ * sticking row beyond its bound an error of (impulse - bound) / effective mass. */
 static double friction_error(const td_direct *d) {
     double worst = 0.0;
     for (int i = 0; i < d->constraint_count; i++) {
@@ -242,8 +246,8 @@ static double friction_error(const td_direct *d) {
 }
 
 /* The error of complementarity: the greatest speed above the target speed of a unilateral row that
- * has an impulse. The impulse of a hit in the last step is far too great for this one, and a
- * penalty alone would leave it for another step. */
+ * has an impulse. The warm-start impulse of an impact in the last step is far too large for this
+ * step, and the penalty alone would leave it to another step to remove it. */
 static double complementarity_error(const td_direct *d) {
     double worst = 0.0;
     for (int i = 0; i < d->constraint_count; i++) {
@@ -263,9 +267,9 @@ static double error_of(const td_direct *d) {
                          td_max_double(complementarity_error(d), friction_error(d)));
 }
 
-/* Newton steps until one leaves the active set as it is. `factored`: the factor of the present
- * active set stands. False where `factorings_max` is reached, a step fails, or more than
- * `changes_max` rows change in one. */
+/* Newton steps until one leaves the active set as it is. `factored`: the matrix already holds the
+ * factor of the present active set. False where `factorings_max` is reached, a step fails, or more
+ * than `changes_max` rows change in one. */
 static bool find_active_set(td_direct *d, double hysteresis, int factorings_max, int changes_max,
                             bool factored) {
     int changed = 1;
@@ -281,9 +285,9 @@ static bool find_active_set(td_direct *d, double hysteresis, int factorings_max,
     return true;
 }
 
-/* Reduces the residual by conjugate gradients where it is worth it, and updates the active set.
- * *changed: the number of rows that changed their activity; *error: the greatest error before and
- * after, as a speed. False where numbers are not finite. */
+/* Reduces the residual by conjugate gradients unless it is already small, and updates the active
+ * set. *changed: the number of rows that changed their activity; *error: the greatest error before
+ * and after, as a speed. False where numbers are not finite. */
 static bool reduce_residual(td_direct *d, double tolerance, int *changed, double *error) {
     double enough = RESIDUAL_SHARE * tolerance;
     *error = error_of(d);
@@ -328,8 +332,8 @@ bool td_direct_solve_same_active_set(td_direct *d, double tolerance) {
     bool same_set = d->factored && update_multipliers(d, hysteresis, KEEP_ACTIVE_SET);
     for (int n = 0; n < UPDATES_AGAIN && same_set; n++) {
         int changed;
-        /* The impulses may be far from the solution: the first Newton step keeps the active set, or
-         * rows would change for no reason. */
+        /* The impulses may be far from the solution, so that rows would change their activity for
+         * no reason: the first Newton step keeps the active set. */
         if (!newton_step(d, hysteresis, true, &changed) ||
             !reduce_residual(d, tolerance, &changed, &error) || changed) {
             break;

@@ -1,12 +1,12 @@
 /* conjugate_gradients.c: conjugate gradients on the multipliers of the active rows.
  *
- * The penalties of active_set.c leave a residual r_i = target_i - speed_i of about impulse_i /
- * D. That is small, but for the few bending modes of a tall column, in which the small compliance
- * of every contact adds up over the height. With the active rows as equalities, the multipliers y
- * solve a linear system whose matrix is (M + sum D J' J)^-1 seen through J, for which a factor
- * stands. Preconditioned conjugate gradients (Hestenes and Stiefel, "Methods of conjugate gradients
- * for solving linear systems", 1952), with the penalties D as preconditioner, converge in about as
- * many iterations as there are such modes. One iteration:
+ * The penalties of active_set.c leave a residual r_i = target_i - speed_i of about impulse_i / D.
+ * That is small, except in the few bending modes of a tall column, in which the small compliances
+ * of all contacts add up over the height. With the active rows as equalities, the multipliers y
+ * solve a linear system whose matrix is J (M + sum D J' J)^-1 J'; the factor of its inner matrix is
+ * already there. Preconditioned conjugate gradients (Hestenes and Stiefel, "Methods of conjugate
+ * gradients for solving linear systems", 1952), with the penalties D as preconditioner, converge in
+ * about as many iterations as there are such modes. One iteration:
  *
  *     rho = sum r D r
  *     p   = D r + (rho / rho_before) p
@@ -20,11 +20,10 @@
  * at the velocities v: M (v - v*) = J' f. In the code alpha is `part`. */
 #include "direct/direct.h"
 
-/* Iterations at most. Chosen; each costs one solve with the factor that stands. */
+/* Maximum number of iterations. Chosen; each costs one solve with the present factor. */
 enum { ITERATIONS_MAX = 12 };
-/* The greatest alpha: a step that is so much longer than that of the penalties alone goes in a
- * direction in which the active rows contradict each other, so that no velocities satisfy them.
- * Chosen. */
+/* Maximum of alpha: a larger one means that the active rows contradict each other along p, so that
+ * no velocities satisfy all of them. Chosen. */
 #define STEP_MAX 100.0
 
 /* The residual of a row. A soft row has none: it is satisfied by its own stiffness. */
@@ -53,8 +52,8 @@ static double curvature(td_direct_row *r, double unused) {
     return r->direction[0] * r->change;
 }
 
-/* After a step of length `part`: the force with which the bodies are in equilibrium at their new
- * velocities, and the multiplier that gives this force by the penalty. */
+/* After a step of length `part`: updates the force f, by which the bodies are in equilibrium at
+ * their new velocities, and the multiplier y = f - D r. */
 static double balance(td_direct_row *r, double part) {
     r->force += part * (r->direction[0] - r->weight * r->change) - r->direction[0];
     r->multiplier = r->kind == TD_ROW_SOFT ? 0.0 : r->force - r->weight * residual_of(r);

@@ -4,8 +4,8 @@
 #include "constraint/constraint.h"
 #include "direct/elimination_order.h"
 
-/* The motion of a body in the step, by the soft solver or by the direct one. A body that is not in
- * the island has the soft solver's. */
+/* The motion of a body in the step, from the soft solver's result or the direct one. A body outside
+ * of the island has the soft solver's motion. */
 static void motion_of(const td_island_work *work, td_awake_slot slot, bool soft, double out[3]) {
     int local = slot.at ? *td_island_local_at(work->w, slot) : 0;
     bool here =

@@ -4,9 +4,9 @@
 
 #include "direct/island_step.h"
 
-/* Whether some contact of the island's bodies, in the problem or not, ends the step with more
- * overlap than it had at the start and than it has in the soft solver's result, by more than
- * `slack`. Normals and arms are those of the start of the step. */
+/* Whether a contact of the island's bodies, in the problem or not, ends the step with an overlap
+ * that exceeds both its overlap at the start and that in the soft solver's result by more than
+ * `slack` (length). Normals and lever arms are those of the start of the step. */
 bool td_island_sinks(const td_island_work *work, double slack);
 
 #endif

@@ -13,10 +13,10 @@
 /* The share of an overlap that a step corrects, as Box2D's b2_baumgarte of 0.2. Chosen; what is
  * left is corrected in later steps. */
 #define PUSH_SHARE 0.2
-/* A separation counts as 0 below BLUR times the lever arms, which is some ten times the rounding of
- * floats (2^-24), but at most BLUR_MAX length scales; and BLUR_MIN length scales on top for bodies
- * without arms. Without BLUR_MAX, ground of thousands of length scales would hold bodies up where
- * it is far from its middle. */
+/* A separation below the blur counts as 0. The blur is BLUR times the lever arms (some ten times
+ * the rounding of floats, 2^-24), at most BLUR_MAX length scales, plus BLUR_MIN length scales for
+ * bodies whose arms are 0. Without BLUR_MAX, ground that is thousands of length scales wide would
+ * hold bodies up in the air far from its centre. */
 #define BLUR 1e-6
 #define BLUR_MIN 1e-7
 #define BLUR_MAX 1e-4
@@ -33,8 +33,9 @@ static double target_speed_of(const thud_world *w, double gap, double blur) {
     return depth < blur ? 0.0 : pushed < push_max ? pushed : push_max;
 }
 
-/* The noise of a separation, which is computed in single precision. Without it, contacts of a heap
- * at rest that carry next to nothing would enter and leave the active set with the noise. */
+/* The rounding error of a separation, which is computed in single precision. Without this
+ * tolerance, contacts of a heap at rest that carry almost no load would enter and leave the active
+ * set at random. */
 static double blur_of(const thud_world *w, const td_direct_row *r) {
     double arm_a = r->a[2] < 0.0 ? -r->a[2] : r->a[2], arm_b = r->b[2] < 0.0 ? -r->b[2] : r->b[2];
     double blur = BLUR * (arm_a + arm_b), max = BLUR_MAX * (double)w->length_scale;
@@ -63,9 +64,9 @@ bool td_contact_take_rows(const thud_world *w, td_block *block, int lane, const 
         bounces |=
             block->restitution[lane] > 0.0f && td_surface_at(block, points)->energy[lane] >= 0.0f;
     }
-    /* The contact point is in the middle of the gap. Contacts rest a skin apart, so that a disc
-     * would roll as if its radius were larger by half of that; against a body that does not move,
-     * friction acts at the disc's own surface. */
+    /* The contact point is in the middle of the gap. Under `bisect` and `swept` contacts rest at a
+     * gap of one skin, so that a disc would roll as if its radius were larger by half a skin;
+     * against a body that does not move, friction acts at the disc's own surface instead. */
     bool second = points > 1 && block->point[0].normal_mass[lane] == 0.0f;
     double gap = (double)(block->point[second].start_separation[lane] + w->skin);
     double outside = c->a == TD_NONE && gap > 0.0 ? 0.5 * gap : 0.0;

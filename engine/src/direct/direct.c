@@ -7,8 +7,8 @@ static double inverse_share(const double *j, const td_direct_body *b) {
     return (j[0] * j[0] + j[1] * j[1]) * b->inverse_mass + j[2] * j[2] * b->inverse_inertia;
 }
 
-/* Sets the effective mass of every row, and copies the warm start. A row without any, whose bodies
- * have infinite mass in its direction, is not used. */
+/* Sets the effective mass of every row, and copies the warm start. A row whose bodies have infinite
+ * mass in its direction is not used. */
 static void set_effective_masses(td_direct *d) {
     for (int i = 0; i < d->constraint_count; i++) {
         td_direct_constraint *c = &d->constraints[i];
@@ -23,8 +23,8 @@ static void set_effective_masses(td_direct *d) {
     }
 }
 
-/* The interior point does not begin with fewer factorisations left. Chosen: it takes 8 to 17 in
- * motion, so that a start with fewer would be spent for nothing. */
+/* The interior point does not start with fewer factorisations left than this. Chosen: islands in
+ * motion take 8 to 17, so that a solve with fewer would most likely fail. */
 enum { INTERIOR_FACTORINGS_MIN = 8 };
 
 double td_direct_solve(td_direct *d, double tolerance) {
@@ -33,7 +33,7 @@ double td_direct_solve(td_direct *d, double tolerance) {
     d->factored = false;
     if (!td_direct_solve_active_set(d, tolerance)) {
         td_direct_restore(d);
-        /* The first pass has the friction bounds of the warm start; the second has those of the
+        /* The first pass uses friction bounds from the warm start; the second uses bounds from the
          * first pass's normal impulses. One pass alone lets a slide at 20 degrees run 8 % too
          * long. */
         for (int pass = 0; pass < 2; pass++) {

@@ -10,14 +10,15 @@
  * v has three numbers a body (x, y, turn), v* are the velocities without constraints, M is the
  * diagonal of masses and moments of inertia, J_i the Jacobian of row i, and known_i the speed that
  * bodies outside of the problem (static, kinematic) give the row. A constraint brings one to three
- * rows. The optimum satisfies M (v - v*) = sum_i J_i' impulse_i (the KKT conditions), where a
- * unilateral row has impulse >= 0, speed >= target_speed, and one of both with equality.
+ * rows. The optimum satisfies the KKT conditions: M (v - v*) = sum_i J_i' impulse_i, and a
+ * unilateral row has impulse >= 0, speed >= target_speed, and equality in at least one of the two.
  *
  * Friction is not part of the convex problem. A friction row has |impulse| <= max_impulse;
  * `max_impulse` is kept fixed while velocities are solved for, and then recomputed from the normal
  * impulses (a fixed-point iteration over Coulomb's law).
  *
- * Two methods solve the problem, both by Newton steps with one sparse Cholesky factorisation each:
+ * Two methods solve the problem. Both take Newton steps, each with one sparse Cholesky
+ * factorisation:
  * - active_set.c, an active set with augmented Lagrangian penalties. It starts from the rows
  *   that were active in the last step and takes one or two factorisations where few of them change.
  * - interior_point.c, a primal-dual interior point. It needs no start and takes ten to twenty
@@ -35,8 +36,8 @@ enum {
 /* The order of the kinds matters: odd kinds are active from the start, and a row from
  * TD_ROW_FRICTION on is allowed to miss its target speed. */
 typedef enum td_row_kind {
-    /* A contact point or a joint's limit: impulse >= 0 and speed >= target_speed, and one of both
-     * with equality. Never the last row of a constraint. */
+    /* A contact point or a joint's limit: impulse >= 0 and speed >= target_speed, with equality in
+     * at least one of the two. Never the last row of a constraint. */
     TD_ROW_UNILATERAL,
     /* A joint's lock: speed = target_speed, with an impulse of any size. */
     TD_ROW_EQUALITY,
@@ -44,7 +45,7 @@ typedef enum td_row_kind {
      * target_speed. */
     TD_ROW_FRICTION,
     /* A spring: impulse = weight * (target_speed - speed), clamped to |impulse| <= max_impulse,
-     * which is infinite for a spring without a greatest force. */
+     * which is infinite for a spring without a maximum force. */
     TD_ROW_SOFT
 } td_row_kind;
 
@@ -53,12 +54,14 @@ typedef struct td_direct_body {
     double inverse_mass, inverse_inertia; /* inverse_inertia 0: the body does not turn */
     double free[3];                       /* v*: velocity without constraints (x, y, turn) */
     double velocity[3];                   /* in: a guess; out: the solution */
-    double before[3];                     /* velocity at the start of the step, or of its part */
+    double before[3];                     /* velocity at the start of the step, or of the part of it
+                                             that is being solved */
     double moved[3];                      /* motion since the start of the step */
-    /* The rest is for islands with joints, which divide a step into parts: island_step_joints.c. */
+    /* The rest is for islands with joints, whose step is divided into parts, each solved by itself:
+     * island_step_joints.c. */
     double stiff;               /* added to the moment of inertia: geometric stiffness of joints */
     double turned;              /* rate of turning in the iteration before, rad/s */
-    double own_inverse_inertia; /* inverse_inertia without that */
+    double own_inverse_inertia; /* inverse_inertia without `stiff` */
     double gain[3];             /* velocity that gravity, forces and damping add in one part */
     bool sweeps;                /* the body's rotation moves an anchor or the axis of a joint */
     bool turn_limited; /* the body has a contact, and is no disc about its centre of mass (a wheel):
@@ -68,10 +71,11 @@ typedef struct td_direct_body {
 typedef struct td_direct_row {
     td_row_kind kind;
     double a[3], b[3];   /* Jacobian: the part of body a, and that of body b */
-    double target_speed; /* target speed along the row; of a friction row that of the surfaces */
-    double known_speed;  /* speed along the row of bodies that are no variables */
+    double target_speed; /* target speed along the row; for friction the relative speed of the
+                            moving surfaces */
+    double known_speed;  /* speed that bodies outside of the problem give the row */
     double impulse;      /* in: the warm start; out: the solution */
-    double warm_start;   /* copy of the warm start */
+    double warm_start;   /* copy of the impulse at the start of the solve */
     double closing; /* islands with joints: speed at which the row closes a joint's gap within the
                        part of the step, or pushes apart a contact that overlaps as the step
                        begins */
@@ -87,7 +91,7 @@ typedef struct td_direct_row {
     };
     double max_impulse; /* bound of |impulse| of a friction or soft row */
     double speed;       /* J v + known */
-    double force;       /* impulse on the right side of the Newton step's equations */
+    double force;       /* impulse on the right-hand side of the Newton step's equations */
     double change;      /* J dv: change of the speed by the whole Newton step */
     double slack[2]; /* interior point: slack of the speed (unilateral), of both bounds (others) */
     double direction[3]; /* interior point: Newton step of the impulse and of the slacks;
@@ -95,13 +99,16 @@ typedef struct td_direct_row {
 } td_direct_row;
 
 typedef struct td_direct_constraint {
-    int a, b;        /* indices of bodies; TD_NONE: that side is no variable of the problem */
+    int a, b;        /* indices of bodies; TD_NONE: the body of that side is outside of the
+                        problem */
     int entry;       /* index of the matrix's block between a and b, where both are variables */
     bool b_later;    /* b is eliminated after a: the block's rows are b's, its columns a's */
-    double friction; /* friction coefficient of the friction row, times the normal impulses */
-    double bound;    /* constant bound of the friction row, added to that: a motor's */
-    bool from_soft;  /* a contact whose impulses are those of the soft solver, and whose rows only
-                        keep it from closing further: joint_subsystems.c */
+    double friction; /* friction coefficient: the bound of the friction row per unit of normal
+                        impulse */
+    double bound;    /* constant part of the friction row's bound, such as a motor's maximum
+                        impulse */
+    bool from_soft;  /* a contact that acts by the soft solver's impulses; its rows only keep it
+                        from closing further: joint_subsystems.c */
     double stiff[2]; /* of a joint: geometric stiffness against the rotation of a and b */
     td_direct_row row[TD_DIRECT_ROWS];
 } td_direct_constraint;
@@ -109,7 +116,7 @@ typedef struct td_direct_constraint {
 typedef struct td_direct {
     td_direct_body *bodies;
     td_direct_constraint *constraints;
-    td_sparse *matrix; /* a block row a body, its elimination order found already */
+    td_sparse *matrix; /* one block row for each body; the elimination order is already found */
     double (*step)[4]; /* Newton step of each body: x, y, turn, and a number that is not used */
     double (*work)[4]; /* scratch memory of the same size */
     int body_count, constraint_count;
@@ -118,7 +125,7 @@ typedef struct td_direct {
     int factoring_budget; /* budget of factorisations */
     int64_t effort;       /* budget of work that is left, in operations on 3 x 3 blocks */
     bool spent;           /* the budget of work was too small, so that the solve failed */
-    bool soft_warm_start; /* the warm start comes from the soft solver, or there is none */
+    bool soft_warm_start; /* the warm start comes from the soft solver, or the impulses are 0 */
     bool factored;        /* the matrix holds the factor of the active rows */
 } td_direct;
 
@@ -130,11 +137,11 @@ double td_direct_solve(td_direct *d, double tolerance);
 
 /* ---- the two methods ---- */
 
-/* Active set. False where it did not converge within its budget of factorisations. */
+/* Active set. False if it did not converge within its budget of factorisations. */
 bool td_direct_solve_active_set(td_direct *d, double tolerance);
 /* Solves once more after free velocities and target speeds have changed, with the active set and
- * the factor of the last td_direct_solve_active_set. False, with the impulses as they were, where
- * the active set does not stay the same. */
+ * the factor of the last td_direct_solve_active_set. If the active set changes, the impulses are
+ * restored and the result is false. */
 bool td_direct_solve_same_active_set(td_direct *d, double tolerance);
 /* Interior point. False where a factorisation failed or iterations ran out. */
 bool td_direct_solve_interior_point(td_direct *d, double tolerance);
@@ -152,8 +159,8 @@ bool td_direct_step(td_direct *d);
 /* Adds `part` of that step to velocities and speeds. False where a velocity is not finite. */
 bool td_direct_advance(td_direct *d, double part);
 /* Reduces the residual of the active rows to `enough` by conjugate gradients on the multipliers,
- * with the factor that stands and the active set as it is. Leaves the impulses in `force`. False
- * where numbers are not finite or the budget of work is too small; a residual that stays is no
+ * with the present factor and active set. Leaves the impulses in `force`. False where numbers are
+ * not finite or the budget of work is too small; a residual that is still above `enough` is not a
  * failure. */
 bool td_direct_reduce_residual(td_direct *d, double enough);
 /* The residual: the greatest speed by which a unilateral or equality row misses its target speed.

@@ -3,11 +3,12 @@
  * An island is a connected component of dynamic bodies and the constraints that act between them.
  * It is direct if one of its bodies is marked (direct_steps). td_islands_mark_loaded marks the
  * bodies of a contact whose load is above the threshold of td_islands_load_max twice in succession,
- * while both bodies are nearly at rest: an impact is as heavy, but passes, and a heap in motion is
- * solved as well by the soft solver for less. It looks at an eighth of the blocks in each step.
- * Where a heavy body lies on a light one, which sinks in at once, half the load found once is
- * enough. A joint is marked when its load is found once, and its island is solved directly in the
- * same step (direct/overloaded_joints.c). With overlap_limit 0 every island is direct. */
+ * while both bodies are nearly at rest: an impact gives as high a load, but for one step; and the
+ * soft solver solves a moving heap as well at lower cost. Each step looks at an eighth of the
+ * blocks. Where a heavy body lies on a light one, the contact sinks in at once, so that half the
+ * threshold, exceeded once, is enough. A joint is marked as soon as its load exceeds the threshold
+ * once, and its island is solved directly in the same step (direct/overloaded_joints.c). With
+ * overlap_limit 0 every island is direct. */
 #include "direct/direct_islands.h"
 
 #include "constraint/constraint.h"
@@ -64,7 +65,7 @@ static bool reserve_lists(thud_world *w) {
 /* Values of td_islands.local of bodies that are in no listed island. */
 enum {
     TOO_MANY = -1, /* its island has more bodies than quality.island_limit */
-    ALONE = -2,    /* it has no constraints */
+    ALONE = -2,    /* it has no constraint that acts */
     COOLING = -3,  /* its island is in the cooldown */
     SOFT = -4      /* its island has joints, and none of its bodies is marked */
 };
@@ -74,8 +75,8 @@ static bool holds_stacks(const thud_world *w) {
     return w->quality.detection->islands != NULL;
 }
 
-/* Whether a body begins an island: it is marked, or every island is direct, and it is in none yet.
- */
+/* Whether the search for an island starts at a body: it is in no island yet, and is marked or every
+ * island is direct. */
 static bool is_seed(const thud_world *w, td_awake_slot slot) {
     int direct_steps = *td_direct_steps_at(w, slot);
     return direct_steps <= TD_DIRECT_COOLDOWN &&
@@ -94,16 +95,17 @@ static bool any_direct(const thud_world *w) {
 
 enum {
     COOLDOWNS_MAX = 5
-}; /* 2^4 times TD_COOLDOWN_STEPS: half a minute at 60 steps a second. Chosen. */
+}; /* cooldowns after which the time no longer doubles: 2^4 times TD_COOLDOWN_STEPS, half a minute
+      at 60 steps a second. Chosen. */
 
-/* Begins the cooldown of a body, the `times`th in succession. */
+/* Begins the cooldown of a body; it is number `times` in succession. */
 static void cool_down(thud_world *w, td_awake_slot slot, int steps, int times) {
     *td_direct_steps_at(w, slot) = (uint8_t)(TD_DIRECT_COOLDOWN + steps);
     *td_slow_steps_at(w, slot) = (uint16_t)(td_min_int(times, COOLDOWNS_MAX) * TD_SLOW_ONCE);
 }
 
-/* direct_steps of a body after this step: in the cooldown it counts down, in one of 2^(n - 1) steps
- * in the nth cooldown in succession. */
+/* direct_steps of a body after this step. In the nth cooldown in succession it counts down once in
+ * 2^(n - 1) steps. */
 static int direct_after_step(const thud_world *w, td_awake_slot slot) {
     int direct_steps = *td_direct_steps_at(w, slot);
     uint64_t halvings = TD_SLOW_LEFT(*td_slow_steps_at(w, slot));
@@ -137,7 +139,7 @@ void td_islands_count_down(thud_world *w) {
     }
 }
 
-/* Adds the constraints of a body to its island, each once, and the bodies at their other ends.
+/* Adds the constraints of a body to its island, each once, and the bodies at their other sides.
  * False where the island has too many bodies. */
 static bool add_constraints_of(thud_world *w, td_island *island, td_awake_slot slot) {
     td_body_index body = td_body_of(w, slot);
@@ -183,7 +185,7 @@ static bool cools_down(const thud_world *w, const td_island *island) {
     return 2 * cooling > island->bodies;
 }
 
-/* Whether a body has joints, be they at their limits or not. */
+/* Whether a body has joints, including those that do not act now (a limit that is not reached). */
 static bool has_joints(const thud_world *w, td_awake_slot slot) {
     int e = td_body_at(w, td_body_of(w, slot))->first_constraint;
     while (e != TD_NONE && td_constraint_at(w, td_edge_constraint(e))->kind < TD_PAIR_COUNT) {
@@ -192,8 +194,8 @@ static bool has_joints(const thud_world *w, td_awake_slot slot) {
     return e != TD_NONE;
 }
 
-/* Whether an island is direct: one of its bodies is marked, or every island is direct that is of
- * its kind: at overlap_limit 0 all, under `bisect` and `swept` those without joints. */
+/* Whether an island is direct: one of its bodies is marked, overlap_limit is 0, or, under `bisect`
+ * and `swept`, it has no joints. */
 static bool is_wanted(const thud_world *w, const td_island *island) {
     bool marked = w->quality.overlap_limit == 0.0f, jointed = false;
     for (int i = 0; i < island->bodies && !marked; i++) {
@@ -229,8 +231,8 @@ void td_islands_list_from(thud_world *w, td_awake_slot seed) {
     s->constraints.count = island.first_constraint;
 }
 
-/* Lets the bodies of soft islands be in none again, so that a joint that is overloaded in this step
- * may make theirs direct (overloaded_joints.c). */
+/* Sets `local` of bodies in soft islands back to 0, so that a joint that becomes overloaded in this
+ * step can still make their island direct (overloaded_joints.c). */
 static void forget_soft(thud_world *w) {
     for (td_awake_slot slot = {1}; slot.at < w->islands.local.count && holds_stacks(w); slot.at++) {
         int *local = td_island_local_at(w, slot);
@@ -263,13 +265,14 @@ bool td_islands_find(thud_world *w) {
 
 /* ---- load ---- */
 
-/* Mass ratio of two bodies above which half the load marks them: the soft solver holds ratios up to
- * some 30, and above it the heavy body sinks in at once. */
+/* Mass ratio of two bodies above which half the load marks them: the soft solver carries ratios of
+ * up to some 30; above that the heavy body sinks in at once. */
 #define MASS_RATIO 30.0f
 
 enum {
-    ALL_BLOCKS = 32, /* with fewer blocks than this, all are looked at in each step. Chosen. */
-    TIMES_SEEN = 2   /* times in succession that a contact's load must be above the threshold */
+    ALL_BLOCKS = 32, /* worlds with fewer blocks have all of them checked in each step. Chosen. */
+    TIMES_SEEN = 2   /* checks in succession in which a contact's load must be above the
+                        threshold */
 };
 
 /* Marks the body of a lane's side as direct, unless it is static or in its cooldown. */
@@ -281,11 +284,11 @@ static void mark_direct(thud_world *w, uint32_t record) {
     }
 }
 
-/* The soft contact is a spring of angular frequency omega = 2 pi f, so that under an impulse per
- * substep of length h it sinks in by  s = (impulse / mass / h) / omega^2.  contact_stiffness is f
- * h, and h is time_step / substeps, so that  impulse / mass = s (2 pi contact_stiffness)^2 substeps
- * / time_step; the limits of s are given for the quality's own number of substeps, and a max_error
- * for the present one: sinking is proportional to h^2. */
+/* The soft contact is a spring of angular frequency omega = 2 pi f, so that under a given impulse
+ * in each substep of length h it sinks in by s = (impulse / mass / h) / omega^2. contact_stiffness
+ * is f h, and h is time_step / substeps, so that impulse / mass = s (2 pi contact_stiffness)^2
+ * substeps / time_step; overlap_limit holds for the quality's own number of substeps, and max_error
+ * for the present one; s is proportional to h^2. */
 float td_islands_load_max(const thud_world *w, float size) {
     float steps = (float)w->substeps, own = td_max_float(steps, (float)w->quality.substeps);
     float depth = w->quality.overlap_limit * size * (own * own);
@@ -296,7 +299,7 @@ float td_islands_load_max(const thud_world *w, float size) {
     return depth * omega * omega / (steps * (float)w->def.time_step);
 }
 
-/* Thickness of a body's thinnest shape; static bodies have none. */
+/* Thickness of a body's thinnest shape, length; static bodies count as infinitely thick. */
 static float size_of(const thud_world *w, td_awake_slot slot) {
     return slot.at ? 2.0f * td_row(&w->reach, slot)[0] : 3.0e38f;
 }
@@ -305,16 +308,16 @@ float td_islands_size(const thud_world *w, td_awake_slot a, td_awake_slot b) {
     return td_min_float(size_of(w, a), size_of(w, b));
 }
 
-/* Whether two bodies hardly move against each other. */
+/* Whether the relative speed of two bodies is below td_calm_speed. */
 static bool is_nearly_at_rest(const thud_world *w, td_awake_slot a, td_awake_slot b) {
     const float *v = td_row(&w->velocity, a), *u = td_row(&w->velocity, b);
     float x = u[0] - v[0], y = u[1] - v[1], max = td_calm_speed(w);
     return x * x + y * y < max * max;
 }
 
-/* Looks at the lanes of one block, and marks bodies as direct. A lane's `loaded` counts how often
- * in succession its load was above the threshold; the flag TD_DIRECT beside it says that its
- * impulses are the direct solver's. True where a joint is marked. */
+/* Checks the lanes of one block, and marks bodies as direct. A lane's `loaded` counts the checks in
+ * succession in which its load was above the threshold; the flag TD_DIRECT in the same byte says
+ * that its impulses are the direct solver's. True if a joint is marked. */
 static bool watch_block(thud_world *w, td_block *block, int kind) {
     float deep = w->def.max_error > 0.0 ? (float)w->def.max_error : 3.0e38f;
     int points = td_form_points(w->kinds[kind]->form);
@@ -334,7 +337,8 @@ static bool watch_block(thud_world *w, td_block *block, int kind) {
         bool sinks = 2.0f * load > threshold && other > 0.0f && light > MASS_RATIO * other;
         int direct = block->mark[lane].loaded & TD_DIRECT,
             before = block->mark[lane].loaded - direct;
-        /* A contact between moving bodies may be an impact, which passes; a joint's load stays. */
+        /* A contact between moving bodies may be an impact, which lasts for one step; a joint's
+         * load is taken to last. */
         bool impact = contact && !is_nearly_at_rest(w, a, b);
         bool overloaded = (load > threshold && !impact) || off > deep;
         int seen = overloaded ? td_min_int(before + 1, TIMES_SEEN) : 0;

@@ -1,9 +1,10 @@
 /* direct_islands.h: the islands that are solved directly in a step: how they are found, and their
  * data.
  *
- * An island is solved directly where the soft solver's contacts would sink in under their load by
- * more than the quality's overlap_limit (a contact is a spring, so that it sinks in by force /
- * stiffness), or by more than the world's max_error. With overlap_limit 0 every island is. */
+ * The soft solver is the iterative one that solves every island in substeps, with contacts as stiff
+ * springs and dampers (solver/solve.c). Its contacts sink in under load by force / stiffness. An
+ * island is solved directly if they would sink in by more than the quality's overlap_limit, or by
+ * more than the world's max_error. With overlap_limit 0 every island is solved directly. */
 #ifndef TD_ISLANDS_H
 #define TD_ISLANDS_H
 
@@ -23,18 +24,19 @@ typedef struct td_islands {
     td_array island;      /* td_island */
     td_array slots;       /* td_awake_slot: bodies, island by island */
     td_array constraints; /* int: constraints, island by island */
-    td_array local;       /* int, by awake slot: 1 + the body's number in its island; 0: in none;
-                             negative: direct_islands.c says why it is in none */
+    td_array local;       /* int, by awake slot: 1 + the body's number in its island; 0: in no
+                             island; negative: the reason why it is in none (direct_islands.c) */
     td_array island_start_velocity; /* float[4], parallel to `slots`: rows of thud_world.velocity
                                        as they were before the soft solver */
-    td_array impulses; /* float[4], parallel to `constraints`: warm-start impulses of points and
-                          tangent; 1 where they are the soft solver's, else 0 */
-    td_array rows; /* td_direct_constraint: of the island that is being solved, as the next three */
+    td_array impulses; /* float[4], parallel to `constraints`: warm-start impulses of two points and
+                          the tangent, then 1 if they are the soft solver's, else 0 */
+    td_array rows; /* td_direct_constraint: rows of the island that is being solved, as are the next
+                      three */
     td_array bodies;     /* td_direct_body */
     td_array step, work; /* double[4] */
     td_array topology,
-        topology_before;     /* int: the graph of all islands, on which their orders depend,
-                                and the graph for which the present orders were found */
+        topology_before;     /* int: the graph of all islands, which determines their elimination
+                                orders, and the graph for which the present orders were found */
     td_array systems;        /* td_system, parallel to `island`: the present orders */
     td_array start_velocity; /* float[4], by awake slot, in worlds with joints: thud_world.velocity
                                 as it was before the soft solver */
@@ -47,12 +49,13 @@ typedef struct td_islands {
 
 /* The island solver of a quality. */
 struct thud_island_solver {
-    /* After the narrowphase: finds the islands and reserves memory for them. False when it is
+    /* After the narrowphase: finds the islands and reserves memory for them. False when memory is
      * short. */
     bool (*find)(struct thud_world *w);
-    /* Before the soft solver, which solves these islands, too. */
+    /* Before the soft solver, which solves these islands as well. */
     void (*begin)(struct thud_world *w);
-    /* After it: solves them directly, and keeps the better of both results of each. */
+    /* After the soft solver: solves the islands directly, and keeps the better of the two results
+     * of each island. */
     void (*end)(struct thud_world *w);
 };
 
@@ -62,7 +65,8 @@ void td_islands_free(td_memory *memory, td_islands *islands);
 /* Lists the islands. False when memory is short. */
 bool td_islands_find(struct thud_world *w);
 /* Counts thud_world.direct_steps down, and begins the cooldown of islands with too many bodies. It
- * is called when the step can no longer fail, so that a step that is made again counts once. */
+ * is called when the step can no longer fail, so that a step that fails and is repeated counts
+ * once. */
 void td_islands_count_down(struct thud_world *w);
 /* The threshold of a contact's load: the impulse of a substep over the lighter body's mass,
  * length/s, under which the contact sinks in by max_error, or by overlap_limit times `size`, the
@@ -71,8 +75,8 @@ void td_islands_count_down(struct thud_world *w);
 float td_islands_load_max(const struct thud_world *w, float size);
 /* The size of the smaller of two bodies; slot 0 (static) has none. */
 float td_islands_size(const struct thud_world *w, td_awake_slot a, td_awake_slot b);
-/* Looks for constraints whose load is above the threshold, in a part of them each step, and marks
- * their islands as direct. True where a joint is among them. */
+/* Looks for constraints whose load is above the threshold, and marks their bodies' islands as
+ * direct. Each step looks at a share of the constraints. True if one that it found is a joint. */
 bool td_islands_mark_loaded(struct thud_world *w);
 /* Lists the island of a body, unless it has no constraints, too many bodies, or is in its cooldown.
  */
@@ -81,8 +85,9 @@ void td_islands_list_from(struct thud_world *w, td_awake_slot seed);
 /* The speed below which bodies count as nearly at rest, length/s: 4 g h, or four times the sleep
  * speed. */
 float td_calm_speed(const struct thud_world *w);
-/* Begins the cooldown of an island for which the direct solver was of no use: it is not tried for
- * so many steps. The time doubles each time; with `for_long` it has its maximum at once. */
+/* Begins the cooldown of an island whose direct result was refused: the direct solver is not tried
+ * there for `steps` steps. The time doubles with each cooldown in succession; with `for_long` it
+ * has its maximum at once. */
 void td_islands_begin_cooldown(struct thud_world *w, const td_island *island, int steps,
                                bool for_long);
 /* The cost of a factorisation of the island, with what comes before and after it, in operations on
@@ -98,13 +103,14 @@ int64_t td_island_cost(const td_island *island);
  * values fit a byte. */
 #define TD_DIRECT_COOLDOWN 128
 #define TD_COOLDOWN_STEPS 120
-/* Cooldown of islands with joints, which open if they are left alone for long. */
+/* Steps of cooldown of islands with joints: joints under load come apart if they are left to the
+ * soft solver for long. */
 #define TD_PAUSE_STEPS 8
 /* thud_world.slow_steps of a body holds two counts. Its lower part, up to TD_SLOW_STEPS, is the
  * number of steps in succession in which the direct solver took long, or, at qualities without a
- * limit of such steps, failed; in the cooldown, the number of failures of its linkage
- * (direct/joint_subsystems.c). Its upper part, in multiples of TD_SLOW_ONCE, is the number of
- * cooldowns in succession. */
+ * limit of such steps, failed; in the cooldown, the number of failures to solve its linkage (bodies
+ * that joints connect) (direct/joint_subsystems.c). Its upper part, in multiples of TD_SLOW_ONCE,
+ * is the number of cooldowns in succession. */
 #define TD_SLOW_STEPS 4095
 #define TD_SLOW_ONCE 4096
 #define TD_SLOW_LEFT(slow_steps) ((slow_steps) / TD_SLOW_ONCE)

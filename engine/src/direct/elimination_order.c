@@ -1,6 +1,6 @@
-/* elimination_order.c: the elimination order of each island's bodies. It depends on nothing but the
- * graph of the island (how many bodies there are, and which of them constraints join), so that it
- * is kept from step to step until that changes. */
+/* elimination_order.c: the elimination order of each island's bodies. It depends only on the
+ * island's graph (the number of bodies, and which of them constraints join), so that it is kept
+ * until the graph changes. */
 #include "direct/elimination_order.h"
 
 #include "constraint/constraint.h"
@@ -33,8 +33,8 @@ void td_island_list_ties(thud_world *w, const td_island *island) {
     }
 }
 
-/* Lists the sizes of all islands and their pairs, which is all that the orders depend on. False
- * when memory is short. */
+/* Lists the number of bodies of each island and the pairs that constraints join, which determine
+ * the orders. False when memory is short. */
 static bool list_topology(thud_world *w) {
     td_islands *s = &w->islands;
     if (!td_islands_reserve(w, &s->topology, 2 * (s->island.count + s->constraints.count))) {
@@ -50,7 +50,7 @@ static bool list_topology(thud_world *w) {
     return true;
 }
 
-/* Whether that list is as it was in the last step that had one. */
+/* Whether the topology is the same as in the last step that had direct islands. */
 static bool is_same_topology(const td_islands *s) {
     return s->topology.count == s->topology_before.count && s->topology.count &&
            memcmp(s->topology.data, s->topology_before.data,
@@ -80,7 +80,7 @@ static bool order_all(thud_world *w) {
     if (is_same_topology(s)) {
         return true;
     }
-    s->topology_before.count = 0; /* the orders are not whole until the end of this function */
+    s->topology_before.count = 0; /* marks the orders as invalid in case this function fails */
     td_sparse_forget(&s->matrix);
     const int *topology = s->topology.data;
     for (int i = 0; i < s->island.count; i++) {

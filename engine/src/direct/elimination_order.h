@@ -10,7 +10,7 @@
 bool td_islands_reserve(thud_world *w, td_array *array, int count);
 
 /* A body's number in its island, from 1. Zero and negative values say why it has none:
- * direct_islands.h. */
+ * td_islands.local. */
 static inline int *td_island_local_at(const thud_world *w, td_awake_slot slot) {
     return TD_AT(int, &w->islands.local, slot.at);
 }
@@ -34,13 +34,13 @@ static inline void td_island_add(thud_world *w, td_island *island, td_awake_slot
  * dynamic, or asleep. `side`: 0 or 1, the side that is known. */
 td_awake_slot td_island_neighbour(const thud_world *w, const td_constraint *constraint, int side);
 /* Appends the pairs of bodies that the island's constraints join, by their numbers in the island,
- * to td_islands.topology, which must have room: two ints a constraint, both TD_NONE where either
- * side is not in the island. */
+ * to td_islands.topology, which must have room: two ints for each constraint, both TD_NONE if
+ * either body is not in the island. */
 void td_island_list_ties(thud_world *w, const td_island *island);
 /* Orders the island by these pairs, as a further system of td_islands.matrix. False when memory is
  * short, or when the factor would have more than `entries_max` blocks below its diagonal. */
 bool td_island_order(thud_world *w, const td_island *island, const int *ties, int entries_max);
-/* Orders all islands that are listed, and makes room for solving them. False when memory is
+/* Orders all islands that are listed, and reserves memory for solving them. False when memory is
  * short. */
 bool td_islands_order(thud_world *w);
 

@@ -16,31 +16,32 @@
  * Each iteration linearises these conditions and the equilibrium of the bodies. Eliminating
  * impulses and slacks leaves the equations of td_direct_step, where a row has weight = impulse /
  * slack. They are solved twice with one factor: the predictor aims at products of zero; from how
- * far it gets without leaving the positive numbers, the corrector takes its aim (`sigma`, the cube
- * of the share of the gap that is left) and the second-order term of the products. Products are
- * divided by the row's effective mass, so that heavy and light contacts converge alike. */
+ * far it gets before a number becomes negative, the corrector computes its target for the products
+ * (`sigma`, the cube of the share of the gap that is left) and adds the second-order term of the
+ * products. Products are divided by the row's effective mass, so that heavy and light contacts
+ * converge alike. */
 #include "direct/direct.h"
 
-/* The part of the way to the boundary, where the first number would be zero, that a step takes.
- * Chosen; usual are 0.9 to 0.995. */
+/* A step goes this share of the way to the boundary, where the first number would be zero. Chosen;
+ * 0.9 to 0.995 is usual. */
 #define BOUNDARY_SHARE 0.98
 /* The iteration ends where the square root of the mean product per mass, a speed, is below this
  * share of the tolerance. Chosen. */
 #define DUALITY_GAP_SHARE 0.1
 
-/* The penalty weight of an equality, in effective masses. It bounds what the row misses per
- * iteration by 1e-9 of what it would without; rounding (2^-53) leaves seven digits of the masses.
- */
+/* The penalty weight of an equality, in effective masses. After an iteration the row misses its
+ * target by about 1e-9 of what it would without the penalty; with rounding (2^-53), seven digits of
+ * the masses remain in the matrix. */
 #define STIFFNESS 1e9
 
-/* Iterations at most. Islands at rest take 2 to 5, in motion 8 to 17. */
+/* Maximum number of iterations. Islands at rest take 2 to 5, islands in motion 8 to 17. */
 enum { ITERATIONS_MAX = 40 };
 
-/* A friction row whose bound is below this, in multiples of what gravity gives the row's mass in a
- * step, is left out as frictionless: its slacks would be divided by next to nothing. Chosen. */
+/* A friction row whose bound is below this, in multiples of the row's mass times g h, is left out
+ * as frictionless: its slacks would be divided by almost zero. Chosen. */
 #define FRICTION_MIN 1e-9
 
-/* Whether a row has neither slack nor bound: an equality, or a spring without a greatest force. */
+/* Whether a row has neither slack nor bound: an equality, or a spring without a maximum force. */
 static bool is_unbound(const td_direct_row *r) {
     return r->kind == TD_ROW_EQUALITY ||
            (r->kind == TD_ROW_SOFT && !(r->max_impulse < __builtin_inf()));
@@ -66,10 +67,10 @@ static double bound_distance(const td_direct_row *r, int which) {
     return which ? r->max_impulse - r->impulse : r->max_impulse + r->impulse;
 }
 
-/* The starting point: v = v*, slacks and impulses well inside of the positive numbers, of the size
- * of the root mean square of the residuals, or g h where that is more (1e-9 keeps it above zero in
- * a world without gravity). Impulses of the last step are not used: stale ones of heavy bodies on
- * light ones begin so far off that the method does not converge. */
+/* The starting point: v = v*, and positive slacks and impulses of the size of the root mean square
+ * of the residuals, or of g h if that is larger (1e-9 keeps it above zero in a world without
+ * gravity). Impulses of the last step are not used: where heavy bodies lie on light ones, stale
+ * impulses are so far off that the method does not converge. */
 static void start(td_direct *d) {
     double sum = 0.0;
     int rows = 0;
@@ -142,9 +143,9 @@ static double complementarity_gap(const td_direct *d, double part) {
     return products ? sum / products : 0.0;
 }
 
-/* Sets the row's weight in the matrix and its force on the right side. `aim` is what products per
- * mass are to become; with `second_order` 1 the products of the predictor's steps (in `direction`)
- * are taken into account, with 0 they are not. */
+/* Sets the row's weight in the matrix and its force on the right side. `aim` is the target for the
+ * products per mass; `second_order` is 1 to include the products of the predictor's steps (in
+ * `direction`), and 0 to leave them out. */
 static void linearise_row(td_direct_row *r, double aim, double second_order) {
     double over = r->speed - r->target_speed;
     if (is_unbound(r)) {
@@ -247,7 +248,7 @@ static bool advance(td_direct *d, double part) {
 }
 
 /* The primal residual: the greatest difference between a unilateral row's slack and J v - target,
- * and the greatest miss of an equality. It is zero once a whole step was taken. */
+ * and the greatest miss of an equality. It is zero after a whole step was taken. */
 static double primal_residual(const td_direct *d) {
     double worst = 0.0;
     for (int i = 0; i < d->constraint_count; i++) {
@@ -263,8 +264,8 @@ static double primal_residual(const td_direct *d) {
     return worst;
 }
 
-/* Sets the impulse of a unilateral row to zero where the slack is the larger of the two: the active
- * set that the interior has converged to. */
+/* Sets the impulse of a unilateral row to zero if the slack is the larger of the two: this is the
+ * active set to which the method has converged. */
 static void round_to_active_set(td_direct_row *r, double unused, double also_unused) {
     (void)unused, (void)also_unused;
     if (r->kind == TD_ROW_UNILATERAL && !(r->impulse > r->mass * r->slack[0])) {

@@ -10,7 +10,7 @@
 
 #include <string.h>
 
-/* Factorisations of an island in a step, whatever the quality allows. Chosen. */
+/* Maximum of an island's factorisations in a step, at any quality. Chosen. */
 enum { ISLAND_FACTORINGS_MAX = 200 };
 
 /* Greatest rotation of a body in the step, rad, for which its contacts' lever arms of the start of
@@ -18,8 +18,9 @@ enum { ISLAND_FACTORINGS_MAX = 200 };
  * 1 - cos 0.4 = 8 % too long. */
 #define TURN_MAX 0.4
 
-/* Lanes whose impulses are the direct solver's begin without a warm start in the soft solver: it
- * cannot take back such an impulse within a step where a light body is between heavy ones. */
+/* Lanes whose impulses are the direct solver's start the soft solver without a warm start: where a
+ * light body is between heavy ones, the soft solver could not reduce such an impulse within one
+ * step. */
 void td_island_store_start(thud_world *w) {
     td_islands *s = &w->islands;
     for (int i = 0; i < s->slots.count; i++) {
@@ -77,9 +78,9 @@ static void take_body(td_island_work *work, int i) {
     }
 }
 
-/* The number in the island of a lane's body; TD_NONE where it is no variable of the problem.
- * `known` gets its velocity: of a static or kinematic body the present one, of a body of another
- * island the mean velocity of the soft solver's result. */
+/* The number in the island of a lane's body, or TD_NONE if it is outside of the problem. `known` is
+ * then set to its velocity: the present one of a static or kinematic body, and the mean velocity of
+ * the soft solver's result for a body of another island. */
 static int side_of(const td_island_work *work, uint32_t record, double known[3]) {
     const thud_world *w = work->w;
     td_awake_slot slot = td_slot_of_side(record);
@@ -95,7 +96,7 @@ static double dot(const double *j, const double *v) {
     return j[0] * v[0] + j[1] * v[1] + j[2] * v[2];
 }
 
-/* Sets the speed along a row of the sides that are no variables. */
+/* Sets the speed that bodies outside of the problem give a row. */
 static void set_known(const td_direct_constraint *c, td_direct_row *r, double known[2][3]) {
     r->known_speed = (c->a == TD_NONE ? dot(r->a, known[0]) : 0.0) +
                      (c->b == TD_NONE ? dot(r->b, known[1]) : 0.0);
@@ -130,8 +131,8 @@ static void take_constraint(td_island_work *work, int i) {
     }
 }
 
-/* The factorisations that the quality's island_work leaves for the island in this step. A time
- * budget that lowers the substeps lowers island_work in proportion. */
+/* The factorisations that the quality's island_work allows the island in this step. Where a time
+ * budget has lowered the number of substeps, island_work is lowered in proportion. */
 int td_island_factoring_budget(const thud_world *w, const td_island *island) {
     int64_t work = w->quality.island_work / w->quality.substeps * w->substeps;
     int64_t left = (work - w->stats.island_work) / td_island_cost(island);

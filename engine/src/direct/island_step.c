@@ -1,21 +1,22 @@
-/* island_step.c: solves one step of a direct island, after the soft solver has solved it too.
+/* island_step.c: solves one step of a direct island, after the soft solver has also solved it.
  *
  * Two problems of direct.h are solved, over a step of length h:
- * 1. The mean velocity v of the step, so that the motion is h v. Its target speeds bring contacts
- * to where they neither overlap nor leave a gap that closes within the step. With a constant
- *    acceleration h v is the exact motion, as in the implicit midpoint rule (second order).
+ * 1. The mean velocity v of the step, so that the motion is h v. Its target speeds end the step
+ *    with contacts that just touch: overlaps are corrected, and gaps close no further than to
+ *    contact. With a constant acceleration h v is the exact motion, as in the implicit midpoint
+ *    rule (second order).
  * 2. The velocity at the end of the step, which starts from 2 v - v_before. Its target speeds leave
  *    out the correction of overlaps, so that correction adds no velocity. Where no contact corrects
  *    an overlap or closes a gap, the extrapolated velocity solves it already, and no further
  *    factorisation is needed (td_direct_solve_same_active_set).
- * Islands with joints take island_step_joints.c in place of the two.
+ * Islands with joints are solved by island_step_joints.c instead.
  *
- * The result is checked. It is refused, so that the soft solver's result stands, where it moves or
- * turns bodies too far for the first-order rows, where an impulse is out of proportion, or where
- * its residual is above the tolerance and no smaller than the soft solver's. Otherwise velocities,
- * motions and impulses of the island are written over. Islands in which a contact bounces in this
- * step are left to the soft solver: it resolves bounces one after the other, where bounces solved
- * at once, each of which returns its share of the speed, would gain energy. */
+ * The result is checked. It is refused, and the soft solver's result kept, if bodies move or turn
+ * too far for the first-order rows, if an impulse is implausibly large, or if the residual is above
+ * the tolerance and no smaller than the soft solver's. Otherwise velocities, motions and impulses
+ * of the island are overwritten. Islands in which a contact bounces in this step are left to the
+ * soft solver: it resolves bounces one after the other. Bounces that are solved simultaneously,
+ * each with its own restitution, can gain energy. */
 #include "direct/island_step.h"
 
 #include "constraint/joint_hooks.h"
@@ -23,16 +24,17 @@
 #include "solver/motion.h"
 #include "state/shape.h"
 
-/* A step of an island is slow where it took more factorisations than this. An active set that is
- * warm takes one or two, an interior point ten to twenty. Chosen. */
+/* A step of an island is slow if it took more factorisations than this. A warm-started active set
+ * takes one or two, an interior point ten to twenty. Chosen. */
 #define EASY_FACTORINGS_MAX 8
-/* An island that is nearly at rest may be slow for so many times as many steps in succession as
- * thud_quality.island_slow_steps allows: bodies that are still being pushed apart need the time,
- * and then rest. Chosen. */
+/* An island that is nearly at rest may be slow for this many times thud_quality.island_slow_steps
+ * steps in succession: bodies that are still being pushed apart need the time before they rest.
+ * Chosen. */
 #define CALM_SLOW_STEPS_FACTOR 20
 /* A result is refused where a body's motion is longer than SPEED_RATIO_MAX times the greatest speed
  * without constraints times h, corrections of overlaps included (moves_too_far). Chosen; not tuned.
- * Levers may multiply a speed; a body that escapes from a wedge exceeds any factor. */
+ * A lever may multiply a speed several times; a body that is squeezed out of a wedge exceeds any
+ * factor. */
 #define SPEED_RATIO_MAX 4.0
 /* A result is refused where a contact's impulse is larger than IMPULSE_RATIO_MAX times the mass of
  * the whole island times that speed (impulses_too_large). Chosen; not tuned. A wedge of half angle
@@ -45,7 +47,7 @@
 
 /* ---- the result ---- */
 
-/* Clamps each number of a velocity to the world's maximum speed, and its turn to
+/* Clamps each component of a velocity to the world's maximum speed, and the angular velocity to
  * THUD_ANGULAR_SPEED_MAX. */
 static void clamp_velocity(const thud_world *w, double velocity[3]) {
     double speed_max = (double)(w->def.maximum_speed * w->length_scale);
@@ -86,8 +88,8 @@ static double soft_speed(const td_island_work *work, const td_direct_constraint 
 
 /* The speed at which a point that has restitution may close at the end of the step, length/s: its
  * approach speed at the start of the step, and g h. It is allowed on top of gap / h, so that a pair
- * that will bounce in the next step keeps its speed until then: a row that slowed the pair down to
- * meet no earlier than the next step's end would take energy out at each bounce. */
+ * that will bounce in the next step keeps its speed until then. Otherwise the row would slow the
+ * pair down so that it meets at the end of the next step, and each bounce would lose energy. */
 static double approach_max(const td_island_work *work, td_lane at, int k) {
     int points =
         td_island_points(work->w, td_constraint_at(work->w, at.block->constraint[at.lane]));
@@ -95,9 +97,10 @@ static double approach_max(const td_island_work *work, td_lane at, int k) {
     return td_max_double(closing, 0.0) + work->problem.unit_speed;
 }
 
-/* Sets the target speeds of contact i for the velocity at the end of the part: 0 where it touches
- * or overlaps then, and -gap / (length of the next part or step) where it is apart. A contact of
- * joint_subsystems.c (`from_soft`) may also close as fast as in the soft solver's result. */
+/* Sets the target speeds of contact i for the velocity at the end of the part: 0 for a point that
+ * touches or overlaps then, and -gap / (length of the next part or step) for one that is apart. A
+ * contact of joint_subsystems.c (`from_soft`) may also close as fast as in the soft solver's
+ * result. */
 static void set_end_targets(td_island_work *work, int i) {
     td_direct_constraint *c = &work->problem.constraints[i];
     td_lane at = td_island_lane(work, i);
@@ -117,7 +120,7 @@ static void set_end_targets(td_island_work *work, int i) {
     }
 }
 
-/* Whether row k is that of a contact point which does not touch, in the soft solver's result. */
+/* Whether row k is of a contact point that is apart in the soft solver's result. */
 static bool is_apart(const td_direct_row *r, td_lane at, int k) {
     return r->kind == TD_ROW_UNILATERAL && at.block->point[k].separation[at.lane] > 0.0f;
 }
@@ -159,8 +162,8 @@ static bool is_lone_disc(const td_island_work *work) {
 
 /* Whether a body turns by more than turn_max in the step, or moves further than SPEED_RATIO_MAX
  * allows. The rows have the lever arms of the start of the step, which are wrong after a large
- * rotation; the soft solver's substeps follow it better. And a body that is wedged in where rows
- * cannot correct the overlap would leave sideways, at any speed. */
+ * rotation; the soft solver's substeps follow it better. And a body in a wedge whose overlap the
+ * rows cannot correct would be squeezed out sideways, at any speed. */
 static bool moves_too_far(const td_island_work *work) {
     double fastest = 0.0, furthest = 0.0;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -177,8 +180,8 @@ static bool moves_too_far(const td_island_work *work) {
 }
 
 /* Whether a unilateral impulse is larger than IMPULSE_RATIO_MAX times the momentum that the island
- * could have. In a wedge impulses can be of any size at equal motion. They are refused, since they
- * would be the soft solver's warm start when the wedge opens. */
+ * could have. In a wedge, impulses of any size can give the same motion. Large ones are refused,
+ * since they would be the soft solver's warm start when the wedge opens. */
 static bool impulses_too_large(const td_island_work *work) {
     const td_direct *d = &work->problem;
     double fastest = d->unit_speed + work->correction_speed * work->island->bodies, mass = 0.0;
@@ -320,10 +323,11 @@ static bool is_calm(const td_island_work *work) {
     return fastest <= max * max;
 }
 
-/* Counts the slow steps of the island in succession, at its bodies (slow_steps), and returns
- * whether there were more than the quality allows, which is CALM_SLOW_STEPS_FACTOR times
- * as many for an island nearly at rest. An island that needs many factorisations in each step is in
- * motion, and would need them for long. Quality.island_slow_steps 0: any number is allowed. */
+/* Counts the slow steps of the island in succession, in slow_steps of its bodies, and returns
+ * whether there were more than island_slow_steps of the quality, or CALM_SLOW_STEPS_FACTOR times
+ * that for an island nearly at rest. An island that needs many factorisations in each step is
+ * usually in motion, and would go on needing them. With island_slow_steps 0 any number is
+ * allowed. */
 static bool is_slow(const td_island_work *work) {
     int allowed = work->w->quality.island_slow_steps * (is_calm(work) ? CALM_SLOW_STEPS_FACTOR : 1);
     bool easy = work->problem.factorings <= EASY_FACTORINGS_MAX || allowed == 0;
@@ -337,14 +341,14 @@ static bool is_slow(const td_island_work *work) {
     return allowed > 0 && steps_max > td_min_int(allowed, TD_SLOW_STEPS);
 }
 
-/* An island with joints is jammed when its result was refused in so many steps in succession:
- * bodies are caught in each other, and no velocities satisfy all rows. Chosen. Without this, 61
- * ragdolls in a pit took 2983 ms in 300 steps instead of 1164, at exact. */
+/* An island with joints is jammed when its result was refused in JAMMED_STEPS steps in succession:
+ * its bodies are entangled, and no velocities satisfy all rows. Chosen. Without this, 61 ragdolls
+ * in a pit took 2983 ms in 300 steps instead of 1164, at exact. */
 enum { JAMMED_STEPS = 8 };
 
 /* Counts a step without a usable result, at qualities whose island_slow_steps is 0, so that is_slow
- * counts none. Returns whether the island is jammed: after JAMMED_STEPS of them in succession, and
- * after one where the island has had a cooldown and was not solved since. */
+ * counts none. Returns whether the island is jammed: after JAMMED_STEPS such steps in succession,
+ * or after a single one if the island was not solved since its last cooldown. */
 static bool is_jammed(const td_island_work *work) {
     bool jammed = false;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -382,9 +386,9 @@ static void write_result(const td_island_work *work) {
     }
 }
 
-/* Islands with joints of up to so many bodies have the short cooldown TD_PAUSE_STEPS, and are
- * solved directly in each step even if they are slow: under the soft solver their joints would
- * open. Chosen; the same as TD_RESOLVE_BODIES_MAX. */
+/* Islands with joints of up to this many bodies have the short cooldown TD_PAUSE_STEPS, and are
+ * solved directly in each step even if they are slow: under the soft solver their joints would come
+ * apart. Chosen; the same as TD_RESOLVE_BODIES_MAX. */
 enum { SMALL_ISLAND_BODIES_MAX = 128 };
 
 /* Begins the cooldown of an island whose result was refused, at qualities with island_slow_steps;

@@ -1,6 +1,6 @@
 /* island_step.h: the data of one island while the direct solver works on it, and the functions that
- * solve one step of it: set up (island_problem.c), solve and write (island_step.c), and the same
- * for islands with joints (island_step_joints.c). */
+ * solve one step of it: set up (island_problem.c), solve and write (island_step.c), and the
+ * solution for islands with joints (island_step_joints.c). */
 #ifndef TD_ISLAND_DIRECT_H
 #define TD_ISLAND_DIRECT_H
 
@@ -13,15 +13,16 @@ typedef struct td_island_work {
     td_direct problem;
     const td_awake_slot *slots;
     const int *constraints;
-    double time;    /* length of the step, or of the part of it that is being solved, s */
-    double elapsed; /* time from the start of the step to the end of the part, s */
-    double next;    /* length of the part that follows, or of a step after the last part, s */
-    bool bounces;   /* the soft solver lets a contact bounce in this step */
-    double correction_speed; /* greatest speed at which a row corrects an overlap or a gap,
-                                length/s; infinite: motions and impulses are not checked */
+    double time;             /* length of the step, or of the part of it that is being solved, s */
+    double elapsed;          /* time from the start of the step to the end of the part, s */
+    double next;             /* length of the next part, s; after the last part, of a whole step */
+    bool bounces;            /* the soft solver lets a contact bounce in this step */
+    double correction_speed; /* maximum speed at which a row corrects an overlap or a gap, length/s;
+                                infinite: the result's motions and impulses are not checked */
     int joints;              /* number of constraints that are no contacts */
     double unbalanced;       /* greatest unbalanced_speed of island_step_joints.c, length/s */
-    double turn_max; /* greatest rotation in the step for which contacts' arms are good, rad */
+    double turn_max; /* greatest rotation in the step for which the contacts' lever arms of the
+                        start of the step are accurate enough, rad */
 } td_island_work;
 
 /* island_problem.c: stores velocities and impulses of all listed islands, before the soft solver
@@ -35,11 +36,11 @@ int td_island_factoring_budget(const thud_world *w, const td_island *island);
 /* The problem of direct.h for the island, from the stored velocities and impulses. */
 td_island_work td_island_set_up(thud_world *w, const td_island *island);
 
-/* island_step.c: solves an island directly and writes the result. False where the soft solver's
- * result stands. */
+/* island_step.c: solves an island directly and writes the result. False if the soft solver's result
+ * is kept. */
 bool td_island_solve(thud_world *w, const td_island *island);
 /* The same for a problem that is set up already: computes the result and checks it, but writes
- * nothing. False where the soft solver's result is to stand. */
+ * nothing. False if the soft solver's result has to be kept. */
 bool td_island_compute(td_island_work *work);
 /* The tolerance of residuals, length/s. */
 double td_island_tolerance(const thud_world *w);
@@ -50,7 +51,7 @@ void td_islands_begin(thud_world *w);
 /* Adds the motion of the part, at the mean velocities, to td_direct_body.moved. */
 void td_island_add_motion(td_island_work *work);
 /* The separation of row k at time `elapsed`, to first order in the motion so far (`moved`);
- * `before` is that at the start of the step. */
+ * `before` is the separation at the start of the step. */
 double td_island_gap(const td_island_work *work, const td_direct_constraint *c, int k,
                      double before);
 /* Whether a body is a single circle about its centre of mass, so that its rotation moves no
@@ -62,7 +63,7 @@ bool td_island_is_disc(const td_island_work *work, int body);
 void td_island_extrapolate(td_island_work *work);
 
 /* island_step_joints.c, linked only with joints: solves the step of an island with joints. Returns
- * the residual, as td_direct_solve. */
+ * the residual, as td_direct_solve does. */
 double td_island_solve_joints(td_island_work *work, double tolerance);
 
 /* island_step.c: the lane of constraint i of the island. */

@@ -22,21 +22,21 @@
 #include "direct/step_parts.h"
 
 /* A result is refused if its kinetic energy is more than this many times what the island had, or
- * could get from gravity, motors and springs. Chosen: an explosion exceeds any factor, and a whip
- * of light bodies may well have a few times the mean. */
+ * could get from gravity, motors and springs. Chosen: an unstable result exceeds any factor, while
+ * a whip of light bodies may have a few times the mean energy. */
 #define ENERGY_RATIO_MAX 16.0
-/* Factor of the budget of factorisations for islands of joints alone, and with contacts: Newton's
- * method needs several where contacts need one, and the soft solver would let a loaded chain come
- * apart. */
+/* Factors of the budget of factorisations for islands without contacts, and with contacts: Newton's
+ * method needs several factorisations where an island without joints needs one, and if the budget
+ * runs out the soft solver lets a loaded chain come apart. */
 enum { BUDGET_OF_JOINTS = 8, BUDGET_WITH_CONTACTS = 2 };
-/* Newton iterations of a part. Chosen; each is one or more factorisations. */
+/* Maximum of Newton iterations in a part. Chosen; each takes one or more factorisations. */
 enum { NEWTON_ITERATIONS_MAX = 12 };
-/* Minimum of the geometric stiffness, in moments of inertia: a negative one makes the body turn
- * more easily, and at -1 the matrix would not be positive definite. Chosen. */
+/* Minimum of the geometric stiffness, in multiples of the moment of inertia: a negative one makes
+ * the body turn more easily, and at -1 the matrix would not be positive definite. Chosen. */
 #define STIFFNESS_MIN (-0.5)
-/* Residual of Newton's method, in tolerances: at qualities that solve every island directly, and at
- * others. With contacts, whose active set may change from iteration to iteration, it is 1. Chosen.
- */
+/* Newton's method ends when the residual is below this many tolerances: at qualities that solve
+ * every island directly, and at others. With contacts, whose active set may change in every
+ * iteration, it is 1. Chosen. */
 #define RESIDUAL_EXACT 1e-3
 #define RESIDUAL_OTHER 0.05
 /* Newton's iteration goes on while moments miss their balance by more than BALANCE_ENOUGH
@@ -49,13 +49,13 @@ enum { NEWTON_ITERATIONS_MAX = 12 };
 #define BALANCE_ENOUGH 100.0
 #define BALANCE_MAX 1000.0
 #define GAIN_MAX 0.1
-/* Velocities at the end of a part that miss those of the joints by less than this many times g h
+/* Velocities at the end of a part that violate the joints' rows by less than this many times g h
  * are left as they are, since correcting them would take energy out of every swing. Chosen. */
 #define END_ERROR_MAX 4.0
 
-/* The motion of one side from the start of the step to the start of the part (motion[0]) and, at
- * the mean velocity, to its end (motion[1]). `start` is the time of the part's start in the step,
- * s. */
+/* The motion of one body from the start of the step to the start of the part (motion[0]) and, at
+ * the mean velocity, to the end of the part (motion[1]). `start` is the time of the part's start in
+ * the step, s. */
 static void span_of_side(const td_island_work *work, int body, uint32_t record, double start,
                          double motion[2][3]) {
     const float *v = td_row(&work->w->velocity, td_slot_of_side(record));
@@ -133,8 +133,8 @@ static void add_geometric_stiffness(td_island_work *work) {
 /* The greatest speed by which geometric stiffness has kept a body from turning freely: its moment k
  * (w_new - w), which vanishes when the iteration has converged, over the moment of inertia, times
  * the radius of gyration. Redundant joints may have impulses, and so k, of any size (self-stress);
- * the rows are then satisfied long before the moments are in balance, and the mechanism would turn
- * on as it did, whatever gravity and contacts do to it. */
+ * the rows are then satisfied long before the moments are in balance, and the mechanism would go on
+ * turning as before, whatever gravity and contacts do to it. */
 static double unbalanced_speed(const td_island_work *work) {
     double worst = 0.0;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -200,8 +200,9 @@ static double solve_mean_velocity(td_island_work *work, double start, double tol
     return td_max_double(missing, td_direct_residual(d));
 }
 
-/* Prepares motors and springs for the second problem, which is over the whole part instead of the
- * mean (half): bounds are doubled, and a spring keeps the force that it had on the way. */
+/* Prepares motors and springs for the second problem, whose impulses act over the whole part (those
+ * of the mean velocity over half of it): bounds are doubled, and a spring keeps the mean force that
+ * it had in the part. */
 static void set_end_drives(td_direct_constraint *c) {
     c->bound *= 2.0;
     c->row[TD_DIRECT_TANGENT].max_impulse +=
@@ -222,7 +223,8 @@ static void remove_impulse(td_direct_body *b, const double *j, double impulse) {
     b->free[2] -= b->inverse_inertia * j[2] * impulse;
 }
 
-/* Share of the bodies' speed above which the closing of a gap counts: see closes_gaps. Chosen. */
+/* Share of the bodies' speed above which the closing of a gap is not negligible: see closes_gaps.
+ * Chosen. */
 #define CLOSING_SHARE 1e-3
 
 /* Whether a joint's gap closes in this part, at a speed that is not negligible beside the bodies'
@@ -245,8 +247,8 @@ static bool closes_gaps(const td_island_work *work, double tolerance) {
 
 /* Keeps the impulses of equality rows that the first problem found, in `mean_impulse`, and removes
  * those of all other rows from the free velocities, which the second problem solves for anew.
- * Solving for equality rows again in the directions at the end of the part would take out energy,
- * by the square of the angle by which a direction turns. */
+ * Solving for equality rows again in their directions at the end of the part would lose energy, in
+ * proportion to the square of the angle by which a direction turns. */
 static void keep_lock_impulses(td_island_work *work) {
     td_direct *d = &work->problem;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -297,8 +299,9 @@ static bool has_only_locks_and_springs(const td_island_work *work) {
 /* The second problem: velocities at the end of the part. They start from 2 v - v_before.
  * - Where gaps were closed, all rows are solved for anew, from the velocities without impulses.
  * - Otherwise impulses of equality rows are kept, and the rest is solved for. In an island without
- *   contacts, limits and motors nothing is solved unless the velocities miss the joints' by more
- * than END_ERROR_MAX g h. Returns the residual, as a speed. */
+ *   contacts, limits and motors nothing is solved unless the velocities violate the joints' rows by
+ *   more than END_ERROR_MAX g h.
+ * Returns the residual, as a speed. */
 static double solve_end_velocity(td_island_work *work, double start, double tolerance) {
     td_direct *d = &work->problem;
     td_island_extrapolate(work);
@@ -318,8 +321,8 @@ static double solve_end_velocity(td_island_work *work, double start, double tole
     return missing;
 }
 
-/* Sets what gravity, forces and damping add in one of so many parts, and the closing speeds of all
- * rows. */
+/* Sets the velocity that gravity, forces and damping add in one of `parts` parts, and the closing
+ * speeds of all rows. */
 static void begin_step(td_island_work *work, int parts) {
     for (int i = 0; i < work->island->constraints; i++) {
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
@@ -373,8 +376,8 @@ static void scale_impulses(td_island_work *work, double by) {
     }
 }
 
-/* Twice the kinetic energy; with `free`, of the larger of the velocities before and without
- * constraints, number by number. */
+/* Twice the kinetic energy; with `free`, the larger of the kinetic energies before the part and
+ * without constraints, component by component. */
 static double energy_of(const td_island_work *work, bool free) {
     double sum = 0.0;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -404,10 +407,10 @@ static double energy_of_drives(const td_island_work *work) {
     return sum;
 }
 
-/* Whether the solution has more than ENERGY_RATIO_MAX times the energy that it may have: `there`
- * (twice the energy at the start of the step, with that of motors and springs), or twice the energy
- * at the start of the last part, since a motor may move more than its own two bodies; and what
- * closing gaps and overlaps may add. Equality rows do no work themselves. */
+/* Whether the solution has more than ENERGY_RATIO_MAX times the energy that it may have: the larger
+ * of `there` (twice the energy at the start of the step, with that of motors and springs) and twice
+ * the energy at the start of the last part, since a motor may move more than its own two bodies;
+ * plus the energy that closing gaps and overlaps may add. Equality rows do no work themselves. */
 static bool gains_energy(const td_island_work *work, double there) {
     double mass = 0.0, pushed = work->correction_speed + work->problem.unit_speed;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -418,8 +421,9 @@ static bool gains_energy(const td_island_work *work, double there) {
     return !(energy_of(work, false) <= ENERGY_RATIO_MAX * max);
 }
 
-/* Twice the work that gravity, forces and damping do on the motion of a step in so many parts: a
- * body whose velocity they change by 2 gain in a part of length h has the force 2 m gain / h. */
+/* Twice the work that gravity, forces and damping do in a step that is divided into parts of length
+ * h = part_time: a body whose velocity they change by 2 gain in a part is under the force 2 m gain
+ * / h. */
 static double work_of_forces(const td_island_work *work, double part_time) {
     double sum = 0.0;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -473,8 +477,8 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
     work->w->islands.effort = work->problem.effort;
     missing = gains_out_of_balance(work, tolerance, start) ? __builtin_inf() : missing;
     work->time = work->elapsed = whole;
-    /* Long lever arms may have made numbers overflow; and a body that has contacts must not have
-     * turned further than the contacts' arms are good for. */
+    /* Long lever arms may have made numbers overflow; and a body with contacts must not have turned
+     * further than its contacts' lever arms allow. */
     missing = td_finite(energy_of(work, false)) && !td_island_turns_too_far(work) ? missing
                                                                                   : __builtin_inf();
     work->turn_max = __builtin_inf();
@@ -485,8 +489,8 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
     if (td_island_is_joints(work)) {
         missing = gains_energy(work, there) ? __builtin_inf() : missing;
         work->correction_speed = __builtin_inf();
-        /* Their factorisations depend on how fast they turn, and are not held against the island as
-         * a sign that it will be too dear again. */
+        /* The number of factorisations depends on how fast the bodies turn, so that it does not
+         * count as a slow step, which would predict that the island stays expensive. */
         work->w->stats.factorings += work->problem.factorings;
         work->w->stats.island_work += work->problem.factorings * td_island_cost(work->island);
         work->problem.factorings = 0;

@@ -1,5 +1,5 @@
-/* joint_islands.c: the island solver of a world with joints, whose order joint_islands.h gives; and
- * the budget of work that islands with joints share in a step. */
+/* joint_islands.c: the island solver of a world with joints, in the order that joint_islands.h
+ * describes (1., 2., 3.); and the budget of work that islands with joints share in a step. */
 #include "direct/joint_islands.h"
 
 #include "direct/elimination_order.h"
@@ -9,8 +9,8 @@
 
 /* ---- before the soft solver ---- */
 
-/* Reserves room for one more system of the greatest size: a system is begun, which makes its arrays
- * grow, and dropped. False when memory is short. */
+/* Reserves memory for one more system of the maximum size, by beginning such a system, which makes
+ * the arrays grow, and dropping it. False when memory is short. */
 static bool reserve_system(thud_world *w) {
     td_sparse *s = &w->islands.matrix;
     td_memory *memory = &w->memory;
@@ -36,11 +36,11 @@ static bool find(thud_world *w) {
            td_islands_reserve(w, &s->work, TD_RESOLVE_BODIES_MAX) && reserve_system(w);
 }
 
-/* Budget of work (td_direct.effort) of islands with joints in a step, whatever the quality allows,
- * in operations on 3 x 3 blocks of some 7 ns each: EFFORT_OF_BODY for each body of the world, and
- * as for EFFORT_BODIES_MIN bodies where there are fewer, which is some 30 ms. Loops of joints that
- * are stretched may take any number of Newton steps, and a body that is joined to many others makes
- * a factorisation take the cube of their number: without a budget a hub with 900 rods took up to a
+/* Budget of work (td_direct.effort) of islands with joints in a step, at any quality, in operations
+ * on 3 x 3 blocks of some 7 ns each: EFFORT_OF_BODY for each body of the world, counted as
+ * EFFORT_BODIES_MIN bodies if there are fewer, which is some 30 ms. Loops of joints that are
+ * stretched may take any number of Newton steps, and a body that is joined to many others makes a
+ * factorisation take the cube of their number: without a budget a hub with 900 rods took up to a
  * second in one step at exact. Both numbers are chosen; half of them sends islands to the soft
  * solver at half that time, twice as much allows a frame of 60 ms. */
 enum { EFFORT_OF_BODY = 4000, EFFORT_BODIES_MIN = 1000 };
@@ -57,10 +57,10 @@ static void begin(thud_world *w) {
 
 /* ---- after it ---- */
 
-/* Solves the islands of 1. An island may spend EFFORT_OF_BODY for each body of its own, and what
- * the islands before it have not spent: `reserved` is the share of the islands after it. Without
- * it, a heap that spent the whole budget sent all islands after it to the soft solver. Returns the
- * last system, behind which further ones are put. */
+/* Solves the islands of 1. An island may spend EFFORT_OF_BODY for each of its own bodies, and what
+ * the islands before it have left over. `reserved` is the share of the islands after it; without
+ * it, a heap that spent the whole budget sent all later islands to the soft solver. Returns the
+ * last system, after which further ones are appended. */
 static td_system solve_found(thud_world *w) {
     td_islands *s = &w->islands;
     td_system last = {0};

@@ -2,13 +2,13 @@
  *
  * After the soft solver it solves directly (sparse.h), in this order,
  *   1. the islands that td_islands_find listed before it (direct_islands.c);
- *   2. islands with a joint whose load in this step exceeded the threshold of td_islands_load_max,
- *      or whose gap exceeded max_error: it is overloaded (overloaded_joints.c);
+ *   2. islands with an overloaded joint: its load in this step exceeded the threshold of
+ *      td_islands_load_max, or its gap exceeded max_error (overloaded_joints.c);
  *   3. of islands that are left to the soft solver, the linkages (bodies that joints connect) whose
- *      joints are overloaded; their contacts act by the impulses that the soft solver found
+ *      joints are overloaded; the contacts act on them by the impulses that the soft solver found
  *      (joint_subsystems.c).
  * The soft solver's result stays in the world until a direct result is accepted, so that nothing
- * has to be put back where one is refused. */
+ * has to be restored if the direct result is refused. */
 #ifndef TD_JOINT_ISLANDS_H
 #define TD_JOINT_ISLANDS_H
 
@@ -28,24 +28,24 @@ enum {
     TD_RESOLVE_ENTRIES_MAX = 8 * TD_RESOLVE_BODIES_MAX
 };
 
-/* Prepares an island of 2. or 3.: takes the velocities at the start of the step as those before it
+/* Prepares an island of 2. or 3.: copies the velocities at the start of the step
  * (td_islands.island_start_velocity), and the soft solver's impulses as the warm start, and adds a
  * system with the island's elimination order to td_islands.matrix, behind the present one.
  * Velocities and impulses of the world do not change. False where a size above is exceeded. */
 bool td_joint_island_begin(thud_world *w, td_island *island);
 
 /* Solves an island of 1., or one that td_joint_island_begin has prepared (td_island_solve), and
- * writes the result to the world. Where that is refused, as without convergence, above the budget
- * or where a contact bounces, the soft solver's result stands, and td_islands.local of the bodies
- * becomes TD_ISLAND_REFUSED. */
+ * writes the result to the world. The soft solver's result is kept if the direct solve does not
+ * converge, exceeds its budget, fails its checks, or a contact bounces; td_islands.local of the
+ * bodies then becomes TD_ISLAND_REFUSED. */
 void td_joint_island_solve(thud_world *w, const td_island *island);
 /* The value of td_islands.local of a body whose island was tried in this step without success; 3.
- * may still solve its joints alone;
- * direct_islands.c has -1 to -3, joint_subsystems.c -5. */
+ * may still solve its linkages. Other negative values stand in direct_islands.c and
+ * joint_subsystems.c. */
 enum { TD_ISLAND_REFUSED = -4 };
 
-/* overloaded_joints.c: 2. above. `last` is the last system of the islands of 1.: further ones are
- * put behind it, and are gone when the function returns. */
+/* overloaded_joints.c: 2. above. `last` is the last system of the islands of 1.: systems for 2. are
+ * appended after it, and removed before the function returns. */
 void td_overloaded_islands_solve(thud_world *w, td_system last);
 /* joint_subsystems.c: 3. above. `last` as above. It writes its linkages over the lists of
  * td_islands (slots, constraints), which are then invalid until the islands of the next step are

@@ -1,34 +1,34 @@
 /* joint_subsystems.c: joints of islands that are left to the soft solver, because the whole island
- * is too dear for the quality, or because a contact of it bounces.
+ * is too expensive for the quality, or because one of its contacts bounces.
  *
  * A linkage is a set of bodies that joints connect. Where joints of a linkage are overloaded, its
  * bodies are solved directly by themselves. Contacts act on them by the impulses that the soft
- * solver found, as known forces; and each contact is a unilateral row that keeps it from closing
- * further than the soft solver has it, beside other bodies that move as in the soft solver's
- * result. So what lies on a bridge does not sink through it as the bridge's joints close. Where
- * joints and contacts cannot both be satisfied, the soft solver's result stands.
+ * solver found, as known forces; and each contact is also a unilateral row that keeps its gap from
+ * closing further than in the soft solver's result; bodies outside of the linkage move as in that
+ * result. So a body on a bridge does not sink into it while the gaps of the bridge's joints close.
+ * Where joints and contacts cannot both be satisfied, the soft solver's result is kept.
  *
- * This is for machines beside or on a heap. A linkage with more contacts than bodies is left alone:
- * there the contacts, whose impulses are taken as known, decide the motion. */
+ * This is for machines beside or on a heap. A linkage with more contacts than bodies stays with the
+ * soft solver: there the contacts, whose impulses are taken as known, determine the motion. */
 #include "direct/joint_islands.h"
 
 #include "constraint/constraint.h"
 #include "direct/elimination_order.h"
 
 /* Budget of factorisations of a linkage, beside the island budget of the step; island_step_joints.c
- * doubles it. Measured: with a third of it, the wrecking ball's chain opens by over 10 mm as the
- * ball meets the wall. */
+ * doubles it. Measured: with a third of it, the joints of the wrecking ball's chain open by over 10
+ * mm as the ball hits the wall. */
 enum { LINKAGE_FACTORINGS = 32 };
 /* A linkage that has failed n times in succession is tried in one of 2^n steps, and in one of
  * 2^BACKOFF_MAX at least (32 steps). Chosen. */
 enum { BACKOFF_MAX = 5 };
-/* With more overloaded joints than this in the world, none is solved: in a crowd it would cost
- * much, and improve little. Chosen. */
+/* If more joints than this are overloaded in the world, no linkage is solved: in a crowd of
+ * ragdolls the solves would cost much and improve little. Chosen. */
 enum { OVERLOADED_MAX = 64 };
-/* A linkage is solved if at least one in so many of its joints is overloaded: the soft solver
- * corrects a few overloaded joints by itself. Chosen. */
+/* A linkage is solved if at least one in OVERLOADED_PART of its joints is overloaded: the soft
+ * solver corrects a few overloaded joints by itself. Chosen. */
 enum { OVERLOADED_PART = 2 };
-/* The value of td_islands.local of bodies whose linkage is not fit to be solved. */
+/* The value of td_islands.local of bodies whose linkage cannot be solved in this step. */
 enum { UNFIT = -5 };
 
 bool td_joint_subsystems_expected(const thud_world *w) {
@@ -43,8 +43,8 @@ bool td_joint_subsystems_expected(const thud_world *w) {
 
 /* ---- which ---- */
 
-/* Whether the body's linkage is not tried in this step, after failures. Their number is in
- * slow_steps, which an island in its cooldown does not need otherwise. */
+/* Whether the body's linkage is not tried in this step, after failures. The number of failures is
+ * in slow_steps, which is otherwise unused while an island is in its cooldown. */
 static bool backs_off(const thud_world *w, td_awake_slot slot) {
     int failures = *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN
                        ? *td_slow_steps_at(w, slot) % TD_SLOW_ONCE
@@ -71,7 +71,8 @@ static bool is_soft(const thud_world *w, td_awake_slot slot) {
     return td_inv_mass_of(w, slot) > 0.0f && local <= 0 && (left || local == TD_ISLAND_REFUSED);
 }
 
-/* Whether a load moves a joint by more than the quality allows. */
+/* Whether the load of a joint is above the threshold of td_islands_load_max, or its gap above
+ * max_error. */
 static bool is_overloaded(const thud_world *w, const td_block *block, int lane, int kind) {
     td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
     float size = td_islands_size(w, a, b), off = 0.0f;
@@ -80,7 +81,8 @@ static bool is_overloaded(const thud_world *w, const td_block *block, int lane, 
 }
 
 /* Adds the joints of a body and the bodies at their other ends. Counts its contacts with moving
- * bodies, and overloaded joints. False where the linkage is too large, or reaches an unfit one. */
+ * bodies, and its overloaded joints. False if the linkage is too large, or contains a body that is
+ * marked as unfit. */
 static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot, int *contacts,
                           int *overloaded) {
     td_body_index body = td_body_of(w, slot);
@@ -131,7 +133,7 @@ static bool collect(thud_world *w, td_awake_slot seed, td_island *linkage) {
     return whole;
 }
 
-/* ---- what contacts give ---- */
+/* ---- contacts ---- */
 
 /* Adds an impulse along (x, y) to a free mean velocity: half of it, as it acts throughout the step.
  */
@@ -182,8 +184,8 @@ static bool list_contacts(thud_world *w, td_island *linkage) {
     return true;
 }
 
-/* Makes the rows of contacts what keeps them from closing further: the impulses start from 0, on
- * top of the known ones; there is no friction on top. */
+/* Sets up the rows that keep contacts from closing further: their impulses start from 0, come on
+ * top of the known ones, and have no friction of their own. */
 static void set_contact_rows(td_island_work *work) {
     for (int i = 0; i < work->island->constraints; i++) {
         td_direct_constraint *c = &work->problem.constraints[i];
@@ -224,9 +226,9 @@ static double energy_of(const td_direct_body *b, const double v[3]) {
     return (v[0] * v[0] + v[1] * v[1]) / b->inverse_mass + turning;
 }
 
-/* Whether the result has more energy than the start of the step and than the soft solver's result,
- * beyond what closing gaps adds. The known impulses of contacts do not depend on what the joints
- * do, and could add energy in each step anew. */
+/* Whether the result has more energy than both the start of the step and the soft solver's result,
+ * beyond what closing gaps adds. The known impulses of contacts do not depend on the joints'
+ * solution, and could add energy again in each step. */
 static bool gains_energy(const td_island_work *work, double pushed) {
     double before = 0.0, soft = 0.0, after = 0.0, mass = 0.0;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -241,12 +243,12 @@ static bool gains_energy(const td_island_work *work, double pushed) {
     return after > td_max_double(before, soft) + mass * pushed * pushed;
 }
 
-/* Solves the linkage of a body. Velocities and motions are written over; the joints' impulses stay
- * the soft solver's, as its warm start of the next step. */
+/* Solves the linkage of a body. Velocities and motions are overwritten; the joints' impulses stay
+ * the soft solver's, since they are its warm start in the next step. */
 static void solve_one(thud_world *w, td_awake_slot seed) {
     td_island linkage;
     bool counted = *td_island_local_at(w, seed) ==
-                   TD_ISLAND_REFUSED; /* it is in the statistics of failed islands */
+                   TD_ISLAND_REFUSED; /* it counts in the statistics of failed islands */
     if (!collect(w, seed, &linkage) || !list_contacts(w, &linkage) ||
         !td_joint_island_begin(w, &linkage)) {
         return;
@@ -265,7 +267,7 @@ static void solve_one(thud_world *w, td_awake_slot seed) {
     }
 }
 
-/* Lists a body of each overloaded joint. False where there are more than OVERLOADED_MAX. */
+/* Lists one body of each overloaded joint. False where there are more than OVERLOADED_MAX. */
 static bool list_seeds(thud_world *w, td_awake_slot *seeds, int *count) {
     *count = 0;
     for (int i = 0; i < w->scratch.blocks.count; i++) {

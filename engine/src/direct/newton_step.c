@@ -4,9 +4,9 @@
  * Both methods reduce the problem to the same linear equations. An active row of weight D and force
  * f acts on the bodies by the impulse f - D J dv; the equilibrium of all bodies after a step dv,
  *     M (v + dv - v*) = sum J' (f - D J dv),
- * gives  (M + sum D J' J) dv = M (v* - v) + sum J' f.  The matrix is symmetric and positive
- * definite, with a 3 x 3 block for each body and for each pair of bodies that a constraint joins.
- */
+ * gives (M + sum D J' J) dv = M (v* - v) + sum J' f. The matrix is symmetric and positive definite.
+ * Its nonzero 3 x 3 blocks are one for each body and one for each pair of bodies that a constraint
+ * joins. */
 #include "direct/direct.h"
 
 #include "solver/friction.h"
@@ -57,8 +57,8 @@ void td_direct_restore(td_direct *d) {
     td_direct_update_friction(d);
 }
 
-/* The speed by which a unilateral or equality row misses its target speed; a unilateral row that
- * separates faster misses a negative speed. */
+/* The speed by which a unilateral or equality row misses its target speed; negative for a
+ * unilateral row that separates faster than its target. */
 static double lack_of(const td_direct_row *r) {
     double lack = r->target_speed - r->speed;
     return r->kind == TD_ROW_EQUALITY && lack < 0.0 ? -lack : lack;
@@ -78,8 +78,8 @@ double td_direct_residual(const td_direct *d) {
 
 /* ---- a Newton step ---- */
 
-/* The moment of inertia. A body that does not turn has none of its rows' moments either, so that
- * any positive number will do. */
+/* The moment of inertia. The rows of a body that does not turn have lever arms of 0, so that any
+ * positive number is correct. */
 static double inertia_of(const td_direct_body *b) {
     return b->inverse_inertia > 0.0 ? 1.0 / b->inverse_inertia : 1.0;
 }
@@ -112,8 +112,8 @@ static void add_row(td_direct *d, const td_direct_constraint *c, const td_direct
  * estimated from the multiplications that each takes (a 3 x 3 product has 27). */
 enum { CONSTRAINT_EFFORT = 10, BODY_EFFORT = 5 };
 
-/* Takes a Newton step with so many operations on blocks from the budget of work. False, with the
- * budget marked as spent, where that is too small. */
+/* Subtracts the cost of a Newton step with `blocks` operations on blocks from the budget of work.
+ * If the budget is too small, marks it as spent and returns false. */
 static bool take_effort(td_direct *d, int64_t blocks) {
     int64_t more = blocks + (int64_t)CONSTRAINT_EFFORT * d->constraint_count +
                    (int64_t)BODY_EFFORT * d->body_count;

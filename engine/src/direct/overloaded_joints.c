@@ -23,7 +23,7 @@ static bool has_joints(const thud_world *w, const td_island *island) {
 }
 
 /* Solves the island of a body. The island stays in the lists, so that its other bodies are not
- * looked at again; its elimination order is dropped. */
+ * visited again; its elimination order is dropped. */
 static void solve_one(thud_world *w, td_awake_slot slot) {
     td_islands *s = &w->islands;
     int islands = s->island.count, rows = s->matrix.row.count;

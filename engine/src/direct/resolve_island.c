@@ -8,8 +8,8 @@
 #include <string.h>
 
 /* Finds the elimination order, as a further system of td_islands.matrix. False where the factor
- * would be too large. The pairs of bodies that constraints join are listed at the end of
- * td_islands.topology and taken off again, since room is reserved for those of one island. */
+ * would be too large. The pairs of bodies that constraints join are appended to td_islands.topology
+ * and removed again, since room is reserved for the pairs of one island only. */
 static bool find_elimination_order(thud_world *w, td_island *island) {
     td_islands *s = &w->islands;
     int first = s->topology.count;
@@ -21,8 +21,8 @@ static bool find_elimination_order(thud_world *w, td_island *island) {
     return ordered;
 }
 
-/* The direct solver has no impulses of its own for this island: it was not listed before the soft
- * solver, when td_island_store_start stores them. */
+/* The warm start is the soft solver's: the direct solver's own impulses are stored by
+ * td_island_store_start before the soft solver runs, when this island was not listed yet. */
 bool td_joint_island_begin(thud_world *w, td_island *island) {
     td_islands *s = &w->islands;
     if (island->bodies > TD_RESOLVE_BODIES_MAX ||
@@ -47,6 +47,7 @@ void td_joint_island_solve(thud_world *w, const td_island *island) {
     }
     for (int i = 0; i < island->bodies; i++) {
         td_awake_slot slot = td_slot_in(&s->slots, island->first_body + i);
-        *td_island_local_at(w, slot) = TD_ISLAND_REFUSED; /* in place of the number in the island */
+        *td_island_local_at(w, slot) = TD_ISLAND_REFUSED; /* it replaces the body's number in the
+                                                             island */
     }
 }

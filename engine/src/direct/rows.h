@@ -1,5 +1,5 @@
-/* rows.h: the rows of direct.h that a constraint's lane gives: one to three, of its points and of
- * its tangent. */
+/* rows.h: reads the one to three rows of direct.h (points and tangent) from a constraint's lane,
+ * its place in a block of eight constraints (constraint/block.h). */
 #ifndef TD_ROWS_H
 #define TD_ROWS_H
 
@@ -8,8 +8,8 @@
 
 /* contact_rows.c. A td_take_rows_fn fills kinds, Jacobians, warm-start impulses and target speeds
  * of the rows, for the mean velocity of the step. `impulses` are those of the last step, each
- * summed over all substeps. The sides of *c are set before; the rows' `known` is added afterwards.
- * True where the soft solver lets the lane bounce in this step. */
+ * summed over all substeps. The caller sets the bodies of *c before, and the rows' known_speed
+ * afterwards. True if the soft solver lets the contact bounce in this step. */
 td_take_rows_fn td_contact_take_rows;
 
 /* The function of a kind of constraint. */

@@ -3,9 +3,10 @@
  *
  * Ordering simulates the elimination on the graph of the nodes, which are block rows of A: bodies,
  * joined where a constraint acts between them (Tinney and Walker, 1967). The node of minimum degree
- * goes next, and its neighbours become neighbours of each other, which are the blocks that fill in.
- * The graph is a matrix of bits, so that an elimination is an OR of rows; nodes of equal degree are
- * taken in the order in which they got that degree, last first, which is the same everywhere. */
+ * is eliminated next, and its neighbours become neighbours of each other: these new edges are the
+ * fill-in. The graph is a matrix of bits, so that an elimination is an OR of rows; of nodes of
+ * equal degree, the one that reached it last is taken first, so that the order is the same on every
+ * platform. */
 #include "direct/sparse.h"
 
 #include <string.h>
@@ -60,7 +61,7 @@ void td_sparse_free(td_memory *memory, td_sparse *s) {
 }
 
 /* `column` has one more element than nodes in each system, and a system has at least one node:
- * twice the nodes is enough. */
+ * twice the number of nodes is enough. */
 bool td_sparse_reserve(td_memory *memory, td_sparse *s, int nodes) {
     return reserve(memory, &s->place, 2 * nodes) && reserve(memory, &s->node, 2 * nodes) &&
            reserve(memory, &s->column, 2 * nodes);

@@ -39,7 +39,7 @@ typedef struct td_sparse {
     td_array ties; /* uint64_t: adjacency matrix of the nodes, a bit a pair; ordering destroys it */
     td_array degree, next, prev, head; /* int: doubly linked lists of the nodes of each degree */
     td_array place, node;              /* int: the place of each node, and the node at each place */
-    td_array column;   /* int: first entry of each place's column, and one more at the end */
+    td_array column;   /* int: first entry of each place's column, and the end of the last column */
     td_array row;      /* int: place of each entry's block row, rising within a column */
     td_array diagonal; /* td_block3, by place */
     td_array entry;    /* td_block3 below the diagonal, parallel to `row` */
@@ -49,20 +49,20 @@ typedef struct td_sparse {
 void td_sparse_init(td_sparse *s, bool wide);
 void td_sparse_free(td_memory *memory, td_sparse *s);
 
-/* Makes room for systems that have so many nodes together. False when memory is short. */
+/* Reserves memory for systems with `nodes` nodes in total. False when memory is short. */
 bool td_sparse_reserve(td_memory *memory, td_sparse *s, int nodes);
 void td_sparse_forget(td_sparse *s); /* removes all systems */
 /* Begins a further system of `size` nodes without blocks off the diagonal. False when memory is
  * short. */
 bool td_sparse_begin(td_memory *memory, td_sparse *s, int size);
-/* Declares that the block between the two nodes may be other than zero. */
+/* Declares that the block between the two nodes may be nonzero. */
 void td_sparse_tie(td_sparse *s, int a, int b);
-/* Orders the nodes and makes room for all blocks of L. False when memory is short, or when L would
- * have more than `entries_max` blocks below its diagonal. */
+/* Orders the nodes and reserves memory for all blocks of L. False when memory is short, or when L
+ * would have more than `entries_max` blocks below its diagonal. */
 bool td_sparse_order(td_memory *memory, td_sparse *s, int entries_max);
 
-/* Index of the block between two nodes that were declared; its rows are those of the node that is
- * eliminated later. */
+/* Index of the block between two nodes (declared by td_sparse_tie); its rows belong to the node
+ * that is eliminated later. */
 int td_sparse_find(const td_sparse *s, int a, int b);
 
 static inline int td_sparse_place(const td_sparse *s, int node) {
@@ -87,8 +87,8 @@ static inline int td_sparse_entries(const td_sparse *s) {
 }
 
 void td_sparse_clear(td_sparse *s); /* sets all blocks to zero */
-/* Factors the blocks in place; of diagonal blocks only the lower half is read. False, with blocks
- * that mean nothing, when the matrix is not positive definite to rounding. */
+/* Factors the blocks in place; only the lower half of diagonal blocks is read. False when the
+ * matrix is not positive definite to rounding; the blocks are then invalid. */
 bool td_sparse_factor(td_sparse *s);
 /* Solves L L' y = x in place of x: three numbers a node, and a fourth that is not used. `work` is
  * scratch memory of the same size. */

@@ -1,5 +1,5 @@
-/* sparse_numbers.c: the numeric part of sparse.h: hands the present system to the kernels of
- * wide_sparse.c, and puts right sides into the order of elimination and back. */
+/* sparse_numbers.c: the numeric part of sparse.h: passes the present system to the kernels of
+ * wide_sparse.c, and permutes right-hand sides into the order of elimination and back. */
 #include "direct/sparse.h"
 
 #include "base/simd.h"

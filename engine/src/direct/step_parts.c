@@ -2,22 +2,23 @@
  */
 #include "direct/step_parts.h"
 
-/* Greatest rotation of a lever arm or rod in a part, rad. Newton's method converges well there.
- * Chosen. Islands that would need more than twice PARTS_MAX parts are left to the soft solver. */
+/* Greatest rotation of a lever arm or rod in a part, rad. Newton's method converges well up to that
+ * angle. Chosen. Islands that would need more than twice PARTS_MAX parts are left to the soft
+ * solver. */
 #define TURN_PART 0.1
 enum { PARTS_MAX = 64 };
 /* Greatest phase of a spring in a part, rad: 2 pi frequency time. The implicit midpoint rule lowers
- * the frequency by phase^2 / 12, which is 2 % here. The phase in a step counts up to PHASE_MAX: a
- * spring of more than half the step rate cannot be told from a slower one by its poses after steps.
- */
+ * the frequency by phase^2 / 12, which is 2 % here. The phase in a whole step counts up to
+ * PHASE_MAX: a spring with more than half the step rate cannot be told from a slower one by the
+ * poses at the ends of steps (aliasing). */
 #define PHASE_PART 0.5
 #define PHASE_MAX TD_PI
-/* In islands of joints alone, a part is no longer than SUBSTEPS_OF_PART substeps, and the parts
+/* In islands without contacts, a part is no longer than SUBSTEPS_OF_PART substeps, and the parts
  * that springs need are multiplied likewise, so that the error falls as the number of substeps
- * rises. Four are the substeps of quality default, whose steps have one part. This holds for
- * islands of up to SMALL_ISLAND_BODIES bodies (a pendulum, a vehicle, a ragdoll); finer parts for
- * all made a chain of 100 links 2.2 times as dear at exact, and its phase error is hidden among its
- * many modes. */
+ * rises. Quality default has four substeps, so that its steps have one part. This holds for islands
+ * of up to SMALL_ISLAND_BODIES bodies (a pendulum, a vehicle, a ragdoll); finer parts for all
+ * islands made a chain of 100 links 2.2 times as expensive at exact, where a phase error is not
+ * visible among its many modes. */
 enum { SUBSTEPS_OF_PART = 4, SMALL_ISLAND_BODIES = 16 };
 
 /* Upper bound of the angular speed of the line between a distance's anchors before the step, rad/s;
@@ -58,8 +59,9 @@ static double spring_phase(const td_island_work *work) {
     return td_min_double(2.0 * TD_PI * fastest * work->time, PHASE_MAX);
 }
 
-/* An anchor nearer to the body's centre of mass than this, in length scales, is at it: a rotation
- * does not move it. Ten times the rounding of an anchor at one length scale. */
+/* An anchor nearer to the body's centre of mass than this, in length scales, counts as being at the
+ * centre, so that rotation does not move it. Ten times the rounding of an anchor at one length
+ * scale. */
 #define CENTRED 1e-5
 
 static bool is_centred(const td_island_work *work, float cross_u, float cross_v) {

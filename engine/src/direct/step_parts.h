@@ -8,8 +8,8 @@
  * before the step and in the soft solver's result. 0: the rotation is too fast for the direct
  * solver. Sets `sweeps` and `turn_limited` of the problem's bodies. */
 int td_island_parts(td_island_work *work);
-/* Whether a body that has contacts, and is no disc, has turned by more than work->turn_max, so
- * that the contacts' normals and arms of the start of the step are no longer good. */
+/* Whether a body that has contacts, and is no disc, has turned by more than work->turn_max, so that
+ * the contacts' normals and lever arms of the start of the step are too inaccurate. */
 bool td_island_turns_too_far(const td_island_work *work);
 
 #endif

@@ -5,8 +5,8 @@
  *     lift at c:    -m * gravity                      (Archimedes)
  *     drag at c:    -m * linear_drag * u(c)           (u: velocity relative to the water)
  *     drag torque:  -m * A / (2 pi) * angular_drag * turn,
- * of which m A / (2 pi) is the moment of inertia of a disc of mass m and area A. Of the sum of the
- * drags, td_push_dissipative applies no more than takes energy. */
+ * where m A / (2 pi) is the moment of inertia of a disc of mass m and area A. td_push_dissipative
+ * limits the sum of the drags so that it does not add energy. */
 #include "fields/submerged.h"
 
 #include "state/body.h"
@@ -43,10 +43,10 @@ static double height_of(const thud_world *w, const td_field_body *a, const thud_
            up.y * ((double)(center.y - line.y) / w->to_fixed);
 }
 
-/* Adds the lift and drag of one shape. `height` is that of the centre of mass, half a time step
- * later; the shape is rotated as far. A force of the place at the start of a step acts through all
- * of it, which would add energy to a bobbing body; that of the place in the middle of the step does
- * not, for any number of substeps. */
+/* Adds the lift and drag of one shape. `height` is the height of the centre of mass half a time
+ * step later, and the shape is rotated to the same time. The force acts throughout the step:
+ * computed from the pose at the start of the step, it would add energy to a bobbing body; from the
+ * pose in the middle of the step it does not, for any number of substeps. */
 static void add_shape_forces(const thud_world *w, const td_field_body *a, const thud_water *water,
                              double height, thud_pos up, const td_shape *shape, td_push *lift,
                              td_push *drag) {

@@ -1,11 +1,11 @@
-/* explosion.c: thud_world_explode: an impulse away from a centre on all shapes within reach that
- * are not covered.
+/* explosion.c: thud_world_explode: an impulse away from a centre on all shapes within reach that no
+ * other body shields.
  *
  * The side of a shape that faces the centre is cut into `rays` segments of equal width, measured
  * across the direction from the centre to the shape's nearest point. A ray to the middle of each
- * segment finds the place where it meets the shape; unless another body covers that place, the
- * segment gets impulse = def.impulse * width * falloff_factor(distance) away from the centre.
- * Places are relative to the centre of the explosion, in the caller's unit. */
+ * segment finds a point of the shape's surface; unless another body covers that point, the segment
+ * gets impulse = def.impulse * width * falloff_factor(distance) away from the centre. Points are
+ * relative to the centre of the explosion, in the caller's unit. */
 #include "fields/fields.h"
 
 #include "casts/walk.h"
@@ -19,7 +19,7 @@ typedef struct blast {
     const thud_explosion *def;
     td_position at;          /* the centre */
     double reach;            /* radius + falloff */
-    thud_query_filter cover; /* of what may cover: everything but the ignored body */
+    thud_query_filter cover; /* which shapes may be cover: all but those of the ignored body */
     td_array push;           /* td_push, by body: the sum of its impulses */
     td_array room;           /* int: memory of casts (td_walk_room) */
 } blast;
@@ -41,13 +41,13 @@ static bool is_cover(const blast *b, const thud_ray_hit *hit, td_body_index targ
                                            td_body_at(b->world, body)->kind != THUD_BODY_DYNAMIC);
 }
 
-/* Whether a body covers the place from the centre. The ray ends 1e-9 of its length before the
- * place, so that what touches the shape there does not count. */
+/* Whether a body covers the point from the centre. The ray ends 1e-9 of its length before the
+ * point, so that bodies which touch the shape there are not cover. */
 static bool covered(const blast *b, td_body_index target, thud_pos place) {
     if (b->def->cover == THUD_COVER_NONE) {
         return false;
     }
-    enum { BATCH = 8 }; /* hits a call of td_walk_next. Chosen; changes no result. */
+    enum { BATCH = 8 }; /* hits in a call of td_walk_next. Chosen; does not affect results. */
     td_path way = {td_point_meets, b->def->center, b->at, place.x, place.y, .filter = &b->cover};
     td_walk walk = td_walk_begin(b->world, &way, b->room.data, b->room.capacity);
     thud_ray_hit hits[BATCH];
@@ -65,7 +65,7 @@ static bool covered(const blast *b, td_body_index target, thud_pos place) {
 
 /* ---- one shape ---- */
 
-/* Adds an impulse (x, y) at a place of a body. */
+/* Adds an impulse (x, y) at a point of a body. */
 static void push_at(const blast *b, td_body_index body, thud_pos place, double x, double y) {
     const thud_world *w = b->world;
     td_position center = td_pose_at(w, body)->center;
@@ -84,7 +84,7 @@ static double falloff_factor(const blast *b, double distance) {
 
 /* Pushes at one segment of the side that faces the centre. (dx, dy) is the unit vector to the
  * shape's nearest point, `across` the middle of the segment perpendicular to it, and `length` its
- * width. The place is found by a ray along (dx, dy) from in front of the shape. */
+ * width. A ray along (dx, dy) from in front of the shape finds the point. */
 static void push_segment(const blast *b, td_body_index body, const thud_geometry *shape, double dx,
                          double dy, double across, double length) {
     double back = 2.0 * td_reach(shape), along = dx * shape->x + dy * shape->y - back;
@@ -110,7 +110,7 @@ static void push_from_within(const blast *b, td_body_index body, const thud_geom
     push_at(b, body, (thud_pos){x, y}, impulse * dx, impulse * dy);
 }
 
-/* Pushes one shape. What is across by more than the reach gets no segment. */
+/* Pushes one shape. Parts that are further across than the reach get no segment. */
 static void push_shape(const blast *b, int index) {
     const thud_world *w = b->world;
     td_body_index body = td_shape_at(w, index)->body;
@@ -150,7 +150,7 @@ static bool is_pushed(const td_push *push) {
 }
 
 /* Whether thud_body_apply_center_impulse and _angular_impulse accept the sum of a body's impulses,
- * and the velocities that follow. */
+ * and the resulting velocities. */
 static bool is_push_in_range(const thud_world *w, int body, const td_push *p) {
     const td_body *at = td_body_at(w, (td_body_index){body});
     double inverse = w->locked ? 1.0 / w->def.time_step : 1.0;
@@ -159,8 +159,8 @@ static bool is_push_in_range(const thud_world *w, int body, const td_push *p) {
            td_push_valid((td_push){inv_mass * p->x, inv_mass * p->y, inv_inertia * p->turn});
 }
 
-/* Applies the impulses to all bodies, or, where one is out of range or memory is short, to none:
- * all of that is checked first. Each body takes two deferred edits inside a callback. */
+/* Applies the impulses to all bodies, or to none if one is out of range or memory is short: both
+ * are checked first. Each body takes two deferred edits inside a callback. */
 static thud_result apply(blast *b, int *pushed) {
     thud_world *w = b->world;
     int count = 0;

@@ -1,4 +1,4 @@
-/* fields.c: bodies in fields, the places of their shapes, and the dissipative part of a force; see
+/* fields.c: bodies in fields, the poses of their shapes, and the dissipative part of a force; see
  * fields.h. */
 #include "fields/fields.h"
 
@@ -50,8 +50,8 @@ thud_geometry td_field_shape(const thud_world *w, const td_field_body *a, const 
                         (double)pose->s,
                         (double)shape->half_x,
                         (double)shape->half_y};
-    /* One Newton step for 1 / sqrt(c^2 + s^2) from 1: cosine and sine in single precision are not
-     * exactly of length 1. */
+    /* One Newton step for 1 / sqrt(c^2 + s^2), starting from 1: the vector (c, s) in single
+     * precision does not have exactly unit length. */
     double scale = 1.5 - 0.5 * (at.c * at.c + at.s * at.s), c, s;
     td_sincos(td_clamp(turn, -THUD_ANGLE_MAX, THUD_ANGLE_MAX), &s, &c);
     double turned_c = scale * (at.c * c - at.s * s), turned_s = scale * (at.s * c + at.c * s);
@@ -66,7 +66,7 @@ thud_geometry td_field_shape(const thud_world *w, const td_field_body *a, const 
     return at;
 }
 
-/* The part p of a force, in [0, 1], that takes the most energy from the motion relative to the
+/* The share p of a force, in [0, 1], that removes the most energy from the motion relative to the
  * flow. */
 td_push td_push_dissipative(const thud_world *w, const td_field_body *a, td_push force) {
     const td_body *body = td_body_at(w, a->index);
@@ -74,10 +74,10 @@ td_push td_push_dissipative(const thud_world *w, const td_field_body *a, td_push
     double power = -(force.x * a->x + force.y * a->y + force.turn * a->turn);
     double response =
         inv_mass * (force.x * force.x + force.y * force.y) + inv_inertia * force.turn * force.turn;
-    /* With force f, velocity u, M the masses and h the time step, a part p of the force changes the
-     * kinetic energy by
+    /* With force f, velocity u, M the masses and h the time step, the share p of the force changes
+     * the kinetic energy by
      *     -p h power + p^2 h^2 response / 2,   power = -f u,   response = f M^-1 f,
-     * which is least at p = power / (h response). */
+     * with its minimum at p = power / (h response). */
     double max = w->def.time_step * response;
     if (power >= max) {
         return force;
@@ -86,7 +86,7 @@ td_push td_push_dissipative(const thud_world *w, const td_field_body *a, td_push
     return (td_push){part * force.x, part * force.y, part * force.turn};
 }
 
-/* Adds a force to those that act through the next step. */
+/* Adds a force to those that act throughout the next step. */
 thud_result td_field_push(thud_world *w, const td_field_body *a, td_push force) {
     if (!td_push_valid(force)) {
         return td_refuse(w, THUD_ERROR_INVALID, "field: its force is out of range");

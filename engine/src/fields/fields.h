@@ -1,8 +1,8 @@
-/* fields.h: what the force fields of thud_fields.h share: which bodies they act on, where the
- * shapes of a body are, and a bound on braking forces so that they add no energy.
+/* fields.h: functions that the force fields of thud_fields.h share: they look up bodies, give the
+ * poses of a body's shapes, and bound braking forces so that they add no energy.
  *
- * Here lengths, masses and times are the caller's units, and places are relative to the body's
- * centre of mass, along the axes of the world. */
+ * Lengths, masses and times are in the caller's units. Points are relative to the body's centre of
+ * mass, in world axes. */
 #ifndef TD_FIELDS_H
 #define TD_FIELDS_H
 
@@ -23,24 +23,23 @@ typedef struct td_field_body {
     bool takes_force;  /* false: asleep, disabled or quarantined: no force acts */
 } td_field_body;
 
-/* Adds a force (fx, fy) that acts at the place (x, y). */
+/* Adds a force (fx, fy) that acts at the point (x, y). */
 static inline void td_push_add(td_push *push, double x, double y, double fx, double fy) {
     push->x += fx;
     push->y += fy;
     push->turn += x * fy - y * fx;
 }
 
-/* Whether all components are within THUD_FORCE_MAX. False where one is not a number. */
+/* Whether all components are within THUD_FORCE_MAX. False if one is NaN. */
 static inline bool td_push_valid(td_push push) {
     double max = (double)THUD_FORCE_MAX;
     return td_abs(push.x) <= max && td_abs(push.y) <= max && td_abs(push.turn) <= max;
 }
 
-/* Looks up a body. Refuses one that is not dynamic, and any call inside a callback. */
+/* Looks up a body. Refuses bodies that are not dynamic, and any call inside a callback. */
 thud_result td_field_body_find(const thud_world *w, thud_body_id id, td_field_body *out);
 
-/* Makes the body's velocity relative to a flow. Refuses a flow out of range; `name` is for the log.
- */
+/* Subtracts a flow from the body's velocity. Refuses a flow out of range; `name` is for the log. */
 thud_result td_field_body_in_flow(const thud_world *w, const char *name, thud_vec2 flow,
                                   td_field_body *a);
 
@@ -50,13 +49,14 @@ static inline thud_result td_check_field(const thud_world *w, const char *name, 
     return td_check(w, name, (double)x, 0.0, (double)max);
 }
 
-/* Velocity of a place of the body relative to the flow. */
+/* Velocity of a point of the body relative to the flow. */
 static inline thud_pos td_field_velocity_at(const td_field_body *a, double x, double y) {
     return (thud_pos){a->x - a->turn * y, a->y + a->turn * x};
 }
 
-/* A shape of the body as it is placed after the body has rotated by `turn` more radians. It follows
- * from the present pose, pending edits included, and not from the proxies. */
+/* A shape at its pose after the body has rotated by a further `turn` radians. It is computed from
+ * the body's present pose, pending edits included, and not from the shape proxies, which may be
+ * older. */
 thud_geometry td_field_shape(const thud_world *w, const td_field_body *a, const td_shape *shape,
                              double turn);
 
@@ -65,11 +65,11 @@ static inline bool td_field_meets(const td_shape *shape) {
     return !(shape->flags & TD_SHAPE_HOLLOW);
 }
 
-/* The part of a braking force, in [0, 1] of it, that takes the most energy from the motion relative
- * to the flow in one step. */
+/* Scales a braking force by the share in [0, 1] that removes the most energy from the motion
+ * relative to the flow in one step. */
 td_push td_push_dissipative(const thud_world *w, const td_field_body *a, td_push force);
 
-/* Adds a force that acts through the next step; wakes no body. Refuses one that is out of range. */
+/* Adds a force that acts throughout the next step; wakes no body. Refuses a force out of range. */
 thud_result td_field_push(thud_world *w, const td_field_body *a, td_push force);
 
 #endif

@@ -3,14 +3,15 @@
  *
  * With n the axis, r the point's lever arm, h the time step and J = (n, r x n), the force along n
  * that brings the point to the speed at the end of the step is f = (speed - J (v + h a)) / (h J
- * M^-1 J'),   |f| <= max_force, where a is the acceleration by gravity and the forces so far. */
+ * M^-1 J'), |f| <= max_force, where a is the acceleration by gravity and the forces that were
+ * applied so far. */
 #include "fields/fields.h"
 
 #include "state/body.h"
 #include "state/handles.h"
 #include "state/shape.h"
 
-/* A vector of the body's frame, in the world's axes. */
+/* Transforms a vector from the body's frame to world axes. */
 static thud_pos to_world(const td_pose *pose, double x, double y) {
     double c = (double)pose->c, s = (double)pose->s;
     return (thud_pos){c * x - s * y, s * x + c * y};

@@ -1,6 +1,6 @@
 /* rolling.c: thud_body_apply_rolling_resistance: a torque against the rotation of a body relative
- * to what its circles touch, of coefficient * radius * normal force, and at most what stops it in
- * the step. */
+ * to the bodies that its circles touch. It is coefficient * radius * normal force, and at most the
+ * torque that stops the rotation within the step. */
 #include "fields/fields.h"
 
 #include "constraint/constraint.h"
@@ -12,7 +12,8 @@
 /* Sums over the touching contacts of a body's circles. */
 typedef struct rolling_sum {
     double grip;          /* sum of radius * normal impulse of the last step */
-    double weighted_turn; /* the same, each times the angular velocity of the other body */
+    double weighted_turn; /* the same sum with each term times the angular velocity of the other
+                             body */
 } rolling_sum;
 
 /* Adds the contact of an edge to the sums, if it touches a circle of the body. */
@@ -56,8 +57,8 @@ thud_result thud_body_apply_rolling_resistance(thud_world *w, thud_body_id id, f
     if (!a.takes_force || !(sum.grip > 0.0) || !(body->inv_inertia > 0.0f)) {
         return THUD_OK;
     }
-    double turn =
-        a.turn - sum.weighted_turn / sum.grip; /* relative to the mean of what is touched */
+    double turn = a.turn - sum.weighted_turn / sum.grip; /* relative to the weighted mean of the
+                                                            touched bodies */
     double stopping_impulse = td_abs(turn) / (double)body->inv_inertia;
     double torque =
         td_min_double((double)coefficient * sum.grip, stopping_impulse) / w->def.time_step;

@@ -4,9 +4,9 @@
 
 #include "base/trig.h"
 
-/* The angle in [0, pi] with this cosine and this sine, >= 0. Starts from a rational guess that is
- * off by at most 0.08 rad, and iterates angle += sin(true - angle), whose error e becomes e - sin
- * e, about e^3 / 6: 1e-4, 1e-13, and then the error of td_sincos. */
+/* The angle in [0, pi] with this cosine and this sine, >= 0. Starts from a rational approximation
+ * with an error of at most 0.08 rad, and iterates angle += sin(true - angle). An error e becomes e
+ * - sin e, about e^3 / 6: 1e-4, then 1e-13, then the error of td_sincos. */
 static double angle_of(double cosine, double sine) {
     double part = 0.5 * TD_PI * sine / (td_abs(cosine) + sine);
     double angle = cosine < 0.0 ? TD_PI - part : part;
@@ -40,8 +40,8 @@ static td_submerged_part part_of_circle(const thud_geometry *circle, double heig
     return part;
 }
 
-/* The part of a box: cuts the box at the line (Sutherland and Hodgman's clipping), which leaves up
- * to five corners, and adds up the triangles from the first corner. */
+/* The part of a box: cuts the box at the line (Sutherland and Hodgman's clipping), to at most five
+ * corners, and sums over the triangles from the first corner. */
 static td_submerged_part part_of_box(const thud_geometry *box, double height, thud_pos up) {
     thud_geometry own = *box;
     thud_pos corner[4], left[5];

@@ -1,11 +1,12 @@
 /* wind.c: thud_body_apply_wind: drag and lift of air on the circles and boxes of a body.
  *
- * With u the velocity of a place relative to the air, and n the outward normal of an edge of which
- * n u > 0 (it faces the wind), a length L of the edge gets at that place
+ * With u the velocity of a point relative to the air, and n the outward normal of an edge with n u
+ * > 0 (it faces the wind), a length L of the edge gets at that point
  *     drag:  -density / 2 * drag * L (n u) u
  *     lift:  -density / 2 * lift * L (n u) (|u| n - (n u) u / |u|),
- * so lift is perpendicular to u and takes no energy. A circle of radius r counts as an edge of its
- * diameter at its centre; its lift is that of its rotation (Magnus effect). */
+ * so that lift is perpendicular to u and does no work. A circle of radius r counts as an edge as
+ * long as its diameter, through its centre and perpendicular to u; its lift comes from its rotation
+ * (Magnus effect). */
 #include "fields/fields.h"
 
 #include "state/handles.h"
@@ -15,7 +16,7 @@ typedef struct wind {
     double drag, lift;
 } wind;
 
-/* Adds the force on a length of an edge with outward normal n, at a place with velocity u; n u >=
+/* Adds the force on a length of an edge with outward normal n, at a point with velocity u; n u >=
  * 0. */
 static void add_wind_force(const wind *air, thud_pos place, thud_pos u, thud_pos n, double length,
                            td_push *push) {
@@ -29,9 +30,9 @@ static void add_wind_force(const wind *air, thud_pos place, thud_pos u, thud_pos
     td_push_add(push, place.x, place.y, -drag * u.x - lift * slant_x, -drag * u.y - lift * slant_y);
 }
 
-/* Adds the force on the part of an edge that faces the wind, n u > 0, by Gauss quadrature with two
- * points. That is exact for polynomials of third degree along the edge: each component of drag is
- * of the second, and its torque of the third. */
+/* Adds the force on the part of an edge that faces the wind, n u > 0, by two-point Gauss
+ * quadrature. It is exact for polynomials of degree three along the edge: each component of drag
+ * has degree two, and its torque degree three. */
 static void add_edge_force(const td_field_body *a, const wind *air, thud_pos from, thud_pos to,
                            td_push *push) {
     double x = to.x - from.x, y = to.y - from.y, length = __builtin_sqrt(x * x + y * y);

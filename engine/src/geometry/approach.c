@@ -1,6 +1,6 @@
-/* approach.c: time of impact and nearest approach of two moving circles, in closed form. With the
- * relative position p, the relative motion d and u = d / |d|, the centres are nearest at the time t
- * = -(p . u) / |d|, clamped to [0, 1]. */
+/* approach.c: time of impact and nearest approach of two moving circles, in closed form. For the
+ * relative position p, the relative motion d and u = d / |d|, the distance of the centres is least
+ * at the time t = -(p . u) / |d|, clamped to [0, 1]. */
 #include "geometry/shape_instance.h"
 
 thud_result thud_geometry_approach(const thud_geometry *a, thud_motion motion_a,
@@ -19,8 +19,8 @@ thud_result thud_geometry_approach(const thud_geometry *a, thud_motion motion_a,
     double dx = motion_b.dx - motion_a.dx, dy = motion_b.dy - motion_a.dy;
     double path = __builtin_sqrt(dx * dx + dy * dy);
     /* Coordinates along the relative motion and across it; the centres are nearest where the first
-     * becomes 0. Only lengths are computed, no squares of positions, which would cancel for circles
-     * that start far apart. */
+     * becomes 0. Lengths are computed instead of squares of positions, whose differences would lose
+     * precision for circles that start far apart. */
     double ux = path > 0.0 ? dx / path : 1.0, uy = path > 0.0 ? dy / path : 0.0;
     double along = -(x * ux + y * uy), side = ux * y - uy * x;
     double travelled = td_clamp(along, 0.0, path), remaining = along - travelled;

@@ -1,16 +1,17 @@
 /* approximate.c: a polygon approximated by circles and boxes; see thud_approximate.h.
  *
- * Greedy: a shape adds area of the polygon that is not covered yet (inside), and area outside. Its
- * score is inside - weight outside. Each shape is found by a pattern search (R. Hooke and
- * T. Jeeves, "Direct search" solution of numerical and statistical problems, 1961) from the points
- * that are deepest in what is not covered yet: circles by centre and radius, boxes by their four
- * sides, in the directions of edges of the polygon. Sides also move to the corners of the polygon,
- * so that boxes that fit exactly are found exactly.
+ * A greedy search adds one shape after the other. A shape covers area of the polygon that is not
+ * covered yet (inside) and area outside of it; its score is inside - weight * outside. Each shape
+ * is found by a pattern search (R. Hooke and T. Jeeves, "Direct search" solution of numerical and
+ * statistical problems, 1961) from the points that are deepest in what is not covered yet: circles
+ * by centre and radius, boxes by their four sides, at angles of the polygon's edges. The search
+ * also tries sides through corners of the polygon, so that boxes which fit exactly are found
+ * exactly.
  *
- * Three searches run side by side. With weight 1 one takes what makes the area that is wrong
- * smallest at once, which serves few shapes best; with a larger weight shapes stay inside, which
- * leaves less to be wrong when there are many. A result is taken over only if neither its area nor
- * its distance is larger than that of fewer shapes.
+ * Three searches run side by side. With weight 1 each shape makes the wrong area (missed + extra)
+ * as small as possible at once, which is best for few shapes; with a larger weight shapes stay
+ * inside the polygon, which gives less wrong area with many shapes. A result replaces the one with
+ * fewer shapes only if neither its wrong area nor its distance is larger.
  *
  * The polygon is moved to the origin and scaled by a power of two, so that its extent is 0.5 to 1,
  * and turned around if it is clockwise. */
@@ -22,20 +23,20 @@
 
 enum {
     SEARCHES = 3,
-    SEEDS = 3,      /* points from which a search starts. Chosen */
-    DIRECTIONS = 4, /* of boxes, from each. Chosen */
+    SEEDS = 3,      /* starting points of the search for a shape. Chosen */
+    DIRECTIONS = 4, /* angles of boxes at each starting point. Chosen */
     ROUNDS_MAX = 4  /* passes over the sides at one step width. Chosen */
 };
 
-/* What area outside counts for, by search. Chosen: the largest keeps shapes within about a
- * thousandth of the polygon's extent, and the middle one is best for about four shapes. */
+/* Weight of area outside, by search. Chosen: the largest keeps shapes within about a thousandth of
+ * the polygon's extent, and the middle one is best for about four shapes. */
 static const double OUTSIDE[SEARCHES] = {1.0, 6.0, 48.0};
-/* What area that is covered already costs: little, to choose among shapes that add the same. */
+/* Weight of area that is already covered: small, to choose among shapes that add equal areas. */
 static const double AGAIN = 1.0 / 64.0;
-/* Steps of a search, from which it starts, at which it compares shapes, and at which it ends. */
+/* Step widths of a search: at its start, at which it compares shapes, and at its end. */
 static const double STEP_FIRST = 0.25, STEP_COMPARED = 1.0 / 32.0, STEP_LAST = 1.0 / 4096.0;
-/* The smallest half extent of a shape, and the least score that is worth a shape, as a share of the
- * polygon's area. Chosen. */
+/* The minimum half extent of a shape, and the minimum score of a shape, as a share of the polygon's
+ * area. Chosen. */
 static const double SMALLEST = 1e-5, WORTH = 1e-6;
 
 /* One of the searches: its shapes so far, and its errors. */
@@ -46,8 +47,8 @@ typedef struct search {
     int count;
     bool ended;
     td_cover_line *lines;
-    double beyond, within; /* bounds of the distance of its shapes' points from the polygon, and of
-                              the polygon's points from its shapes */
+    double beyond, within; /* upper bounds of the distance of its shapes' points from the polygon,
+                              and of the polygon's points from its shapes */
     thud_approximation errors;
 } search;
 
@@ -64,7 +65,7 @@ typedef struct work {
     int count, triangle_count, line_count;
     double area;
     thud_pos origin;
-    double scale; /* of the caller's lengths in ours */
+    double scale; /* internal lengths per length of the caller */
     thud_approximate_kind kinds;
 } work;
 
@@ -81,7 +82,7 @@ typedef struct candidate {
     double score;
 } candidate;
 
-/* Takes over a changed shape if it is better by more than rounding. */
+/* Replaces *best by a changed shape if that is better by more than rounding. */
 static bool keep_better(const work *w, const search *s, candidate *best, thud_geometry shape) {
     if (!(shape.hx >= SMALLEST && (td_kind_is_round(shape.kind) || shape.hy >= SMALLEST))) {
         return false;
@@ -121,8 +122,7 @@ static thud_geometry with_side(const thud_geometry *box, int side, double to) {
     return moved;
 }
 
-/* The coordinates along (c, k) of the polygon's corners that are next to `at`, two on either side.
- */
+/* The coordinates along (c, k) of the polygon's corners nearest to `at`, two on each side. */
 static void corners_beside(const work *w, double c, double k, double at, double out[4]) {
     out[0] = out[1] = -1e300;
     out[2] = out[3] = 1e300;
@@ -142,8 +142,9 @@ static void corners_beside(const work *w, double c, double k, double at, double 
     }
 }
 
-/* Moves the sides of a box by a step, and to the next two corners of the polygon on either side:
- * one where two bars cross adds nothing up to the next. */
+/* Moves the sides of a box by a step, and to the next two corners of the polygon in both
+ * directions. Two, since moving to the first may add nothing: where two bars cross, only the second
+ * does. */
 static bool improve_box(const work *w, const search *s, candidate *best, double step) {
     bool better = false;
     for (int side = 0; side < 4; side++) {
@@ -162,7 +163,7 @@ static bool improve_box(const work *w, const search *s, candidate *best, double 
     return better;
 }
 
-/* Improves a shape with steps from one width to another. */
+/* Improves a shape with step widths that halve from `from` to `to`. */
 static void improve(const work *w, const search *s, candidate *best, double from, double to) {
     for (double step = from; step >= to; step *= 0.5) {
         for (int round = 0; round < ROUNDS_MAX; round++) {
@@ -174,7 +175,7 @@ static void improve(const work *w, const search *s, candidate *best, double from
     }
 }
 
-/* ---- where to begin ---- */
+/* ---- starting points ---- */
 
 /* The distance of a point from the segment from a to b, and the direction of that. */
 static double from_segment(thud_pos p, thud_pos a, thud_pos b, thud_pos *along) {
@@ -185,8 +186,8 @@ static double from_segment(thud_pos p, thud_pos a, thud_pos b, thud_pos *along) 
     return __builtin_sqrt(dx * dx + dy * dy);
 }
 
-/* How deep a point of the polygon is in what is not covered yet: its distance from the outline and
- * from the shapes. *along: the direction of the nearest edge. */
+/* The depth of a point in the area that is not covered yet: its distance from the polygon's outline
+ * and from the shapes. *along: the direction of the nearest edge. */
 static double depth_of(const work *w, const search *s, thud_pos p, thud_pos *along) {
     double depth = 1e300;
     for (int i = 0; i < w->count; i++) {
@@ -207,13 +208,14 @@ static double depth_of(const work *w, const search *s, thud_pos p, thud_pos *alo
     return depth;
 }
 
-/* A point to begin from. */
+/* A starting point of a search. */
 typedef struct seed {
     thud_pos at, along; /* the direction of the nearest edge */
     double depth;
 } seed;
 
-/* Keeps the deepest points, of those nearer to each other than they are deep only one. */
+/* Inserts a starting point into the list of the deepest ones. Of points that are nearer to each
+ * other than their depth, only the deepest is kept. */
 static int keep_seed(seed *seeds, int count, seed one) {
     for (int i = 0; i < count; i++) {
         double x = seeds[i].at.x - one.at.x, y = seeds[i].at.y - one.at.y;
@@ -265,7 +267,8 @@ static int add_direction(thud_pos *list, int count, thud_pos along) {
     return count + 1;
 }
 
-/* The directions of the longest edges, the longest first; `count` are there already. */
+/* The directions of the longest edges, the longest first; `count` elements are already in the
+ * list. */
 static int edge_directions(const work *w, thud_pos *list, int count) {
     double below = 1e300;
     for (int i = 0; i < w->count && count < DIRECTIONS; i++) {
@@ -288,15 +291,15 @@ static int edge_directions(const work *w, thud_pos *list, int count) {
     return count;
 }
 
-/* Tries a shape from a seed, and keeps it if it is better than what was found from others. */
+/* Tries a shape at a starting point, and stores it in *best if it is better. */
 static void try_shape(const work *w, const search *s, thud_geometry shape, candidate *best) {
     candidate one = {shape, score_of(w, s, &shape)};
     improve(w, s, &one, STEP_FIRST, STEP_COMPARED);
     *best = one.score > best->score + 1e-9 ? one : *best;
 }
 
-/* The box about a point along a unit vector, turned by quarters so that its angle is above -45 and
- * at most 45 degrees: an upright box gets exactly (1, 0). */
+/* The box about a point along a unit vector, rotated by multiples of 90 degrees so that its angle
+ * is above -45 and at most 45 degrees: an axis-aligned box gets exactly (1, 0). */
 static thud_geometry box_along(thud_pos at, thud_pos along, double half) {
     while (!(along.x > 0.0 && along.y > -along.x && along.y <= along.x)) {
         along = (thud_pos){along.y, 0.0 - along.x};
@@ -321,8 +324,8 @@ static thud_geometry circle_around(const work *w) {
     return (thud_geometry){THUD_SHAPE_CIRCLE, 0.0, 0.0, 1.0, 0.0, radius, 0.0};
 }
 
-/* Finds the next shape of a search. False where none is worth it; but the first one there is
- * always, of a polygon that is too jagged one around it. */
+/* Finds the next shape of a search. False if none has the minimum score. The first shape always
+ * exists: for a polygon that is too jagged it is one around it. */
 static bool find_shape(const work *w, const search *s, thud_geometry *out) {
     seed seeds[SEEDS];
     int count = find_seeds(w, s, seeds);
@@ -352,7 +355,7 @@ static bool find_shape(const work *w, const search *s, thud_geometry *out) {
 
 /* ---- errors ---- */
 
-/* Measures what the shapes of a search miss. */
+/* Measures the errors of a search's shapes. */
 static void measure(work *w, search *s) {
     td_cover_areas areas =
         td_cover_measure(w->points, w->count, s->shapes, s->count, w->ys, w->intervals);
@@ -368,8 +371,8 @@ static void measure(work *w, search *s) {
                                      .overlap = td_max_double(sum - areas.covered, 0.0) / w->area};
 }
 
-/* Bounds the distance. More shapes leave no point of the polygon further away than fewer did, and
- * of the points of shapes only those of the last one are new. */
+/* Bounds the distance. A further shape moves no point of the polygon further away from the shapes,
+ * and of the shapes' points only those of the last shape are new. */
 static void measure_distance(work *w, search *s) {
     double within = 0.0;
     for (int i = 0; i < w->triangle_count; i++) {
@@ -405,8 +408,8 @@ static size_t bytes_of_lists(int points, int shapes) {
     return lines * each * sizeof(td_interval);
 }
 
-/* Gives each line its room: points / 2 + shapes intervals that are open, and shapes that are taken.
- */
+/* Gives each line its memory: points / 2 + shapes intervals that are not covered, and one for each
+ * shape that is covered. */
 static void give_room(work *w, td_interval *lists, int points, int shapes) {
     int open = points + shapes + 2, taken = shapes + 2;
     for (int i = 0; i < SEARCHES; i++) {
@@ -454,14 +457,15 @@ static void prepare(work *w, const thud_pos *points, int count) {
     }
 }
 
-/* Whether the shapes of a search are better than what was found with fewer, in no way worse. */
+/* Whether the shapes of a search are better than the result with fewer shapes, and worse in no
+ * respect. */
 static bool is_better(const search *s, const thud_approximation *than) {
     return s->errors.missed + s->errors.extra < than->missed + than->extra &&
            s->errors.distance <= than->distance;
 }
 
-/* Runs all searches, and copies the shapes of the better one. `good`: the distance that is good
- * enough. */
+/* Runs all searches, and copies the shapes of the better one. `good`: adds no more shapes once the
+ * distance is at most this. */
 static void run(work *w, int shapes_max, double good, thud_geometry *out,
                 thud_approximation *found) {
     *found = (thud_approximation){.missed = 1e300, .distance = 1e300};
@@ -482,7 +486,7 @@ static void run(work *w, int shapes_max, double good, thud_geometry *out,
     }
 }
 
-/* Moves the result back to the caller's place and size. The distance is rounded up. */
+/* Transforms the result back to the caller's origin and unit. The distance is rounded up. */
 static void give_back(const work *w, thud_geometry *shapes, thud_approximation *found) {
     double size = 1.0 / w->scale;
     for (int i = 0; i < found->count; i++) {

@@ -5,12 +5,11 @@
 
 #include "geometry/shape_instance.h"
 
-/* Whether a pair overlaps at a time of its motion, 0 to 1. `pair` is what the caller of td_bisect
- * gave. */
+/* Whether a pair overlaps at a time of its motion, 0 to 1. `pair` is the argument of td_bisect. */
 typedef bool td_overlap_at_fn(const void *pair, double time);
 
-/* Whether a pair that is apart at time 0 overlaps at time 1. *time is then a time at which it is
- * still apart, at most `tolerance` before one at which it overlaps; else it is 1. */
+/* Whether a pair that is apart at time 0 overlaps at time 1. If so, the pair is still apart at
+ * *time, and overlaps at some time at most `tolerance` later; otherwise *time is 1. */
 bool td_bisect(td_overlap_at_fn *overlap_at, const void *pair, double tolerance, double *time);
 
 /* Whether a tolerance, a share of the motion, is in range. Below THUD_TOLERANCE_MIN the midpoint

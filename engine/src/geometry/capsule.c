@@ -1,5 +1,5 @@
 /* capsule.c: capsules against circles, boxes and each other; see thud_capsule.h. The segment of a
- * capsule is a box of thickness 0, which closest.c and minkowski.c take, and the radius is
+ * capsule is a box of thickness 0, which closest.c and minkowski.c accept, and the radius is
  * subtracted from the distance. */
 #include "geometry/capsule.h"
 

@@ -1,4 +1,4 @@
-/* capsule.h: a capsule as its segment and a radius, for the functions that know boxes. */
+/* capsule.h: a capsule as its segment and a radius, for the functions that work on boxes. */
 #ifndef TD_CAPSULE_H
 #define TD_CAPSULE_H
 
@@ -14,8 +14,8 @@ static inline bool td_motion_straight(thud_motion motion) {
     return td_motion_valid(motion) && motion.turn == 0.0;
 }
 
-/* Makes the closest points of two segments or shapes those of shapes that are larger by a radius on
- * all sides. */
+/* Turns the closest points of two segments or shapes into those of the same shapes grown by a
+ * radius on all sides. */
 static inline void td_closest_grow(thud_closest *c, double radius_a, double radius_b) {
     c->distance -= radius_a + radius_b;
     c->ax += radius_a * c->nx;

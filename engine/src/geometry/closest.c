@@ -2,8 +2,8 @@
  * the overlap test.
  *
  * Two boxes: the separating axis test over the axes of both (Gottschalk, Lin and Manocha,
- * "OBBTree", 1996) gives the depth and the normal of an overlap. Boxes that are apart are nearest
- * at a corner of one, so that all corners are tested against the other box. */
+ * "OBBTree", 1996) gives the depth and the normal of an overlap. The closest points of two separate
+ * boxes include a corner of one, so that all corners are tested against the other box. */
 #include "geometry/shape_instance.h"
 
 thud_result thud_geometry_check(const thud_geometry *p) {
@@ -32,8 +32,8 @@ static void circle_circle(const thud_geometry *a, const thud_geometry *b, thud_c
     out->by = b->y - out->ny * b->hx;
 }
 
-/* A box and a circle. A centre outside of the box is nearest to its projection onto the box; one
- * inside leaves through the nearest face. */
+/* A box and a circle. If the centre is outside of the box, the closest point is its projection onto
+ * the box; if it is inside, the normal is that of the nearest face. */
 static void box_circle(const thud_geometry *box, const thud_geometry *circle, thud_closest *out) {
     double u, v, nu, nv, distance;
     td_to_frame(box, circle->x - box->x, circle->y - box->y, &u, &v);
@@ -74,8 +74,9 @@ static void flip(thud_closest *c) {
     c->ny = -c->ny;
 }
 
-/* Tests the separation of a and b along both axes of the box `reference`. Keeps the greatest one so
- * far in *out, with its normal from a to b, and returns whether it is one of these two. */
+/* Computes the separation of a and b along both axes of the box `reference`. *out keeps the
+ * greatest separation so far, with its normal from a to b. Returns whether it is along one of these
+ * two axes. */
 static bool try_axes(const thud_geometry *reference, const thud_geometry *a, const thud_geometry *b,
                      thud_closest *out) {
     double dx = b->x - a->x, dy = b->y - a->y;
@@ -95,9 +96,9 @@ static bool try_axes(const thud_geometry *reference, const thud_geometry *a, con
     return better;
 }
 
-/* Sets the points of two overlapping boxes where the normal in *out is that of a face of a: the
- * deepest corner of b, and its projection onto that face, clamped to the face's ends where b's edge
- * is parallel to it and longer. */
+/* Sets the points of two overlapping boxes if the normal in *out is that of a face of a: the
+ * deepest corner of b, and its projection onto that face, clamped to the face's ends if b's edge is
+ * parallel to it and longer. */
 static void deepest_points(const thud_geometry *a, const thud_geometry *b, thud_closest *out) {
     double u, v, x, y;
     td_to_frame(b, -out->nx, -out->ny, &u, &v);
@@ -121,8 +122,8 @@ static void shift(thud_closest *c, double x, double y) {
 }
 
 /* Tests each corner of b against the box a, and keeps the closest pair in *out. `flipped`: the
- * caller has exchanged a and b. Works relative to a's centre, since coordinates far from the origin
- * are too coarse for a distance. */
+ * caller has exchanged a and b. Coordinates are relative to a's centre, since rounding far from the
+ * origin would be too large for distances. */
 static void try_corners(const thud_geometry *a, const thud_geometry *b, bool flipped,
                         thud_closest *out) {
     thud_geometry box = *a, other = *b;
@@ -166,9 +167,9 @@ static void box_box(const thud_geometry *a, const thud_geometry *b, thud_closest
         try_corners(a, b, false, &corners);
         try_corners(b, a, true, &corners);
     }
-    /* The vector between two corners that all but touch has a direction that is only rounding
-     * error, and may even point into a box. The corners' normal is only taken where it separates
-     * the boxes as well as the best axis does. */
+    /* If two corners nearly touch, the direction of the vector between them is only rounding error,
+     * and may even point into a box. So the corners' normal is used only if it separates the boxes
+     * as well as the best axis does. */
     double rounding = 1e-15 * (td_reach(a) + td_reach(b));
     if (out->distance > 0.0 && gap_along(a, b, &corners) >= out->distance - rounding) {
         *out = corners;
@@ -218,8 +219,8 @@ thud_result thud_geometry_closest(const thud_geometry *a, const thud_geometry *b
 bool thud_geometry_overlap(const thud_geometry *a, const thud_geometry *b) {
     thud_closest closest;
     if (a && b && td_kind_is_box(a->kind) && td_kind_is_box(b->kind)) {
-        /* A separation along an axis shows that the boxes are apart, without the search for the
-         * closest corners. One that may be a rounding error is left to td_closest, so that both
+        /* A positive separation along an axis shows that the boxes are apart, without a search for
+         * the closest corners. If it may be a rounding error, td_closest decides, so that both
          * functions agree. */
         try_all_axes(a, b, &closest);
         if (closest.distance > 1e-12 * (td_reach(a) + td_reach(b))) {

@@ -1,6 +1,6 @@
-/* cover.h: what a set of circles and boxes covers of a polygon: areas along horizontal lines, and a
- * bound of the distance. The polygon is counter-clockwise; its coordinates are near the origin, and
- * the larger of its width and height is 0.5 to 1. */
+/* cover.h: measures how a set of circles and boxes covers a polygon: areas, sampled along
+ * horizontal lines, and a bound of the distance. The polygon is counter-clockwise; its coordinates
+ * are near the origin, and the larger of its width and height is 0.5 to 1. */
 #ifndef TD_COVER_H
 #define TD_COVER_H
 
@@ -13,8 +13,8 @@ typedef struct td_interval {
     double from, to;
 } td_interval;
 
-/* A horizontal line in the middle of the strip from y0 to y1: the intervals of it that are in the
- * polygon and not covered, and those that are covered, in rising order and disjoint. */
+/* A horizontal line in the middle of the strip from y0 to y1: its intervals in the polygon that no
+ * shape covers, and those that shapes cover, in rising order and disjoint. */
 typedef struct td_cover_line {
     double y0, y1;
     td_interval *open, *taken;
@@ -23,18 +23,17 @@ typedef struct td_cover_line {
 
 enum {
     /* Strips between the lowest and the highest point, in addition to one at each level edge: the
-     * resolution with which shapes are compared. Chosen: the radius of the best circle in a
-     * regular polygon then is off by less than a hundredth. */
+     * resolution with which shapes are compared. Chosen: the error of the radius of the best circle
+     * in a regular polygon is then below a hundredth. */
     TD_COVER_LINES = 96
 };
 
 /* The lines of a polygon of `count` points: sets up to count + TD_COVER_LINES of them, whose lists
- * have room, and returns their number. `ys` has room for count + 2
- * numbers. */
+ * the caller has allocated, and returns their number. `ys` has room for count + 2 numbers. */
 int td_cover_lines(const thud_pos *points, int count, double *ys, td_cover_line *lines);
 
-/* What a shape would add: area of the polygon that is not covered yet, area outside of the polygon
- * that is not covered yet, and area that is covered already. */
+/* Areas that a shape would cover: of the polygon and not covered yet, outside of the polygon and
+ * not covered yet, and already covered. */
 typedef struct td_cover_gain {
     double inside, outside, again;
 } td_cover_gain;
@@ -44,13 +43,14 @@ td_cover_gain td_cover_gain_of(const td_cover_line *lines, int count, const thud
 /* Adds a shape to the lines. */
 void td_cover_add(td_cover_line *lines, int count, const thud_geometry *shape);
 
-/* The areas, in the square of the unit. */
+/* Areas, in squares of the internal unit of length. */
 typedef struct td_cover_areas {
     double missed, extra, covered;
 } td_cover_areas;
 
-/* The areas of the polygon and the shapes together, by Gauss's rule on strips between all corners.
- * `ys` has room for count + 4 shape_count numbers, `intervals` for count + 3 shape_count. */
+/* The areas of the polygon and the shapes, by two-point Gauss quadrature on strips between all
+ * corners. `ys` has room for count + 4 shape_count numbers, `intervals` for count + 3
+ * shape_count. */
 td_cover_areas td_cover_measure(const thud_pos *points, int count, const thud_geometry *shapes,
                                 int shape_count, double *ys, td_interval *intervals);
 
@@ -60,31 +60,33 @@ td_cover_areas td_cover_measure(const thud_pos *points, int count, const thud_ge
 typedef struct td_convex {
     thud_pos corners[4], normals[4]; /* normals[i]: unit, outward, of the edge from corner i */
     int count;                       /* of corners; 0: a circle */
-    double x, y, reach; /* centre, and the greatest distance of a point from it; of a circle its
-                           radius */
+    double x, y, reach; /* centre, and the greatest distance of a point of the set from it: the
+                           radius of a circle */
 } td_convex;
 
 td_convex td_convex_of_shape(const thud_geometry *shape);
 td_convex td_convex_of_triangle(thud_pos a, thud_pos b, thud_pos c);
 
 enum {
-    TD_PIECE_CORNERS = 12, /* most of a piece. Chosen: pieces are cut through the middle before */
-    TD_PIECE_DEPTH = 48,   /* cuts of cuts at most. Chosen: 24 halvings of both directions */
+    TD_PIECE_CORNERS = 12, /* maximum corners of a piece. Chosen: a piece with this many is first
+                              cut through the middle */
+    TD_PIECE_DEPTH = 48,   /* maximum depth of successive cuts. Chosen: 24 halvings in both
+                              directions */
     TD_PIECE_STACK = 2 * TD_PIECE_DEPTH + 8
 };
 
-/* A convex piece of a set, or the part of a circle between an arc and its chord. */
+/* A convex piece of a set, or the segment of a circle between an arc and its chord. */
 typedef struct td_cover_piece {
     thud_pos corners[TD_PIECE_CORNERS];
-    int count; /* of corners. 0: the part from corners[0] to corners[1] of the circle, whose
-                  tangents there meet in corners[2] */
+    int count; /* of corners. 0: the circle's segment from corners[0] to corners[1]; the tangents at
+                  these points meet in corners[2] */
     int depth, nearest;
 } td_cover_piece;
 
-/* An upper bound of the distance of the points of `from` from the union of `to`. `points`: where
- * that union is a polygon, its outline, by which pieces deep inside are found at once; else null.
- * `stack` has room for TD_PIECE_STACK pieces. `known`: a lower bound of what else the result will
- * be compared with; the bound need not be more precise where it is below. */
+/* An upper bound of the distance of the points of `from` from the union of `to`. `points`: the
+ * outline of that union if it is a polygon, by which pieces deep inside are recognised at once;
+ * otherwise null. `stack` has room for TD_PIECE_STACK pieces. `known`: the caller takes the maximum
+ * of the result and `known`, so that a result below it need not be precise. */
 double td_cover_distance(const td_convex *from, const td_convex *to, int count,
                          const thud_pos *points, int point_count, double known,
                          td_cover_piece *stack);

@@ -1,25 +1,28 @@
-/* cover_distance.c: how far a set is from a union of convex sets at most, by branch and bound.
+/* cover_distance.c: the greatest distance of a point of a set from a union of convex sets, by
+ * branch and bound.
  *
- * The distance from one convex set is a convex function, so that over a convex piece it is largest
- * at a corner (Boyd and Vandenberghe, Convex Optimization, 2004, 3.2.5). The set nearest to a piece
- * in this sense gives an upper bound for the union; a corner's distance from the union is a lower
- * bound. A piece whose upper bound exceeds the lower bound of all is cut: along a side of the
- * nearest set where it lies on both sides of it, so that pieces of a polygon that boxes make up
- * come to lie in one box each, or in the middle of its greatest extent.
+ * The distance from a convex set is a convex function, so that over a convex piece its maximum is
+ * at a corner (Boyd and Vandenberghe, Convex Optimization, 2004, 3.2.5). For each piece, the set
+ * with the smallest such maximum (the nearest set) gives an upper bound of the distance from the
+ * union; the distance of a corner from the union is a lower bound. A piece whose upper bound
+ * exceeds the greatest lower bound of all pieces is cut. If a side of the nearest set passes
+ * through it, it is cut along that side, so that the pieces of a polygon that consists of boxes end
+ * up in one box each; otherwise it is cut in the middle of its greatest extent.
  *
- * A circle is a square and four parts between an arc and its chord, each of which lies in the
- * triangle of the arc's ends and the point where the tangents there meet. */
+ * A circle is divided into a square and four segments between an arc and its chord. Each segment
+ * lies in the triangle of the arc's ends and the point where the tangents at these ends meet. */
 #include "geometry/cover.h"
 
 #include "thud/thud_approximate.h"
 
-/* How far the result may exceed the distance: a length, and a share of it. Chosen: an eye does not
- * see the difference. */
+/* How far the result may exceed the distance: a length, and a share of the distance. Chosen: the
+ * difference is not visible. */
 static const double PRECISION = 1.0 / 1024.0, PRECISION_SHARE = 1.0 / 16.0;
-/* Pieces after which the precision is halved, so that the search ends. Chosen: most polygons need
- * some hundreds. */
+/* After this many pieces the allowed error is doubled, so that the search ends. Chosen: most
+ * polygons need some hundreds. */
 enum { PIECES = 4096 };
-/* What counts as on a line, and what counts as no distance; coordinates are about 1. */
+/* Tolerances: a point nearer to a line than the first is on it, and a distance below the second is
+ * 0; coordinates are about 1. */
 static const double ON_LINE = 1e-12, NO_DISTANCE = 1e-11;
 
 static double length_of(double x, double y) {
@@ -64,13 +67,13 @@ td_convex td_convex_of_triangle(thud_pos a, thud_pos b, thud_pos c) {
     return set;
 }
 
-/* How far p is outside of the line of an edge. */
+/* The distance of p from the line of an edge, positive outside. */
 static double beyond(const td_convex *set, int edge, thud_pos p) {
     return (p.x - set->corners[edge].x) * set->normals[edge].x +
            (p.y - set->corners[edge].y) * set->normals[edge].y;
 }
 
-/* The distance of p from an edge as a segment, where it is `out` beyond the edge's line. */
+/* The distance of p from an edge as a segment; `out` is its distance outside of the edge's line. */
 static double from_edge(const td_convex *set, int edge, double out, thud_pos p) {
     thud_pos a = set->corners[edge], b = set->corners[edge + 1 < set->count ? edge + 1 : 0];
     double tx = -set->normals[edge].y, ty = set->normals[edge].x;
@@ -100,13 +103,13 @@ static double distance_from(const td_convex *set, thud_pos p) {
 
 /* ---- bounds ---- */
 
-/* The bounds of a piece: of the distance of its points from the union at most, and of one of them
- * at least. */
+/* Bounds of the greatest distance of a piece's points from the union, from above and below. */
 typedef struct bounds {
     double upper, lower;
 } bounds;
 
-/* The greatest distance of a corner from one set; lowers the distance of each from the union. */
+/* The greatest distance of the corners from one set. Lowers `nearest`, the distance of each corner
+ * from the union, accordingly. */
 static double farthest(const td_convex *set, const td_cover_piece *piece, int corners,
                        double *nearest) {
     double most = 0.0;
@@ -118,8 +121,8 @@ static double farthest(const td_convex *set, const td_cover_piece *piece, int co
     return most;
 }
 
-/* The signed distance of p from the outline of a polygon, negative inside: where a ray to the right
- * crosses an odd number of edges. */
+/* The signed distance of p from the outline of a polygon, negative inside: a point is inside if a
+ * ray to the right crosses an odd number of edges. */
 static double depth_in(const thud_pos *points, int count, thud_pos p) {
     double least = 1e300;
     bool inside = false;
@@ -129,7 +132,7 @@ static double depth_in(const thud_pos *points, int count, thud_pos p) {
         if ((a.y > p.y) != (b.y > p.y) && px < py * (x / y)) {
             inside = !inside;
         }
-        double square = x * x + y * y; /* 0 where rounding has made two points one */
+        double square = x * x + y * y; /* 0 if rounding made two points equal */
         double t = square > 0.0 ? td_clamp((px * x + py * y) / square, 0.0, 1.0) : 0.0;
         double dx = px - t * x, dy = py - t * y;
         least = td_min_double(least, dx * dx + dy * dy);
@@ -138,7 +141,7 @@ static double depth_in(const thud_pos *points, int count, thud_pos p) {
     return inside ? -distance : distance;
 }
 
-/* Whether a piece is in the polygon, by a circle around it; false where that is not clear. */
+/* Whether a circle around a piece lies in the polygon; false if that is not certain. */
 static bool is_deep(const td_cover_piece *piece, const thud_pos *points, int count) {
     int corners = piece->count > 0 ? piece->count : 3;
     thud_pos centre = {0.0, 0.0};
@@ -155,7 +158,7 @@ static bool is_deep(const td_cover_piece *piece, const thud_pos *points, int cou
 }
 
 /* Sets piece->nearest to the set that gives the upper bound. Sets that are too far away to change
- * either bound are passed over; the set that was nearest to the whole is tried first. */
+ * either bound are skipped; the nearest set of the piece before it was cut is tried first. */
 static bounds bounds_of(td_cover_piece *piece, const td_convex *to, int count) {
     int corners = piece->count > 0 ? piece->count : 3;
     double nearest[TD_PIECE_CORNERS], reach = 0.0;
@@ -177,7 +180,7 @@ static bounds bounds_of(td_cover_piece *piece, const td_convex *to, int count) {
             }
         }
     }
-    /* The point where two tangents meet is not of the set. */
+    /* The point where two tangents meet does not belong to the set. */
     for (int k = 0; k < (piece->count > 0 ? corners : 2); k++) {
         result.lower = td_max_double(result.lower, nearest[k]);
     }
@@ -186,7 +189,7 @@ static bounds bounds_of(td_cover_piece *piece, const td_convex *to, int count) {
 
 /* ---- cuts ---- */
 
-/* Adds the two parts of a piece on either side of the line through `at` with this normal. */
+/* Computes the two parts of a piece on both sides of the line through `at` with this normal. */
 static void cut_along(const td_cover_piece *piece, thud_pos at, double nx, double ny,
                       td_cover_piece out[2]) {
     out[0].count = out[1].count = 0;
@@ -209,7 +212,7 @@ static void cut_along(const td_cover_piece *piece, thud_pos at, double nx, doubl
     }
 }
 
-/* Cuts from corner 0 to the opposite one, which makes no new corners. */
+/* Cuts from corner 0 to the opposite corner, which adds no corners. */
 static void cut_across(const td_cover_piece *piece, td_cover_piece out[2]) {
     int half = piece->count / 2;
     out[0].count = out[1].count = 0;
@@ -239,8 +242,8 @@ static void cut_middle(const td_cover_piece *piece, td_cover_piece out[2]) {
     cut_along(piece, middle, (q.x - p.x) / most, (q.y - p.y) / most, out);
 }
 
-/* Cuts a piece along that side of a polygon beyond which it extends the most, of those on both
- * sides of which it lies. False where there is none. */
+/* Of the sides of a polygon whose line passes through the piece, chooses the one beyond which the
+ * piece extends the most, and cuts along it. False if there is none. */
 static bool cut_at_side(const td_cover_piece *piece, const td_convex *set, td_cover_piece out[2]) {
     int side = TD_NONE;
     double most = 1e-6;
@@ -263,14 +266,15 @@ static bool cut_at_side(const td_cover_piece *piece, const td_convex *set, td_co
     return true;
 }
 
-/* The part of the circle `of` between the arc from a to b and its chord. */
+/* The segment of the circle `of` between the arc from a to b and its chord. */
 static td_cover_piece arc_of(const td_convex *of, thud_pos a, thud_pos b) {
     double ax = a.x - of->x, ay = a.y - of->y, bx = b.x - of->x, by = b.y - of->y;
     double square = of->reach * of->reach, far = square / (square + ax * bx + ay * by);
     return (td_cover_piece){.corners = {a, b, {of->x + far * (ax + bx), of->y + far * (ay + by)}}};
 }
 
-/* Cuts an arc in halves, which leaves a triangle below. */
+/* Cuts a circle segment into the segments of both halves of its arc, and the triangle below
+ * them. */
 static int cut_arc(const td_cover_piece *piece, const td_convex *of, td_cover_piece out[3]) {
     thud_pos a = piece->corners[0], b = piece->corners[1];
     double x = 0.5 * (a.x + b.x) - of->x, y = 0.5 * (a.y + b.y) - of->y;
@@ -336,8 +340,8 @@ double td_cover_distance(const td_convex *from, const td_convex *to, int count,
         int made = cut(&piece, from, &to[piece.nearest], parts);
         for (int i = 0; i < made; i++) {
             if (parts[i].count == 1 || parts[i].count == 2) {
-                continue; /* what rounding leaves of a cut at a corner is a part of the other side
-                           */
+                continue; /* a degenerate part, from rounding of a cut at a corner: the other part
+                             covers it */
             }
             parts[i].depth = piece.depth + 1;
             parts[i].nearest = piece.nearest;

@@ -1,11 +1,11 @@
 /* cover_lines.c: areas of a polygon and shapes, along horizontal lines; see cover.h.
  *
- * A polygon and a convex shape have intervals in common with a line, whose lengths are exact, so
- * that only the direction across the lines is sampled. Strips begin and end at the polygon's level
- * edges, where the length of the line in the polygon jumps. */
+ * The intersection of a line with a polygon or a convex shape consists of intervals, whose lengths
+ * are exact, so that only the vertical direction is sampled. Strips begin and end at the polygon's
+ * horizontal edges, where the length of the intersection jumps. */
 #include "geometry/cover.h"
 
-/* Orders numbers; there are few, and most are in order already. */
+/* Insertion sort: there are few numbers, and most are already in order. */
 static void sort(double *values, int count) {
     for (int i = 1; i < count; i++) {
         double value = values[i];
@@ -28,9 +28,9 @@ static void sort_intervals(td_interval *list, int count) {
     }
 }
 
-/* The intervals of the line at y, which goes through no point, inside the polygon. */
+/* The intervals of the horizontal line at y inside the polygon; no corner lies on the line. */
 static int cut_polygon(const thud_pos *points, int count, double y, td_interval *out) {
-    double *crossings = &out[0].from; /* pairs of numbers, which are put in order as numbers */
+    double *crossings = &out[0].from; /* the intervals as an array of numbers, which is sorted */
     int crossed = 0;
     for (int i = 0; i < count; i++) {
         thud_pos p = points[i], q = points[i + 1 < count ? i + 1 : 0];
@@ -48,14 +48,15 @@ static td_interval height_of(const thud_geometry *shape) {
     return (td_interval){shape->y - half, shape->y + half};
 }
 
-/* The interval of the line at y, which is between the shape's lowest and highest y, in a shape. */
+/* The interval of the horizontal line at y inside a shape; y is between the shape's lowest and
+ * highest y. */
 static td_interval cut_shape(const thud_geometry *shape, double y) {
     double v = y - shape->y;
     if (td_kind_is_round(shape->kind)) {
         double half = __builtin_sqrt(td_max_double(shape->hx * shape->hx - v * v, 0.0));
         return (td_interval){shape->x - half, shape->x + half};
     }
-    /* |c x + s v| <= hx and |c v - s x| <= hy; a side that is all but level does not bound x. */
+    /* |c x + s v| <= hx and |c v - s x| <= hy; nearly horizontal sides do not bound x. */
     double c = shape->c, s = shape->s, from = -4.0, to = 4.0;
     if (td_abs(c) > 1e-9) {
         double a = (-shape->hx - s * v) / c, b = (shape->hx - s * v) / c;
@@ -102,10 +103,10 @@ int td_cover_lines(const thud_pos *points, int count, double *ys, td_cover_line 
     return made;
 }
 
-/* Strips of what extends beyond all lines. Chosen. */
+/* Strips for the part of a shape that extends above or below all lines. Chosen. */
 enum { STRIPS_BEYOND = 6 };
 
-/* The length that an interval has in common with a list. */
+/* The length of the intersection of an interval and a list of intervals. */
 static double common(const td_interval *list, int count, td_interval with) {
     double sum = 0.0;
     for (int i = 0; i < count && list[i].from < with.to; i++) {
@@ -128,7 +129,7 @@ static double cut_strip(const td_cover_line *line, const thud_geometry *shape, t
     return y1 - y0;
 }
 
-/* The area of the part of a shape between two heights, where there are no lines. */
+/* The area of the part of a shape between two heights outside of all lines. */
 static double area_between(const thud_geometry *shape, double y0, double y1) {
     double sum = 0.0;
     for (int i = 0; i < STRIPS_BEYOND && y1 > y0; i++) {
@@ -156,7 +157,7 @@ td_cover_gain td_cover_gain_of(const td_cover_line *lines, int count, const thud
     return gain;
 }
 
-/* Takes an interval away from a list, which has room for one more. Returns the new count. */
+/* Subtracts an interval from a list, which has room for one more. Returns the new count. */
 static int take_away(td_interval *list, int count, td_interval gone) {
     td_interval rest = {0.0, 0.0};
     int kept = 0;
@@ -212,10 +213,11 @@ void td_cover_add(td_cover_line *lines, int count, const thud_geometry *shape) {
 
 /* ---- areas ---- */
 
-/* Strips of the whole height at least. Chosen: areas then are exact to about 1e-4. */
+/* Minimum number of strips over the whole height. Chosen: areas are then exact to about 1e-4. */
 enum { STRIPS = 256 };
 
-/* Half the distance of the two points of Gauss's rule, of a strip of height 1: 1 / sqrt(12). */
+/* Half the distance between the two points of Gauss quadrature, in a strip of height 1: 1 /
+ * sqrt(12). */
 static const double GAUSS = 0.28867513459481287;
 
 /* Adds the lengths on one line. */

@@ -1,14 +1,14 @@
 /* minkowski.c: Minkowski sums of circles and boxes.
  *
- * A box is the Minkowski sum of two segments, its axes. The sum of two boxes is one of four
- * segments: a polygon of eight edges, which are those segments in the order of their angles, each
- * twice, on opposite sides. A circle adds its radius. Normals and offsets of the faces are computed
- * from the axes of the boxes, not from differences of vertices, which are inexact for short
- * edges. */
+ * A box is the Minkowski sum of two segments, its axes. The sum of two boxes is the sum of four
+ * segments: a polygon of eight edges, which are these segments in the order of their angles, each
+ * twice, on opposite sides. Adding a circle grows it by the radius. Normals and offsets of the
+ * faces are computed from the axes of the boxes, not from differences of vertices, which are
+ * imprecise for short edges. */
 #include "geometry/minkowski.h"
 
 /* The first axis of a box, normalised by a Newton step for the inverse square root.
- * thud_geometry_check allows an error of 1e-5, of which about 1e-10 is left. */
+ * thud_geometry_check allows an error of 1e-5, which the step reduces to about 1e-10. */
 static thud_pos axis_of(const thud_geometry *box) {
     double scale = 1.5 - 0.5 * (box->c * box->c + box->s * box->s);
     return (thud_pos){box->c * scale, box->s * scale};
@@ -54,7 +54,7 @@ static void set_box(thud_minkowski *sum, thud_pos e, double hx, double hy) {
     sum->offsets[1] = hx;
 }
 
-/* The sum of two boxes: a box where they are parallel, else an octagon. */
+/* The sum of two boxes: a box if they are parallel, otherwise an octagon. */
 static void set_boxes(thud_minkowski *sum, const thud_geometry *a, const thud_geometry *b) {
     if (!td_kind_turns(a->kind) && !td_kind_turns(b->kind)) {
         set_box(sum, (thud_pos){1.0, 0.0}, a->hx + b->hx, a->hy + b->hy);
@@ -63,8 +63,8 @@ static void set_boxes(thud_minkowski *sum, const thud_geometry *a, const thud_ge
     thud_pos e = axis_of(a), f = axis_of(b);
     double fhx = b->hx, fhy = b->hy;
     double c = e.x * f.x + e.y * f.y, s = e.x * f.y - e.y * f.x;
-    /* A box rotated by a quarter turn is the same box with its extents exchanged: rotates f until
-     * it is within a quarter turn of e. */
+    /* A box that is rotated by 90 degrees is the same box with its extents exchanged: rotates f by
+     * such steps until it is less than 90 degrees from e. */
     for (int quarter = 0; quarter < 3 && !(c > 0.0 && s >= 0.0); quarter++) {
         double old_c = c, old_hx = fhx;
         f = (thud_pos){-f.y, f.x};
@@ -112,8 +112,8 @@ static double dot(thud_pos v, double x, double y) {
     return v.x * x + v.y * y;
 }
 
-/* Where a point's projection lies on the line of a face, of the one of both opposite faces that
- * looks towards the point: -1 before the face's first vertex, 1 beyond its second, 0 on the
+/* Of a face and its opposite, takes the one that faces the point, and returns where the point's
+ * projection lies on its line: -1 before the face's first vertex, 1 beyond its second, 0 on the
  * face. */
 static int beyond_face(const thud_minkowski *sum, int face, double x, double y) {
     thud_pos normal = sum->normals[face], from = sum->vertices[face], to = sum->vertices[face + 1];
@@ -122,8 +122,8 @@ static int beyond_face(const thud_minkowski *sum, int face, double x, double y) 
     return at < dot(tangent, from.x, from.y) ? -1 : at > dot(tangent, to.x, to.y) ? 1 : 0;
 }
 
-/* The face with the greatest signed distance of the point, *out; TD_NONE if the polygon has no
- * faces. A point in front of a face has its greatest distance from that one. */
+/* The face from whose line the point has the greatest signed distance, *out; TD_NONE if the polygon
+ * has no faces. For a point that projects onto a face from outside, it is that face. */
 static int nearest_face(const thud_minkowski *sum, double x, double y, double *out) {
     int face = TD_NONE;
     *out = -1e300;
@@ -151,7 +151,7 @@ static int nearest_vertex(const thud_minkowski *sum, double x, double y) {
     return nearest;
 }
 
-/* The distance of a point from a vertex, and the direction from there. */
+/* The distance of a point from a vertex, and the direction from the vertex to the point. */
 static double from_vertex(thud_pos vertex, double x, double y, double *nx, double *ny) {
     double dx = x - vertex.x, dy = y - vertex.y, length = __builtin_sqrt(dx * dx + dy * dy);
     *nx = length > 0.0 ? dx / length : 0.0;
@@ -176,9 +176,9 @@ double td_minkowski_distance(const thud_minkowski *sum, double x, double y, doub
     if (face == TD_NONE || (out > 0.0 && beyond_face(sum, face, x, y) != 0)) {
         thud_pos vertex = sum->vertices[nearest_vertex(sum, x, y)];
         double length = from_vertex(vertex, x, y, nx, ny);
-        /* The direction from a vertex that is all but touched is only rounding error, and may even
-         * point into the sum. It is only taken where it separates the two as well as the face
-         * does. */
+        /* If the point nearly touches a vertex, the direction from the vertex is only rounding
+         * error, and may even point into the sum. It is used only if it separates the two as well
+         * as the face's normal does. */
         if (face == TD_NONE || gap_along(sum, *nx, *ny, x, y) >= out) {
             return length - sum->radius;
         }
@@ -207,8 +207,8 @@ static bool enter_circle(thud_pos centre, double radius, double x, double y, dou
     }
     double ux = dx / length, uy = dy / length;
     double ahead = -(ox * ux + oy * uy);
-    /* From the distance of the centre to the line: a discriminant would cancel for points that
-     * start far away. */
+    /* Uses the distance from the centre to the line: the discriminant of a quadratic equation would
+     * suffer cancellation for points that start far away. */
     double side = ux * oy - uy * ox, root = radius * radius - side * side;
     if (!(ahead > 0.0 && root >= 0.0)) {
         return false;
@@ -224,10 +224,10 @@ static bool enter_circle(thud_pos centre, double radius, double x, double y, dou
 }
 
 /* Clipping of the path against the faces, grown by the radius (Cyrus and Beck, "Generalized two-
- * and three-dimensional clipping", 1978): of the faces that the point starts outside of, it enters
- * through the one that it crosses last, if it is between all others at that time. The grown polygon
- * has sharp corners where the rounded sum has arcs: where the point enters at a corner, beyond the
- * end of the face, it is tested against the circle about the vertex instead. */
+ * and three-dimensional clipping", 1978): among the faces of which the point starts outside, it
+ * enters through the one that it crosses last, if it is then inside of all other faces. The grown
+ * polygon has sharp corners where the rounded sum has arcs: if the point enters at a corner, beyond
+ * the end of the face, it is tested against the circle about the vertex instead. */
 bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx, double dy,
                         double *fraction, double *nx, double *ny) {
     if (sum->count == 1) {
@@ -261,8 +261,8 @@ bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx
         thud_pos vertex = sum->vertices[nearest_vertex(sum, x, y)];
         return enter_circle(vertex, sum->radius, x, y, dx, dy, fraction, nx, ny);
     }
-    /* Only faces that the point moves towards are tested: a face that is almost parallel to the one
-     * it enters by must not reject it for a rounding error. */
+    /* Only faces towards which the point moves are tested: a face that is almost parallel to the
+     * one through which it enters must not reject it because of a rounding error. */
     for (int i = 0; i < faces; i++) {
         double there = at[i] + enter * rate[i];
         if (i != face && (rate[i] < 0.0 ? -there : there) > sum->offsets[i] + sum->radius) {
@@ -271,8 +271,8 @@ bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx
     }
     double px = x + enter * dx, py = y + enter * dy, u, v;
     int corner = sum->radius > 0.0 ? beyond_face(sum, face, px, py) : 0;
-    /* Of two faces that are almost parallel, rounding may have chosen the one that the point is
-     * beyond the end of, while it enters the rounded sum through the other. */
+    /* Of two almost parallel faces, rounding may have chosen the one beyond whose end the point is,
+     * although it enters the rounded sum through the other. */
     double rounding = 1e-15 * (td_abs(px) + td_abs(py) + td_abs(x) + td_abs(y));
     if (corner != 0 && td_minkowski_distance(sum, px, py, &u, &v) > rounding) {
         int vertex = face + (corner > 0) + (side < 0.0 ? faces : 0);

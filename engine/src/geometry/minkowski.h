@@ -15,10 +15,10 @@ bool td_minkowski_contains(const thud_minkowski *sum, double x, double y);
 
 double td_minkowski_distance(const thud_minkowski *sum, double x, double y, double *nx, double *ny);
 
-/* Finds where a point outside of the sum, moving by (dx, dy), enters it: the fraction of the motion
- * and the outward normal. False where it does not. The caller makes sure that the point starts
- * outside; only for the sum of a shape and a point, of radius 0 or with one vertex, a point inside
- * gives false. */
+/* Finds where a point that moves by (dx, dy) enters the sum: the fraction of the motion and the
+ * outward normal. False if it does not. The caller ensures that the point starts outside; a point
+ * inside safely gives false only for a sum of radius 0 or with one vertex, that is, of a shape and
+ * a point. */
 bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx, double dy,
                         double *fraction, double *nx, double *ny);
 

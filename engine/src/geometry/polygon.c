@@ -1,6 +1,6 @@
-/* polygon.c: what is a simple polygon, and its triangles, by ear clipping (G. Meisters, Polygons
- * have ears, 1975): a corner whose triangle contains no other point is cut off, until a triangle is
- * left. */
+/* polygon.c: checks that points form a simple polygon, and cuts it into triangles by ear clipping
+ * (G. Meisters, Polygons have ears, 1975): a corner whose triangle contains no other point is cut
+ * off, until a triangle is left. */
 #include "geometry/polygon.h"
 
 #include "thud/thud_approximate.h"
@@ -30,8 +30,8 @@ static bool segments_touch(thud_pos a, thud_pos b, thud_pos p, thud_pos q) {
            (pa == 0.0 && between(p, q, a)) || (pb == 0.0 && between(p, q, b));
 }
 
-/* Whether the edge after point i meets the one after point j elsewhere than where one ends and the
- * next begins. */
+/* Whether the edges that begin at points i and j share any point other than a common end of
+ * consecutive edges. */
 static bool edges_meet(const thud_pos *points, int count, int i, int j) {
     thud_pos a = points[i], b = points[(i + 1) % count], p = points[j], q = points[(j + 1) % count];
     if (j == i + 1) {
@@ -45,7 +45,7 @@ static bool edges_meet(const thud_pos *points, int count, int i, int j) {
     return segments_touch(a, b, p, q);
 }
 
-/* Why points are no polygon, or null. */
+/* The reason why points do not form a valid polygon, or null. */
 static const char *polygon_error(const thud_pos *points, int count) {
     if (count < 3 || count > THUD_POLYGON_POINTS_MAX) {
         return "a polygon has too few or too many points";
@@ -83,8 +83,8 @@ thud_result thud_polygon_check(const thud_pos *points, int count, const char **o
 
 /* ---- triangles ---- */
 
-/* Whether the corner i of those that are left, `count` of them, may be cut off. `closed`: no other
- * point may be on the triangle's edges either. */
+/* Whether corner i of the `count` remaining ones, `left`, may be cut off. `closed`: other points
+ * may not lie on the triangle's edges either. */
 static bool is_ear(const thud_pos *points, const int *left, int count, int i, bool closed) {
     thud_pos a = points[left[(i + count - 1) % count]], b = points[left[i]],
              c = points[left[(i + 1) % count]];
@@ -101,8 +101,8 @@ static bool is_ear(const thud_pos *points, const int *left, int count, int i, bo
     return true;
 }
 
-/* The corner to cut off next. Rounding may leave none that is an ear; then any corner does that
- * turns left, or else the first. */
+/* The corner to cut off next. If rounding leaves no ear, it is any convex corner, or else the
+ * first. */
 static int next_ear(const thud_pos *points, const int *left, int count) {
     for (int pass = 0; pass < 2; pass++) {
         for (int i = 0; i < count; i++) {

@@ -1,18 +1,19 @@
-/* shape_contacts.c: the up to two contact points of two shapes, for queries. The first is the pair
- * of closest points. Where a face of a box is perpendicular to the normal, the other box's opposite
- * face is clipped to it, and the end that is further from the first point is the second. The
+/* shape_contacts.c: the one or two contact points of two shapes, for queries. The first is the pair
+ * of closest points. If a face of a box is perpendicular to the normal, the other box's opposite
+ * face is clipped to it; the end that is further from the first point is the second point. The
  * solver's contacts come from contact/wide_box.c and its siblings. */
 #include "geometry/shape_instance.h"
 
-/* Tangent of the angle between a face's normal and the contact normal up to which they count as
- * equal. Above the rounding of a normal that was computed from two corners; chosen, not tuned. */
+/* A face's normal and the contact normal count as equal up to this tangent of the angle between
+ * them. Larger than the rounding error of a normal that was computed from two corners; chosen, not
+ * tuned. */
 #define FACE_TANGENT_MAX 1e-7
-/* Points nearer to each other than this share of the smaller box's extent are one. Above rounding;
- * chosen, not tuned. */
+/* Points nearer to each other than this share of the smaller box's extent count as one point.
+ * Larger than rounding errors; chosen, not tuned. */
 #define SAME_POINT 1e-9
 
 /* Finds the outward normal of the box's face that is nearest to the direction (x, y). Returns the
- * tangent of the angle between both. */
+ * tangent of the angle between the two. */
 static double face_along(const thud_geometry *box, double x, double y, double *nx, double *ny) {
     double u, v;
     td_to_frame(box, x, y, &u, &v);
@@ -22,12 +23,12 @@ static double face_along(const thud_geometry *box, double x, double y, double *n
     return by_u ? td_abs(v / u) : td_abs(u / v);
 }
 
-/* A place by its coordinates along the reference face and above it. */
+/* A point by its coordinates along the reference face and above it. */
 typedef struct face_point {
     double along, above;
 } face_point;
 
-/* A place by these coordinates. */
+/* The face_point of (x, y). */
 static face_point face_point_of(const thud_closest *c, double x, double y) {
     return (face_point){x * -c->ny + y * c->nx, x * c->nx + y * c->ny};
 }
@@ -124,7 +125,7 @@ thud_result thud_geometry_contacts(const thud_geometry *a, const thud_geometry *
         !(margin >= 0.0 && margin <= THUD_COORDINATE_MAX)) {
         return THUD_ERROR_INVALID;
     }
-    /* Relative to a, since coordinates far from the origin are too coarse. */
+    /* Relative to a, since rounding far from the origin would be too large. */
     thud_geometry here = *a, there = *b;
     here.x = here.y = 0.0;
     there.x -= a->x;

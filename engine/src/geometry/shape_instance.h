@@ -1,6 +1,6 @@
-/* shape_instance.h: helpers on thud_geometry, a circle or box in its place, in double
- * precision and without a world; and the internal versions of the geometry functions, which do not
- * check their input. Lengths are the caller's unit, angles radians. */
+/* shape_instance.h: helpers on thud_geometry, a circle or box at a pose, in double precision and
+ * without a world; and the internal versions of the geometry functions, which do not check their
+ * input. Lengths are the caller's unit, angles radians. */
 #ifndef TD_SHAPE_INSTANCE_H
 #define TD_SHAPE_INSTANCE_H
 
@@ -82,29 +82,29 @@ static inline bool td_target_valid(double target) {
 /* The instance at a time of its motion, 0 to 1. */
 thud_geometry td_placed_at(const thud_geometry *shape, const thud_motion *motion, double time);
 
-/* closest.c: does what thud_geometry_closest does, for shapes known to be valid; boxes may have hy
- * = 0. */
+/* closest.c: as thud_geometry_closest, for valid shapes (not checked again); boxes may have hy =
+ * 0. */
 void td_closest(const thud_geometry *a, const thud_geometry *b, thud_closest *out);
 
-/* toi.c: does what thud_geometry_time_of_impact does, for shapes and motions known to be valid. */
+/* toi.c: as thud_geometry_time_of_impact, for valid shapes and motions (not checked again). */
 void td_time_of_impact(const thud_geometry *a, thud_motion motion_a, const thud_geometry *b,
                        thud_motion motion_b, double target, bool *hit, double *time);
 /* A lower bound of the time until the shapes can come within `target` of each other, for
- * conservative advancement: by the separation along the unit normal (nx, ny), from a to b, which is
- * greater than the target. Motions are per unit of time; more than 1 says "not within the
- * motions". */
+ * conservative advancement: from the separation along the unit normal (nx, ny), from a to b, which
+ * is greater than the target. Motions take one unit of time; a result above 1 means that they
+ * cannot within the motions. */
 typedef double td_jump_fn(const thud_geometry *a, const thud_motion *motion_a,
                           const thud_geometry *b, const thud_motion *motion_b, double nx, double ny,
                           double target);
 td_jump_fn td_time_across;
-/* A td_jump_fn that also uses the faces of turning boxes, and finds longer times than
- * td_time_across where such a face keeps the shapes apart. It takes longer itself, which pays for
- * shapes that slide on others. */
+/* A td_jump_fn that also uses the faces of turning boxes, and finds later times than td_time_across
+ * if such a face separates the shapes. It is slower, which is worth it for shapes that slide on
+ * others. */
 td_jump_fn td_time_across_faces;
 
-/* As td_time_of_impact, with the bound to advance by. `target` may be negative, so that shapes may
- * overlap by that much; turning shapes may stop up to `tolerance` (length) short of it, which saves
- * advances. */
+/* As td_time_of_impact, with `jump` as the bound of each advance. `target` may be negative, so that
+ * shapes may overlap by that depth; the search for turning shapes may end up to `tolerance`
+ * (length) before the target, which saves advances. */
 void td_time_of_near_impact(const thud_geometry *a, thud_motion motion_a, const thud_geometry *b,
                             thud_motion motion_b, double target, double tolerance, td_jump_fn *jump,
                             bool *hit, double *time);

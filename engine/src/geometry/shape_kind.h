@@ -1,10 +1,10 @@
 /* shape_kind.h: the properties of each kind of shape. Each function is a switch over all kinds
- * without a default, so that the compiler reports every one that a new kind has to be added to
+ * without a default, so that the compiler reports every switch that lacks a new kind
  * (-Wswitch-enum).
  *
- * A kind has two half extents, hx and hy. Of a circle hx is the radius, and hy is 0, in what
- * callers pass, in thud_geometry and in td_shape. td_kind_half_y gives the half extent that a
- * circle has across hx, its radius; td_shape_proxy stores that one instead. */
+ * A kind has two half extents, hx and hy. For a circle, hx is the radius and hy is 0, in the public
+ * API, in thud_geometry and in td_shape. td_kind_half_y returns the half extent across hx, which
+ * for a circle is its radius; td_shape_proxy stores this one. */
 #ifndef TD_SHAPE_KIND_H
 #define TD_SHAPE_KIND_H
 
@@ -25,7 +25,7 @@ TD_INLINE_SMALL bool td_kind_is_line(thud_shape_kind kind) {
     return false;
 }
 
-/* Whether there is a thud_geometry of the kind; false for values that are no kind, too. */
+/* Whether a thud_geometry may have this kind; also false for invalid values. */
 TD_INLINE_SMALL bool td_kind_has_instances(thud_shape_kind kind) {
     switch (kind) {
     case THUD_SHAPE_CIRCLE:
@@ -38,7 +38,7 @@ TD_INLINE_SMALL bool td_kind_has_instances(thud_shape_kind kind) {
     return false;
 }
 
-/* Whether there is a thud_volume of the kind; false for values that are no kind, too. */
+/* Whether a thud_volume may have this kind; also false for invalid values. */
 TD_INLINE_SMALL bool td_kind_is_volume(thud_shape_kind kind) {
     switch (kind) {
     case THUD_SHAPE_CIRCLE:
@@ -104,7 +104,7 @@ TD_INLINE_SMALL bool td_kind_fixes_rotation(thud_shape_kind kind) {
     return false;
 }
 
-/* The half extent across hx, of a circle its radius. */
+/* The half extent across hx; for a circle its radius. */
 TD_INLINE_SMALL double td_kind_half_y(thud_shape_kind kind, double hx, double hy) {
     switch (kind) {
     case THUD_SHAPE_CIRCLE:
@@ -117,14 +117,14 @@ TD_INLINE_SMALL double td_kind_half_y(thud_shape_kind kind, double hx, double hy
     return hy;
 }
 
-/* Half the thickness: the depth of the shape's middle. A shape that penetrates less deep has not
- * passed through it. */
+/* Half the thickness: the depth of the shape's middle. A shape that penetrates less than this has
+ * not passed through the middle. */
 TD_INLINE_SMALL double td_kind_half_thickness(thud_shape_kind kind, double hx, double hy) {
     double half_y = td_kind_half_y(kind, hx, hy);
     return hx < half_y ? hx : half_y;
 }
 
-/* The value of hy of a shape that is grown by `by` on all sides; 0 for a circle. */
+/* hy of a shape that is grown by `by` on all sides; 0 for a circle. */
 TD_INLINE_SMALL double td_kind_grown_hy(thud_shape_kind kind, double hy, double by) {
     switch (kind) {
     case THUD_SHAPE_CIRCLE:

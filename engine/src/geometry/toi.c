@@ -4,23 +4,26 @@
  * closed form (minkowski.c).
  *
  * Turning shapes: conservative advancement (Mirtich, "Impulse-based Dynamic Simulation of Rigid
- * Body Systems", 1996). Along the normal n of the present closest points the shapes cannot meet
- * before the first corner has crossed the gap, so that time may advance up to there, and n is
- * computed anew. The motion of a corner along n is bounded by its Taylor polynomial of second
- * order, with the greatest value that the second derivative can have:
+ * Body Systems", 1996). Along the normal n of the present closest points, the shapes cannot meet
+ * before the first corner has crossed the gap. So time advances to that moment, and n is computed
+ * again. The motion of a corner along n is bounded by its Taylor polynomial of second order, with
+ * the maximum of the second derivative:
  *
  *     gap(t) >= gap - speed t - bend t^2,  bend = (turn_a^2 radius_a + turn_b^2 radius_b) / 2
  *
- * so that each advance near the impact squares the remaining gap. td_time_across_faces also follows
- * the face of a turning box, which keeps shapes that slide on each other apart for longer. Motions
- * take one unit of time; speeds are per that unit. */
+ * so that near the impact each advance squares the remaining gap (quadratic convergence).
+ * td_time_across_faces also uses the separation from a face of a turning box, which allows longer
+ * advances for shapes that slide on each other. Motions take one unit of time; speeds are per that
+ * unit. */
 #include "geometry/minkowski.h"
 
-/* Advances after which the search ends with a time before the impact. Most pairs need fewer than
- * ten; shapes that turn close by each other for long need many. Chosen; not tuned. */
+/* Maximum number of advances; the search then ends with a time before the impact. Most pairs need
+ * fewer than ten; shapes that turn close to each other for a long time need many. Chosen; not
+ * tuned. */
 enum { ADVANCES_MAX = 1000 };
 
-/* Shapes that do not turn: b's centre is a point that enters the Minkowski sum of both. */
+/* Time of impact of shapes that do not turn: when b's centre, as a point, enters the Minkowski sum
+ * of both. */
 static void translating(const thud_geometry *a, const thud_motion *ma, const thud_geometry *b,
                         const thud_motion *mb, double target, bool *hit, double *time) {
     double x = b->x - a->x, y = b->y - a->y, nx, ny;
@@ -35,7 +38,7 @@ static void translating(const thud_geometry *a, const thud_motion *ma, const thu
     }
 }
 
-/* Whether the shape turns in the motion in a way that changes it. */
+/* Whether the motion turns the shape, and the rotation changes it. */
 static bool turns(const thud_geometry *shape, const thud_motion *m) {
     return td_kind_turns(shape->kind) && m->turn != 0.0;
 }
@@ -46,8 +49,8 @@ typedef struct corner {
     double along, speed;
 } corner;
 
-/* The corners of a shape along (nx, ny), where it turns by `turn`; for one that does not turn, the
- * furthest extent alone. Returns their number. */
+/* The corners of a shape that turns by `turn`, along (nx, ny); for a shape that does not turn, its
+ * extent as a single corner. Returns their number. */
 static int corners_along(const thud_geometry *shape, double turn, double nx, double ny,
                          corner out[4]) {
     switch (shape->kind) {
@@ -73,8 +76,8 @@ static int corners_along(const thud_geometry *shape, double turn, double nx, dou
     return 4;
 }
 
-/* The least positive root of gap = speed t + bend t^2, for gap > 0; without one 2, which is after
- * the end of any motion. */
+/* The smallest positive root of gap = speed t + bend t^2, for gap > 0; 2 if there is none, which is
+ * after the end of the motion. */
 static double time_to_close(double gap, double speed, double bend) {
     double root = __builtin_sqrt(speed * speed + 4.0 * bend * gap);
     if (speed > 0.0) {
@@ -112,10 +115,9 @@ double td_time_across(const thud_geometry *a, const thud_motion *ma, const thud_
     return circles > 0.0 ? td_max_double(corners, time_to_close(circles, closing, 0.0)) : corners;
 }
 
-/* As td_time_across, along the normal of a face of the turning box, the one with the greatest
- * separation from the other shape, and in the frame of the box, which turns with it, so that the
- * far corner of the face does not count as crossing the gap. There, a corner of the other shape is
- * at
+/* As td_time_across, but along the normal of the turning box's face with the greatest separation
+ * from the other shape, and in the frame of the box, where the corners of the face do not move
+ * towards the gap. In this frame, a corner of the other shape is at
  *
  *     R(-turn t) (from + path t) + R((other turn - turn) t) corner
  *
@@ -166,7 +168,7 @@ double td_time_across_faces(const thud_geometry *a, const thud_motion *ma, const
 }
 
 /* The distance at which turning shapes count as touching, length: 1e-10 of their extent, far below
- * what is visible, and above the rounding of their coordinates. Chosen. */
+ * visibility, and above the rounding of their coordinates. Chosen. */
 static double tolerance_of(const thud_geometry *a, const thud_motion *ma, const thud_geometry *b,
                            const thud_motion *mb) {
     double path = td_abs(ma->dx) + td_abs(ma->dy) + td_abs(mb->dx) + td_abs(mb->dy);
@@ -201,8 +203,8 @@ void td_time_of_near_impact(const thud_geometry *a, thud_motion ma, const thud_g
             return;
         }
     }
-    /* Also after ADVANCES_MAX: the shapes are close to the target, and the time is before the
-     * impact. */
+    /* This is also valid after ADVANCES_MAX: the shapes are close to the target, and the time is
+     * before the impact. */
     *hit = true;
     *time = t;
 }

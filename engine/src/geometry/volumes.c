@@ -1,9 +1,9 @@
 /* volumes.c: bounding volumes (circle, AABB or OBB) of shapes, of moving shapes, and of two
- * volumes. An OBB is the smallest of a few candidate directions, not the smallest of all. */
+ * volumes. An OBB is the smallest over a few candidate directions, not over all directions. */
 #include "geometry/volumes.h"
 
 /* A bound of the rounding errors of a fit and of a later test, relative to position and size: about
- * eighteen times 2^-53, the greatest error of one operation. */
+ * eighteen times 2^-53, the maximum error of one operation. */
 #define ROUNDING 2e-15
 
 thud_result thud_volume_check(const thud_volume *v) {
@@ -50,7 +50,7 @@ void td_volume_keep_smaller(thud_volume *best, thud_pos origin, double c, double
     }
 }
 
-/* The radius of the smallest circle about the shape's centre that holds the shape. */
+/* The radius of the smallest circle about the shape's centre that contains the shape. */
 static double radius_around(const thud_geometry *shape) {
     double x = shape->hx, y = 0.0;
     if (td_kind_is_box(shape->kind)) {
@@ -62,13 +62,14 @@ static double radius_around(const thud_geometry *shape) {
 /* ---- motions ---- */
 
 /* The greatest |x| of a corner that turns about the origin from p to q: that of p or of q, or the
- * radius where the corner crosses the x axis between them. `half_turn`: it turns by pi or more. */
+ * radius if the corner crosses the x axis between them. `half_turn`: it turns by pi or more. */
 static double greatest_x(thud_pos p, thud_pos q, bool half_turn) {
     double x = td_max_double(td_abs(p.x), td_abs(q.x));
     return half_turn || p.y * q.y <= 0.0 ? __builtin_sqrt(p.x * p.x + p.y * p.y) : x;
 }
 
-/* Corner 0 or 1 of a box from its centre, along (c, s); the other two are opposite. */
+/* Corner 0 or 1 of a box, relative to its centre, in the frame along (c, s); the other two are
+ * opposite. */
 static thud_pos corner_along(const thud_geometry *box, int i, double c, double s) {
     double x, y;
     td_from_frame(box, box->hx, i ? -box->hy : box->hy, &x, &y);

@@ -5,13 +5,13 @@
 #include "geometry/shape_instance.h"
 #include "thud/thud_volumes.h"
 
-/* The extent of something along a unit direction (u) and perpendicular to it (v), relative to a
- * nearby origin. */
+/* The extent of points or shapes along a unit direction (u) and perpendicular to it (v), relative
+ * to a nearby origin. */
 typedef struct td_volume_span {
     double u_min, u_max, v_min, v_max;
 } td_volume_span;
 
-/* The unit vector along (x, y); (1, 0) where that is shorter than 1e-150, whose square is close to
+/* The unit vector along (x, y); (1, 0) for vectors shorter than 1e-150, whose squares are close to
  * underflow. */
 static inline thud_pos td_volume_direction(double x, double y) {
     double length = __builtin_sqrt(x * x + y * y);
@@ -26,7 +26,7 @@ void td_volume_keep_smaller(thud_volume *best, thud_pos origin, double c, double
                             td_volume_span span);
 
 /* Grows the volume by the bound of its rounding errors and stores it as one of that kind.
- * THUD_ERROR_INVALID, with *out unchanged, where it is out of range. */
+ * THUD_ERROR_INVALID, with *out unchanged, if it is out of range. */
 thud_result td_volume_store(thud_shape_kind kind, thud_volume volume, thud_volume *out);
 
 #endif

@@ -60,7 +60,8 @@ thud_result thud_volumes_overlap(const thud_volume *a, const thud_volume *b, boo
     return THUD_OK;
 }
 
-/* The furthest point of a box is a corner; that of a circle is beyond its centre by its radius. */
+/* The furthest point of a box is a corner; the furthest point of a circle lies one radius beyond
+ * its centre. */
 static bool in_circle(const thud_volume *circle, const thud_volume *inner) {
     double x = inner->x - circle->x, y = inner->y - circle->y;
     double room = circle->hx;
@@ -75,8 +76,8 @@ static bool in_circle(const thud_volume *circle, const thud_volume *inner) {
     return u * u + v * v <= room * room;
 }
 
-/* The extents of the inner volume along the axes of the box, with its centre, must be within the
- * box's. */
+/* The extents of the inner volume about its centre, along the axes of the box, must lie within the
+ * box. */
 static bool in_box(const thud_volume *box, const thud_volume *inner) {
     double u, v, hu = inner->hx, hv = inner->hx;
     td_to_frame(box, inner->x - box->x, inner->y - box->y, &u, &v);

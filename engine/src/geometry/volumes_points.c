@@ -1,20 +1,21 @@
-/* volumes_points.c: bounding volumes of points, and of the part of a terrain between two x.
+/* volumes_points.c: bounding volumes of points, and of the part of a terrain between two values of
+ * x.
  *
- * Circle: the smallest one, by exchanging its supporting points (Elzinga and Hearn, "Geometrical
- * solutions for some minimax location problems", 1972): two or three points support the circle;
- * while some point is outside, the furthest one becomes a support, and the circle grows. OBB: a
- * smallest box has a side along an edge of the convex hull (Freeman and Shapira, "Determining the
- * minimum-area encasing rectangle", 1975), so that the edges are tried one by one, in the order of
- * Jarvis's march around the hull (1973). */
+ * Circle: the smallest enclosing circle, by exchanging its supporting points (Elzinga and Hearn,
+ * "Geometrical solutions for some minimax location problems", 1972): two or three points support
+ * the circle; while some point is outside, the furthest one becomes a support, and the circle
+ * grows. OBB: the box of least area has a side along an edge of the convex hull (Freeman and
+ * Shapira, "Determining the minimum-area encasing rectangle", 1975), so that all edges are tried,
+ * in the order of Jarvis's march around the hull (1973). */
 #include "terrain/terrain.h"
 #include "geometry/volumes.h"
 
-/* Bounds of both searches. Beyond them the volume still contains all points, but need not be the
- * smallest: a circle's radius is measured at the end, and an OBB is the best of the edges so far.
- * Each edge of the hull is a pass over all points. Chosen; not tuned. */
+/* Maximum iterations of both searches. If one is reached, the volume still contains all points, but
+ * need not be the smallest: a circle's radius is measured at the end, and an OBB is the best of the
+ * edges so far. Each edge of the hull is a pass over all points. Chosen; not tuned. */
 enum { EXCHANGES_MAX = 100, HULL_EDGES_MAX = 512 };
 
-/* The points of an array; or of a terrain the two points at its ends and the vertices between
+/* The points of an array; or the two end points of a part of a terrain and the vertices between
  * them. */
 typedef struct point_set {
     const thud_pos *points;
@@ -87,7 +88,7 @@ static bool contains(const circle *d, thud_pos p) {
     return square_between(d->centre, p) <= d->square * (1.0 + 1e-12);
 }
 
-/* Makes a candidate *best if it is smaller and contains the points that support `old`. */
+/* Stores a candidate in *best if it is smaller and contains the points that support `old`. */
 static void keep_smaller(circle *best, circle candidate, const circle *old) {
     bool all = candidate.square < best->square;
     for (int i = 0; i < old->count && all; i++) {
@@ -96,8 +97,8 @@ static void keep_smaller(circle *best, circle candidate, const circle *old) {
     *best = all ? candidate : *best;
 }
 
-/* Replaces the circle by the smallest one that a point outside of it and some of its supporting
- * points support, and that contains all of these. False if rounding leaves none. */
+/* Replaces the circle by the smallest one that contains its supporting points and p, a point
+ * outside of it, and is supported by p and some of them. False if rounding leaves none. */
 static bool exchange(circle *d, thud_pos p) {
     circle best = {.square = 1e300};
     for (int i = 0; i < d->count; i++) {

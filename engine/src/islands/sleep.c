@@ -1,9 +1,10 @@
-/* sleep.c: the stage that puts islands to sleep, each as a whole.
+/* sleep.c: the stage of a step that puts islands to sleep, each as a whole.
  *
  * An island sleeps when every body of it has been idle for TD_SLEEP_TIME. The idle time of a body
  * is counted in solver/wide_finalize.c. Islands are labelled only when some body has been idle for
- * that long, and then in one of eight steps, so that a world in which nothing rests pays nothing.
- * The lanes of a sleeping island are moved, with their impulses, into bins that no stage visits. */
+ * that long, and then in one of eight steps, so that it costs nothing in a world where no body
+ * rests. The lanes of a sleeping island are moved, with their impulses, into bins that no stage
+ * visits. */
 #include "state/awake.h"
 #include "constraint/constraint.h"
 #include "constraint/lanes.h"
@@ -13,7 +14,8 @@
 
 #include <string.h>
 
-/* Puts the bodies in scratch.bodies, which are whole islands, to sleep. Room has been reserved. */
+/* Puts the bodies in scratch.bodies, which are whole islands, to sleep. Memory has been
+ * reserved. */
 static void put_to_sleep(thud_world *w) {
     td_array *bodies = &w->scratch.bodies, *constraints = &w->scratch.constraints;
     constraints->count = 0;
@@ -49,8 +51,8 @@ static void put_to_sleep(thud_world *w) {
     }
     w->rest_epoch++;
     for (int i = 0; i < bodies->count; i++) {
-        /* Where the broadphase was too crowded to list all pairs, an older epoch makes the body
-         * look for them when it wakes. */
+        /* If the broadphase was too crowded to list all pairs, an older epoch makes the body query
+         * for them when it wakes. */
         td_body_at(w, td_body_in(bodies, i))->rest_epoch =
             w->rest_epoch - (w->scratch.crowded.count > 0);
     }
@@ -58,8 +60,8 @@ static void put_to_sleep(thud_world *w) {
     td_proxy_set_forget(&w->rest_shapes);
 }
 
-/* Whether this step looks for islands to put to sleep. `bodies`: how many have been idle long
- * enough. */
+/* Whether this step looks for islands to put to sleep. `bodies`: the number of bodies that have
+ * been idle long enough. */
 static bool is_due(const thud_world *w, int bodies) {
     return w->def.sleeping && bodies > 0 && w->steps % 8 == 0;
 }
@@ -70,8 +72,8 @@ static bool reserve(thud_world *w) {
 }
 
 bool td_sleep_reserve(thud_world *w) {
-    /* A body that enters or wakes in this step is not among drowsy_bodies; where one step is as
-     * long as TD_SLEEP_TIME, it may fall asleep at the end of this one. */
+    /* A body that is added or wakes in this step is not counted in drowsy_bodies; if one step is as
+     * long as TD_SLEEP_TIME, it may already fall asleep at the end of this step. */
     bool long_step = (float)w->def.time_step >= TD_SLEEP_TIME;
     /* Reserving room for sleeping lanes may move the blocks, so that they are listed again. */
     return !is_due(w, long_step ? w->body_of.count : w->drowsy_bodies) ||
@@ -80,7 +82,7 @@ bool td_sleep_reserve(thud_world *w) {
 
 /* Whether a body moved in this step by at least the sleep speed times the time step. Position
  * correction of joint gaps and overlaps moves a body without a velocity, so that the idle time,
- * which looks at the velocity, does not see it. */
+ * which is computed from the velocity, would miss it. */
 static bool is_corrected(const thud_world *w, td_awake_slot slot) {
     const float *delta = td_row(&w->delta, slot);
     double max = (double)(TD_SLEEP_SPEED * w->length_scale) * w->def.time_step;
@@ -97,14 +99,14 @@ static float idle_time(const thud_world *w, td_awake_slot slot) {
 }
 
 void td_sleep(thud_world *w) {
-    /* Room was reserved only if some body was expected to fall asleep. Without memory for more,
+    /* Memory was reserved only if some body was expected to fall asleep. If memory is short now,
      * bodies fall asleep in a later step. */
     if (!is_due(w, w->idle_bodies) || !reserve(w) || !td_islands_label(w, true)) {
         return;
     }
     const td_awake_slot *root = w->scratch.parents.data;
-    /* The idle time of an island is the least of its bodies, and is kept at the slot of its root.
-     */
+    /* The idle time of an island is the minimum of its bodies' idle times, and is stored at the
+     * slot of its root. */
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         float *island_idle = td_row(&w->idle, root[slot.at]);
         *island_idle = td_min_float(*island_idle, idle_time(w, slot));

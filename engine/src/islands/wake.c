@@ -18,8 +18,8 @@ bool td_wake_reserve(thud_world *w) {
            td_array_reserve(&w->memory, &w->scratch.constraints, w->constraints.count);
 }
 
-/* Marks the shapes of a body for the broadphase, which finds pairs with bodies that fell asleep
- * near it while it slept: pairs of two sleeping bodies are not looked for. */
+/* Marks the shapes of a body for the broadphase, which does not look for pairs of two sleeping
+ * bodies: it now finds pairs with bodies that fell asleep nearby in the meantime. */
 static void find_new_pairs(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
     if (body->rest_epoch == w->rest_epoch) {

@@ -1,6 +1,6 @@
-/* anchors.c: what the lanes of a joint copy from its td_joint. The copies stay until the joint or
- * the centre of mass of a body changes, which sets td_block.anchors_stale: then
- * td_joint_update_anchors copies all lanes of the block anew. */
+/* anchors.c: copies anchors and settings of a joint from its td_joint to its lanes. The copies are
+ * valid until the joint or a body's centre of mass changes, which sets td_block.anchors_stale: then
+ * td_joint_update_anchors copies all lanes of the block again. */
 #include "joints/joint.h"
 
 void td_joint_fill_lane(thud_world *w, td_block *block, int lane, int index) {
@@ -39,7 +39,7 @@ static float sign_of(const td_joint *joint) {
 }
 
 /* A lane of locked directions. rows->frame_turns is 0 where both along and across are locked: the
- * frame is then that of the world, so that impulses that carry a weight keep their direction. */
+ * frame then has the world's axes, so that impulses that carry a weight keep their direction. */
 static void set_lock(const thud_world *w, td_block *block, int lane, const td_joint *joint) {
     td_lock_rows *rows = td_lock_rows_of(block);
     float sign = sign_of(joint);
@@ -58,7 +58,7 @@ static void set_rod(const thud_world *w, td_block *block, int lane, const td_joi
     rows->rest_length[lane] = joint->length;
 }
 
-/* The direction (thud_direction) whose drive is this constraint. */
+/* The direction (thud_direction) that this constraint drives. */
 static int direction_of(const td_joint *joint, int constraint) {
     int direction = 0;
     while (joint->part[direction] != constraint) {

@@ -6,8 +6,8 @@ TD_DECLARE_WIDE(const td_solve_ops, td_solve_drive_axis);
 TD_DECLARE_WIDE(const td_solve_ops, td_solve_drive_turn);
 
 /* td_lane_ops.load: the impulse of the limit in a substep over the lighter side's mass, a speed.
- * *off: by how much the limit is exceeded, a length. Springs and motors do not count, since they
- * are meant to be displaced. Angles become lengths by `size`. */
+ * *off: by how much the limit is exceeded, a length. Springs and motors have no load here, since
+ * they are meant to be displaced. Angles are multiplied by `size` to become lengths. */
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = &block->point[0];
     bool turns = td_constraint_at(w, block->constraint[lane])->kind == TD_CONSTRAINT_DRIVE_TURN;
@@ -19,8 +19,8 @@ static float load(const thud_world *w, const td_block *block, int lane, float si
     return impulse * (turns ? turn * size : mass);
 }
 
-/* td_lane_ops.count: a drive adds nothing to the residual. Springs and motors may miss any speed,
- * and limits are judged by their gaps. */
+/* td_lane_ops.count: a drive adds nothing to the residual: springs and motors may miss a target
+ * speed by any amount, and limits are measured by their gaps. */
 static void count(thud_world *w, const td_block *block) {
     (void)w, (void)block;
 }

@@ -85,7 +85,8 @@ static void count_turns(const thud_world *w, td_joint *gear) {
 
 /* ---- lanes ---- */
 
-/* The gradient of a joint's coordinate by the motion (x, y, turn) of its second body. */
+/* The gradient of a joint's coordinate with respect to the motion (x, y, turn) of its second
+ * body. */
 static void coordinate_gradient(const thud_world *w, const td_joint *joint, float out[3]) {
     td_joint_place place = td_joint_place_of(w, joint);
     float sign = joint->swapped ? -1.0f : 1.0f;
@@ -104,7 +105,7 @@ static void coordinate_gradient(const thud_world *w, const td_joint *joint, floa
 }
 
 /* Sets and returns td_gear.apart: whether one of the joints is disabled, so that the gear does not
- * act. When both are enabled again, it keeps the coordinates that they have then. */
+ * act. When both are enabled again, it sets `rest` by the coordinates that they have then. */
 static bool update_apart(const thud_world *w, td_joint *gear) {
     bool apart = member(w, gear, 0)->disabled || member(w, gear, 1)->disabled;
     if (!apart && gear->gear.apart) {
@@ -114,7 +115,7 @@ static bool update_apart(const thud_world *w, td_joint *gear) {
     return apart;
 }
 
-/* The row of a gear's lane; a mass of 0 where it does not act. */
+/* Computes the row of a gear's lane; its mass is 0 if the gear does not act. */
 static void prepare_lane(const thud_world *w, td_block *block, int lane) {
     td_joint *gear = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));
     td_point *p = &block->point[0];
@@ -147,7 +148,7 @@ float td_gear_inverse_mass(const thud_world *w, const td_block *block, int lane)
 }
 
 /* td_lane_ops.load: the impulse of a substep over the effective mass, a speed. *off: the gap, a
- * length. Angles become lengths by `size`. */
+ * length. Angles are multiplied by `size` to become lengths. */
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = &block->point[0];
     const td_joint *gear = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));
@@ -194,7 +195,7 @@ static bool take_rows(const thud_world *w, td_block *block, int lane, const floa
     return false;
 }
 
-/* td_update_rows_fn: the Jacobian stays, and the gap follows the motion along it. */
+/* td_update_rows_fn: the Jacobian is kept, and the gap changes by the motion along it. */
 static void update_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
                         td_direct_constraint *c) {
     td_direct_row *row = &c->row[0];
@@ -207,7 +208,8 @@ static void update_rows(const thud_world *w, const td_block *block, int lane, co
     row->closing = s->time > 0.0 ? td_abs(row->target_speed) : row->closing;
 }
 
-/* td_constraint_ops.collide_world: rows from the present poses. All lanes go on touching. */
+/* td_constraint_ops.collide_world: computes the rows from the present poses. No lane is given
+ * back. */
 static void prepare(thud_world *w, td_block *const *blocks, int count,
                     const td_collide_context *context) {
     (void)context;

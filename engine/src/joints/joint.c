@@ -14,7 +14,7 @@ enum {
 
 _Static_assert((int)THUD_DIRECTION_COUNT == (int)TD_JOINT_DIRECTIONS, "a drive for each direction");
 
-/* By kind: the directions that are locked, those of them that are locked only while they have no
+/* By kind of joint: the directions that are locked, those of them that are free while they have a
  * drive (`unless_driven`), and those that may be driven. */
 static const struct {
     unsigned locked, unless_driven, drivable;
@@ -118,7 +118,8 @@ void td_joint_sincos(double angle, double *s, double *c) {
         1.0 + xx * (-0.5 + xx * (1.0 / 24 + xx * (-1.0 / 720 + xx * (1.0 / 40320 - xx / 3628800))));
 }
 
-/* Rotates an arm against a frame that stays: *u, *v are its crosses with u and v. */
+/* Rotates a lever arm relative to a frame that does not turn; *u, *v are its cross products with u
+ * and v. */
 static void rotate_arm(double angle, double *u, double *v) {
     double c, s, x = *u, y = *v;
     if (angle == 0.0) {

@@ -1,4 +1,4 @@
-/* joint.h: joints as the files of this folder see them.
+/* joint.h: what the files of this folder share: the parts of a joint, its geometry and its sides.
  *
  * A joint is a td_joint and up to four constraints of the graph, its parts, each with a lane of its
  * own while the joint acts:
@@ -16,13 +16,14 @@
  * with d.u and d.v. With the lever arms r_a and r_b from the centres of mass to the anchors, the
  * coordinate d.u changes by
  *     u . (v_b - v_a) + (r_b x u) w_b - ((r_a + d) x u) w_a
- * since the frame turns with a, whose arm then ends at b's anchor. Where both along and across are
- * locked, the frame stays as it is in the step, and d is left out. A distance has u along d, and no
- * v. Lanes keep the crosses r x u as cross_a, cross_b of point[0], and r x v as those of point[1].
+ * since the frame turns with a, whose lever arm then ends at b's anchor. Where both along and
+ * across are locked, the frame does not turn within the step, and d is left out. A distance has u
+ * along d, and no v. Lanes keep the crosses r x u as cross_a, cross_b of point[0], and r x v as
+ * those of point[1].
  *
- * Sides. A static body is always side a of its constraints. Where it is the caller's b, the sides
- * are `swapped`: the axis is then stored with the opposite sign, and turn_sign is -1, so that the
- * coordinates are those of the caller's order. */
+ * Sides. A static body is always side a of its constraints. Where the caller gave it as body b, the
+ * sides are `swapped`: the axis is then stored with the opposite sign, and turn_sign is -1, so that
+ * the coordinates are those of the caller's order. */
 #ifndef TD_JOINT_H
 #define TD_JOINT_H
 
@@ -40,29 +41,29 @@ static inline td_joint *td_joint_of(const thud_world *w, const td_constraint *pa
 }
 
 /* joint_state.c: finds a joint by its handle, and sets *index to its slot. THUD_ERROR_NULL without
- * a world, THUD_ERROR_STALE for a joint that is gone, and, where the caller `edits`,
+ * a world, THUD_ERROR_STALE if the joint is destroyed, and, if the caller `edits` it,
  * THUD_ERROR_LOCKED inside a callback. The last two are logged. */
 thud_result td_find_joint(const thud_world *w, thud_joint_id id, bool edits, int *index);
 
 thud_joint_id td_joint_handle(const thud_world *w, int index);
 
-/* joint_def.c. Whether a frame is within its ranges; otherwise *why says what is not. */
+/* joint_def.c. Whether a frame is within its ranges; otherwise *why says which value is not. */
 bool td_joint_frame_valid(const thud_world *w, td_reason *why, const thud_joint_frame *f);
 /* The reason why a drive is not valid for this direction of this kind, or null. */
 const char *td_joint_drive_error(const thud_world *w, thud_joint_kind kind, int direction,
                                  const thud_drive *d, td_reason *why);
 /* Logs settings that are valid but without effect: a motor's speed without force. */
 void td_joint_warn_of_drive(const thud_world *w, const thud_drive *d);
-/* The reason why no joint can be made of the def, or null. a, b: its bodies. */
+/* The reason why the def is not valid, or null. a, b: its bodies. */
 const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_body_index a,
                                td_body_index b, td_reason *why);
 /* Whether a force or torque at which a joint breaks is in range; otherwise *why says so. */
 static inline bool td_joint_break_valid(td_reason *why, const char *name, float x) {
     return td_in(why, name, (double)x, 0.0, (double)THUD_JOINT_FORCE_MAX);
 }
-/* A drive without padding; limits that are not used become 0. */
+/* Copies a drive; limits that are not used become 0, and padding is not copied. */
 td_drive td_drive_of(const thud_drive *d);
-/* The record of a def, with a static body first, and without parts. */
+/* The td_joint of a def, without parts; a static body becomes body[0]. */
 td_joint td_joint_of_def(const thud_world *w, const thud_joint_def *d, td_body_index a,
                          td_body_index b);
 /* Sets the joint's frame in body[side]. */
@@ -83,13 +84,14 @@ bool td_joint_reserve(thud_world *w, int kind);
  * and wakes its bodies. */
 void td_joint_update_parts(thud_world *w, int index);
 
-/* joint_end.c. After a change of the joint: wakes its bodies, and has its lanes copy it anew. */
+/* joint_end.c. After a change of the joint: wakes its bodies, and marks its lanes, which copy it
+ * again in the next step. */
 void td_joint_wake(thud_world *w, const td_joint *joint);
 /* Destroys the joint, and wakes its bodies. */
 void td_joint_end(thud_world *w, int index);
 
 /* joint_measure.c: coordinates and gaps of a joint, as thud_joint_state has them: lengths, and
- * radians of turn. */
+ * radians for turn. */
 typedef struct td_joint_reading {
     double value[TD_JOINT_DIRECTIONS], gap, angle_gap;
 } td_joint_reading;
@@ -107,7 +109,7 @@ thud_drive_forces td_joint_drive_forces(const thud_world *w, const td_joint *joi
 /* Whether the joint acts: one of its parts has a lane, and is awake. */
 bool td_joint_acts(const thud_world *w, const td_joint *joint);
 
-/* Whether the joint breaks, or reports, at some force or torque. */
+/* Whether the joint has a maximum force or torque at which it breaks or reports an event. */
 static inline bool td_joint_breaks(const td_joint *joint) {
     return joint->break_force < THUD_JOINT_FORCE_MAX || joint->break_torque < THUD_JOINT_FORCE_MAX;
 }
@@ -123,8 +125,9 @@ static inline float td_joint_target(const td_joint *joint, int direction) {
     return td_target_is_length(target) ? joint->length : target;
 }
 
-/* Angular frequency of a spring, rad/s, limited to TD_SPRING_PHASE a substep as in the soft solver,
- * so that the direct solver's springs are the same. `frequency` in Hz. */
+/* Angular frequency of a spring, rad/s, limited so that its phase in a substep is at most
+ * TD_SPRING_PHASE rad. The direct solver has the same limit as the soft one, so that springs act
+ * alike under both. `frequency` in Hz. */
 static inline double td_spring_omega(const thud_world *w, float frequency) {
     double max_omega = (double)TD_SPRING_PHASE * w->substeps / w->def.time_step;
     return td_min_double(2.0 * TD_PI * (double)frequency, max_omega);
@@ -142,7 +145,7 @@ unsigned td_joint_drivable(int kind);
 /* The kind of constraint of a part. */
 int td_joint_part_kind(const td_joint *joint, int part);
 
-/* A joint in the world, by the present poses of its bodies. */
+/* Geometry of a joint in world axes, from the present poses of its bodies. */
 typedef struct td_joint_place {
     float arm[2][2];      /* lever arms, from the centres of mass to the anchors */
     float x, y;           /* from a's anchor to b's */
@@ -153,11 +156,11 @@ typedef struct td_joint_place {
 
 td_joint_place td_joint_place_of(const thud_world *w, const td_joint *joint);
 
-/* Returns the distance of the anchors; (*x, *y) is the unit vector from a's to b's, and (0, 1)
- * where they coincide. */
+/* Returns the distance between the anchors; (*x, *y) is the unit vector from a's anchor to b's, or
+ * (0, 1) if they coincide. */
 float td_joint_line(const td_joint_place *place, float *x, float *y);
 
-/* The unit in which bounds of gaps are given: a length scale for lengths, 1 (rad) for angles. */
+/* The unit of constants that bound a gap: a length scale for lengths, 1 (rad) for angles. */
 static inline double td_gap_unit(const thud_world *w, bool is_angle) {
     return is_angle ? 1.0 : (double)w->length_scale;
 }
@@ -171,8 +174,9 @@ static inline float td_cross(const float arm[2], float x, float y) {
     return arm[0] * y - arm[1] * x;
 }
 
-/* A lane's frame, as frame8 of wide_joint.h in double precision: u = (x, y), v = (-y, x); the
- * crosses of a's and b's lever arms with both; and the gap from a's anchor to b's along both. */
+/* A lane's frame in double precision (frame8 of wide_joint.h in single): u = (x, y), v = (-y, x);
+ * the cross products of a's and b's lever arms with u and v; and the gap from a's anchor to b's
+ * along u and v. */
 typedef struct td_joint_frame {
     double x, y, a_u, a_v, b_u, b_v, gap_u, gap_v;
 } td_joint_frame;
@@ -180,8 +184,8 @@ typedef struct td_joint_frame {
 /* joint.c. Sine and cosine, by their series for small angles. */
 void td_joint_sincos(double angle, double *s, double *c);
 /* The frame after motions a, b (x, y, turn) of both sides since the start of the step. gap_u,
- * gap_v: the gap at the start. `turns`: the frame turns with a, and a's arm ends at b's anchor;
- * false: u and v stay as they were. */
+ * gap_v: the gap at the start. `turns`: the frame turns with a, and a's lever arm ends at b's
+ * anchor; false: u and v do not change. */
 td_joint_frame td_joint_frame_after(const td_block *block, int lane, double gap_u, double gap_v,
                                     bool turns, const double a[3], const double b[3]);
 /* The frame after these motions with u along the gap, for distances. */
@@ -190,30 +194,32 @@ td_joint_frame td_joint_line_after(const td_block *block, int lane, double gap_u
 /* Motions (x, y, turn) of a lane's sides in this step so far. */
 void td_joint_motion(const thud_world *w, const td_block *block, int lane, double a[3],
                      double b[3]);
-/* Speed of b's anchor relative to a's along (x, y), with these crosses. */
+/* Speed of b's anchor relative to a's along (x, y); cross_a, cross_b: lever arms crossed with (x,
+ * y). */
 float td_joint_speed(const thud_world *w, const td_block *block, int lane, double x, double y,
                      double cross_a, double cross_b);
 
-/* The inverse of a row's effective mass, J M^-1 J'. `linear`: 1, or 0 for a row of turn alone. */
+/* The inverse of a row's effective mass, J M^-1 J'. `linear`: 1, or 0 for a row of rotation
+ * alone. */
 float td_joint_inverse_mass(const thud_world *w, const td_block *block, int lane, float linear,
                             float cross_a, float cross_b);
 /* td_lane_ops of all joints (anchors.c): a new or changed lane copies its joint in the next step; a
- * lane that is left needs nothing. */
+ * lane that is given back needs no work. */
 void td_joint_fill_lane(thud_world *w, td_block *block, int lane, int index);
 void td_joint_renew_lane(thud_world *w, td_block *block, int lane, int index);
 void td_joint_clear_lane(thud_world *w, td_block *block, int lane, int index);
 
-/* anchors.c: copies from the joints what a block's lanes keep of them, and clears
+/* anchors.c: copies anchors and settings from the joints to a block's lanes, and clears
  * td_block.anchors_stale. */
 void td_joint_update_anchors(const thud_world *w, td_block *block);
 
-/* wide_place.c: td_constraint_ops.collide_world of rods, locks and drives: their rows from the
- * present poses. All lanes go on touching. */
+/* wide_place.c: td_constraint_ops.collide_world of rods, locks and drives: computes their rows from
+ * the present poses. No lane is given back. */
 typedef void td_place_fn(thud_world *w, td_block *const *blocks, int count,
                          const td_collide_context *context);
 TD_DECLARE_WIDE(td_place_fn, td_place_joints);
 
-/* Inverse mass of the lighter side of a lane. */
+/* Inverse mass of the lighter body of a lane. */
 static inline float td_joint_max_inverse_mass(const thud_world *w, const td_block *block,
                                               int lane) {
     return td_max_float(td_inv_mass_of(w, td_slot_of_side(block->a[lane])),

@@ -1,6 +1,7 @@
-/* joint_at.c: defs of joints from places in the world; see thud_joint_at.h. With p and t the
- * position and the angle of a body's origin, R(-t) the rotation by -t, the frame of a place q with
- * an x axis at the angle u has the position R(-t) (q - p) and the angle u - t. */
+/* joint_at.c: defs of joints from positions in the world; see thud_joint_at.h. With p and t the
+ * position and the angle of a body's origin, R(-t) the rotation by -t, the frame of a world
+ * position q with an x axis at the angle u has, in the body's coordinates, the position R(-t) (q -
+ * p) and the angle u - t. */
 #include "thud/thud_joint_at.h"
 
 #include "state/body.h"
@@ -8,10 +9,10 @@
 #include "thud/thud_reads.h"
 
 /* The angle of the vector (x, y), radians, in (-pi, pi], to 1e-15; not a number for (0, 0). With
- * (x, y) in the right half plane tan(angle / 2) = y / (x + |(x, y)|); two more halvings,
- * tan(a / 2) = tan(a) / (1 + sqrt(1 + tan(a)^2)), bring the tangent below 0.2, where twelve terms
- * of the arc tangent's Taylor series suffice. atan2 of the C library may differ in its bits between
- * platforms. */
+ * (x, y) in the right half plane tan(angle / 2) = y / (x + |(x, y)|); two more halvings, tan(a / 2)
+ * = tan(a) / (1 + sqrt(1 + tan(a)^2)), bring the tangent below 0.2, where twelve terms of the arc
+ * tangent's Taylor series suffice. atan2 of the C library is not used, since its bits may differ
+ * between platforms. */
 static double angle_of(double x, double y) {
     double largest = td_max_double(td_abs(x), td_abs(y));
     x /= largest;
@@ -28,8 +29,9 @@ static double angle_of(double x, double y) {
     return x >= 0.0 ? angle : (y < 0.0 ? -TD_PI : TD_PI) - angle;
 }
 
-/* Sets the frame of a place in a body. Where the body or the place is none, the position is not a
- * number, and thud_joint_create refuses the def. */
+/* Sets the frame of a world position in a body's coordinates. If the body does not exist or the
+ * position is not finite, the frame's position becomes NaN, so that thud_joint_create refuses the
+ * def. */
 static void place_frame(const thud_world *w, thud_body_id id, thud_pos place, double axis_angle,
                         thud_joint_frame *frame) {
     double body_angle = 0.0;
@@ -54,7 +56,7 @@ static thud_joint_def def_at(const thud_world *w, thud_joint_kind kind, thud_bod
     return def;
 }
 
-/* A joint whose x axis is a direction in the world. */
+/* A def of a joint whose x axis has a given direction in the world. */
 static thud_joint_def def_along(const thud_world *w, thud_joint_kind kind, thud_body_id a,
                                 thud_body_id b, thud_pos point, thud_vec2 axis) {
     double angle = angle_of((double)axis.x, (double)axis.y);

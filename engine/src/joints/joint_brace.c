@@ -1,38 +1,38 @@
 /* joint_brace.c: bracing: an energy bound on the impulses that locks and rods apply in a substep,
- * in steps that begin with a torn joint: one whose gap is wider than TD_JOINT_CLOSING_SPEED closes
- * in a substep (flag_torn, wide_joint.h). Other steps do without. A lock that is wide open
- * (is_wide_open) has a gap that is wider still.
+ * in steps that begin with a torn joint: its gap is too wide to close in a substep at
+ * TD_JOINT_CLOSING_SPEED (flag_torn, wide_joint.h). Other steps do no bracing. A lock is wide open
+ * (is_wide_open) if its gap is still wider.
  *
- * The soft solver begins a substep with the impulses of the one before (warm start). One
- * Gauss-Seidel pass corrects little of a mode q of all rows together where q.K q is small beside
- * the diagonal of K = J M^-1 J', by which each row divides what it corrects: in mechanisms with
- * long lever arms, and in loops that cannot close. Impulses of such a mode then oscillate, grow as
- * directions turn, and add energy without bound. A row's own correction takes energy out; the warm
- * start can add energy, and so can the bias that closes gaps, of which one relax pass takes back
- * only a part.
+ * The soft solver begins a substep with the impulses of the one before (warm start). Each row
+ * divides its correction by its diagonal entry of K = J M^-1 J', so that one Gauss-Seidel pass
+ * corrects little of a mode q of all rows where q.K q is small beside that diagonal: in mechanisms
+ * with long lever arms, and in loops that cannot close. Impulses of such a mode oscillate, grow as
+ * directions turn, and add energy without bound. A row's own correction removes energy; the warm
+ * start can add energy, and so can the bias that closes gaps, only a part of which one relax pass
+ * removes again.
  *
- * Take a group of bodies that locks and rods tie together: p are the impulses of all its locks, u
- * the relative speeds along them without these impulses, and u' = u + K p those with them. A share
- * s of the impulses changes the kinetic energy by
+ * Consider a group of bodies that locks and rods connect. p are the impulses of all its locks, u
+ * the relative speeds along them without these impulses, and u' = u + K p the speeds with them.
+ * Applying the share s of the impulses changes the kinetic energy by
  *     E(s) = s p.u + s^2 p.(u' - u) / 2
  *     E(1) = p.(u + u') / 2
  * E has its minimum at s = -p.u / p.(u' - u), and is 0 again at twice that share.
  *
- * Warm start: where E(1) > 0, the group keeps the share of least energy, within 0 .. 1.
+ * Warm start: where E(1) > 0, the group keeps the share of least energy, clamped to 0 .. 1.
  *
  * After the relax pass: p is all that the locks applied in the substep. A group with a lock that is
- * wide open and E(1) > 0 keeps the share with E = 0; a second relax pass of all rows, those of
- * contacts too, then corrects the speeds that the rows miss without the impulses taken. In groups
- * without such a lock the impulses may add energy after the relax pass: a gap acts as a spring
- * there, which gives back the energy that opened it.
+ * wide open and E(1) > 0 keeps the share with E = 0; a second relax pass over all rows, contacts
+ * included, then corrects the speed errors that the removed impulses leave. In groups without such
+ * a lock the impulses may add energy after the relax pass: there a gap acts as a spring, which
+ * returns the energy that opened it.
  *
  * Gaps of a group that lost a share close at no more than TD_JOINT_CLOSING_SPEED for the rest of
  * the step (td_lock_rows.closing_factor is 1), since the bias of many rows that hardly move could
- * add as much again.
+ * add the energy again.
  *
- * solve.c runs this between its passes. td_brace_applied of wide_rod.c does what is done lane by
- * lane: it measures p.u and p.u' of each lane, takes impulses back, and applies the share to keep
- * (the passes TD_BRACE_..., block.h). */
+ * solve.c runs this between its passes. td_brace_applied of wide_rod.c does the work of each lane:
+ * it measures p.u and p.u', removes impulses, and applies the share to keep (the passes
+ * TD_BRACE_..., block.h). */
 #include "constraint/joint_hooks.h"
 #include "constraint/lanes.h"
 #include "islands/label.h"
@@ -40,7 +40,7 @@
 
 /* The numbers of a group in scratch.brace_groups: p.u and p.u', its work at the speeds without and
  * with its impulses (energies, mass length^2 / s^2); and 1 where one of its locks is wide open,
- * else 0. td_joints_engage has reserved them for as many groups as there are bodies. */
+ * else 0. td_joints_engage has reserved room for one group for each body. */
 enum { WORK_WITHOUT, WORK_WITH, WIDE_OPEN, GROUP_NUMBERS };
 
 /* The numbers of a group; `group` is its index, stored as a float in lanes. */
@@ -73,7 +73,8 @@ static float *same_group(td_block *block) {
     return (float *)&td_brace_rows_of(block)->same_group;
 }
 
-/* Joins the trees of the dynamic bodies that the lanes of a block tie together. */
+/* Joins the union-find trees (islands/label.h) of the dynamic bodies that the lanes of a block
+ * connect. */
 static void join_lanes(thud_world *w, td_block *block, int unused) {
     (void)unused;
     for (int lane = 0; lane < block->used; lane++) {
@@ -99,11 +100,11 @@ static float group_index(thud_world *w, td_awake_slot slot) {
 
 /* Whether a lane's gap, at the start of the step, is so wide that its bias is at its limit: the
  * bias TD_JOINT_GAP_SHARE / h times the gap reaches TD_JOINT_CLOSING_FACTOR times
- * TD_JOINT_CLOSING_SPEED, length scales or radians a second. Beyond that the speed of closing no
- * longer grows with the gap. start_separation of point 0 has the gap along u also where that
- * direction is free: it is then the travel of a slider or wheel, which counts as well, since it is
- * the lever arm of what the joint locks. Measured: without it, mechanisms with sliders gain more
- * than 5 % of energy (test_joints_random). separation of point 1 is 0 where across is free. */
+ * TD_JOINT_CLOSING_SPEED, length scales or radians a second. Beyond that the closing speed no
+ * longer grows with the gap. start_separation of point 0 is the gap along u even if that direction
+ * is free: it is then the travel of a slider or wheel, which also counts, since it is the lever arm
+ * of the impulses across. Measured: without it, mechanisms with sliders gain more than 5 % of
+ * energy (test_joints_random). separation of point 1 is 0 where across is free. */
 static bool is_wide_open(const thud_world *w, td_block *block, int lane) {
     float limit = TD_JOINT_CLOSING_FACTOR * TD_JOINT_CLOSING_SPEED / TD_JOINT_GAP_SHARE *
                   (float)(w->def.time_step / w->substeps);
@@ -131,8 +132,8 @@ static void number_lanes(thud_world *w, td_block *block, int unused) {
     }
 }
 
-/* Numbers the groups once a step: in the first substep, while gaps are those at its start. Later
- * calls do nothing. */
+/* Numbers the groups once in a step: in the first substep, where the gaps are those at the start of
+ * the step. Later calls do nothing. */
 static void number_groups(thud_world *w) {
     td_awake_slot *parents = w->scratch.parents.data;
     if (w->scratch.brace_groups.count > 0) {
@@ -181,8 +182,8 @@ static float share_to_keep(const double *group, double multiple) {
     return !adds || share > 1.0 ? 1.0f : share > 0.0 ? (float)share : 0.0f;
 }
 
-/* Writes the shares to keep into a block's lanes, and limits the closing speed of lanes that keep
- * less than all. `relaxed`: after the relax pass; else after the warm start. */
+/* Writes the shares to keep into a block's lanes, and limits the closing speed of lanes whose share
+ * is below 1. `relaxed`: after the relax pass; else after the warm start. */
 static void set_shares(thud_world *w, td_block *block, int relaxed) {
     const float *group = lane_groups(block);
     float *share = (float *)&td_brace_rows_of(block)->kept_share;
@@ -199,8 +200,8 @@ static void set_shares(thud_world *w, td_block *block, int relaxed) {
 /* Whether the impulses may add energy, once TD_BRACE_WORK_WITH has measured p.u' of the lanes. This
  * is cheaper than E(1), since it needs no speeds without the impulses: K is positive semidefinite,
  * thus p.u <= p.u' and E(1) <= p.u'. `relaxed`: after the relax pass, where only groups that are
- * wide open count. Finds the groups where this step has not done so, and leaves the sums of p.u'
- * for td_joints_set_shares. */
+ * wide open count. Finds the groups if this step has not done so yet. The sums of p.u' are kept for
+ * td_joints_set_shares. */
 bool td_joints_may_add_energy(thud_world *w, bool relaxed) {
     bool any = false;
     number_groups(w);

@@ -1,7 +1,6 @@
 /* joint_break.c: joints that break, or report, beyond a force or torque. Events are collected at
- * the end of a step, and joints destroyed after that, so that events name joints that are still
- * there.
- */
+ * the end of a step, and the joints are destroyed after that, so that the joints of the events
+ * still exist. */
 #include "constraint/joint_hooks.h"
 #include "joints/joint.h"
 #include "state/handles.h"

@@ -1,4 +1,4 @@
-/* joint_caps.c: maximum forces of springs and motors that act both along and across.
+/* joint_caps.c: maximum forces (caps) of springs and motors that act both along and across.
  *
  * Each direction is a row of its own with its own bound, so that both forces together could exceed
  * the greater cap R by a factor of sqrt(2). To keep their resultant within R, the bounds are the
@@ -11,8 +11,8 @@
 #include "constraint/joint_hooks.h"
 #include "joints/joint.h"
 
-/* The force that a lane's motor or spring would apply without a cap; of the spring's, minus that.
- * The caller needs magnitudes only. With m the effective mass of the direction:
+/* The force that a lane's motor or spring would apply without a cap; the spring's has the opposite
+ * sign, since the caller needs magnitudes only. With m the effective mass of the direction:
  *     spring: m omega (omega x + 2 damping v), for its displacement x and speed v;
  *     motor: the mean force of the last substep's impulse, plus m (target speed - v) / dt, which
  *            would reach its target speed by the end of the step. */
@@ -78,7 +78,7 @@ static void share_cap(const thud_world *w, const td_joint *joint, td_lane along,
     (*bounds_of(across, motor))[across.lane] = (float)(radius * v);
 }
 
-/* Does so for the joints of lanes that drive `across` and have a drive `along`, too. */
+/* Calls share_cap for the joints of lanes that drive `across` and also have a drive `along`. */
 static void share_caps_of_block(const thud_world *w, td_block *block) {
     for (int lane = 0; lane < block->used; lane++) {
         const td_joint *joint = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));

@@ -1,5 +1,4 @@
-/* joint_def.c: checks the defs of joints, makes the joint's record of one, and a def of the record.
- */
+/* joint_def.c: checks the defs of joints, and converts a def to a td_joint and back. */
 #include "joints/joint.h"
 #include "state/handles.h"
 
@@ -13,8 +12,8 @@ bool td_joint_frame_valid(const thud_world *w, td_reason *why, const thud_joint_
            td_in(why, "joint: angle of a frame", f->angle, -THUD_ANGLE_MAX, THUD_ANGLE_MAX);
 }
 
-/* The error of a drive in a direction that the kind does not drive; null where the drive does
- * nothing. */
+/* The error of a drive in a direction that the kind of joint does not drive; null if the drive has
+ * no effect. */
 static const char *undrivable_error(int direction, const thud_drive *d) {
     static const char *const none[TD_JOINT_DIRECTIONS] = {
         "joint drive: this kind of joint has no drive along",
@@ -177,7 +176,7 @@ static thud_joint_frame frame_of(const td_joint *joint, int side) {
                               td_angle_radians(joint->angle[side])};
 }
 
-/* Copies the drives of the directions that the kind drives; others keep their defaults. */
+/* Copies the drives of the directions that the kind allows to drive; others keep their defaults. */
 static void read_drives(const td_joint *joint, thud_joint_def *def) {
     for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
         const td_drive *d = &joint->drive[i];

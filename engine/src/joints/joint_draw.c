@@ -13,7 +13,7 @@
 /* A joint in the coordinates of the drawing. Side 0 is the caller's a. */
 typedef struct drawn {
     thud_vec2 centre[2], place[2]; /* centres of mass; anchors */
-    float x, y;                    /* direction `along`, of the stored order of sides */
+    float x, y;                    /* direction `along`, fixed in body[0] of the td_joint */
 } drawn;
 
 static thud_vec2 offset_by(thud_vec2 p, float x, float y) {
@@ -100,8 +100,8 @@ static void draw_joint(const td_drawing *d, const td_joint *joint) {
     draw_limits(d, joint, &j);
 }
 
-/* The force on the caller's b, as a line of half the acceleration: half the force times b's inverse
- * mass, or a's where b has none. */
+/* The force on the caller's b, as a line whose length is half the acceleration: half the force
+ * times b's inverse mass, or times a's if b's is 0. */
 static void draw_force(const td_drawing *d, const td_joint *joint) {
     drawn j = drawn_of(d, joint);
     td_joint_load load = td_joint_load_of(d->w, joint);

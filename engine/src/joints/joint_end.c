@@ -15,8 +15,8 @@ void td_joint_wake(thud_world *w, const td_joint *joint) {
     td_body_mark(w, joint->body[1], TD_CHANGE_WAKE);
 }
 
-/* Has the broadphase query the shapes of both bodies again: contacts between them, which the joint
- * excluded, become possible. */
+/* Makes the broadphase query the shapes of both bodies again, since the contacts between them,
+ * which the joint excluded, become possible. */
 static void mark_shapes_moved(thud_world *w, const td_joint *joint) {
     for (int side = 0; side < 2 && !joint->collides; side++) {
         int i = td_body_at(w, joint->body[side])->first_shape;

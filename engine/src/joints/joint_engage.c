@@ -98,8 +98,8 @@ static bool engage_kind(thud_world *w, int kind) {
         td_constraint_rest(w, td_int_at(list, i));
     }
     remove_filters(w, list);
-    /* Where memory is short, they wait again in the order in which they did, so that the next
-     * attempt gives them the same lanes. */
+    /* If memory is short, they wait again in the same order as before, so that the next attempt
+     * gives them the same lanes. */
     if (!td_lanes_place(w, list->data, list->count)) {
         for (int i = 0; i < list->count; i++) {
             td_constraint_wait(w, td_int_at(list, i));
@@ -109,7 +109,7 @@ static bool engage_kind(thud_world *w, int kind) {
     return true;
 }
 
-/* Destroys gears of which a joint is gone. */
+/* Destroys gears one of whose joints was destroyed. */
 static void end_idle_gears(thud_world *w) {
     for (int i = 0; i < w->joints.count && w->constraint_count[TD_CONSTRAINT_GEAR] > 0; i++) {
         const td_joint *joint = td_joint_at(w, i);
@@ -120,7 +120,7 @@ static void end_idle_gears(thud_world *w) {
 }
 
 bool td_joints_engage(thud_world *w) {
-    int bodies = w->bodies.live + 1; /* bound of the awake slots in this step */
+    int bodies = w->bodies.live + 1; /* upper bound of the number of awake slots in this step */
     w->scratch.next_tied.count = w->scratch.brace_groups.count = 0;
     if (!td_array_reserve(&w->memory, &w->broken, w->breakable) ||
         !td_array_reserve(&w->memory, &w->scratch.parents, bodies) ||
@@ -148,10 +148,9 @@ void td_joints_suspend(thud_world *w, td_body_index body) {
     }
 }
 
-/* Sets the frames of the locks of axes (edits/locks.c) to the present position. Their other side is
- * an anchor: a static body at angle 0 without shapes, in whose frame directions are those of the
- * world.
- */
+/* Sets the frames of axis locks (edits/locks.c) to the body's present position. The other side of
+ * such a joint is an anchor body: a static body at angle 0 without shapes, so that directions in
+ * its frame are those of the world. */
 void td_joints_move_locks(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
     const td_position *center = &td_pose_at(w, index)->center;
@@ -194,9 +193,9 @@ bool td_joints_exclude_contact(const thud_world *w, td_body_index a, td_body_ind
     return false;
 }
 
-/* Frees an anchor of edits/locks.c that locks no body any more. If it has pending changes, it
- * leaves with those; otherwise it is in no list, and has no shapes, contacts or awake slot to give
- * back. */
+/* Frees an anchor body of edits/locks.c that no joint uses any more. If it has pending changes, it
+ * is removed when they take effect; otherwise it is in no list, and has no shapes, contacts or
+ * awake slot to give back. */
 static void end_idle_anchor(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     int both = TD_BODY_LIVE | TD_BODY_ANCHOR;

@@ -7,7 +7,8 @@
 /* Whether a joint needs a part, by the directions that it locks and drives. */
 static bool has_part(const td_joint *joint, int part) {
     unsigned driven = joint->driven;
-    /* A joint that does nothing has this part, so that it is in the lists of its bodies. */
+    /* A joint that locks and drives nothing also has this part, so that it is in its bodies' lists
+     * of constraints. */
     return part == TD_JOINT_LOCK ? joint->locked || !driven : driven >> part & 1u;
 }
 
@@ -39,7 +40,8 @@ static const td_joint_hooks joint_hooks = {.engage = td_joints_engage,
                                            .solve = td_island_solve_joints,
                                            .islands = &td_islands_of_joints};
 
-/* Makes a world ready for joints: operations of their kinds, hooks, and their direct solver. */
+/* Prepares a world for its first joint: sets the operations of the joints' constraint kinds, the
+ * hooks, and the direct solver for joints. */
 static void install_hooks(thud_world *w) {
     w->kinds[TD_CONSTRAINT_ROD] = td_rod_ops(w);
     w->kinds[TD_CONSTRAINT_LOCK] = td_lock_ops(w);
@@ -114,7 +116,7 @@ static thud_result find_sides(const thud_world *w, const thud_joint_def *def, td
     return result == THUD_OK ? td_find_body(w, def->body_b, b) : result;
 }
 
-/* Sets the two joints of a gear, and keeps their present coordinates. */
+/* Sets the two joints of a gear, and `rest` by their present coordinates. */
 static void set_members(const thud_world *w, td_joint *gear, const thud_joint_def *def) {
     gear->gear = (td_gear){.ratio = def->ratio};
     for (int i = 0; i < 2; i++) {

@@ -6,8 +6,8 @@
 #include "constraint/joint_hooks.h"
 #include "joints/gear.h"
 
-/* The error of a coordinate: its distance from 0 where the direction is locked, by how much it
- * exceeds a limit, or 0. With its sign. */
+/* The signed error of a coordinate: the coordinate itself if the direction is locked, else by how
+ * much it exceeds a limit, else 0. */
 static double error_of(const td_joint *joint, int direction, double value) {
     const td_drive *d = &joint->drive[direction];
     if (joint->locked >> direction & 1u) {
@@ -57,7 +57,7 @@ td_joint_reading td_joint_read(const thud_world *w, const td_joint *joint) {
 }
 
 /* Adds the impulse (x, y, and the moment of turn) of a part on side b in the last substep. The
- * moment of (x, y) about the centre of mass is left out, but for gears. */
+ * moment of (x, y) about the centre of mass is left out, except for gears. */
 static void add_impulse(const thud_world *w, const td_constraint *part, double impulse[3]) {
     if (part->state != TD_TOUCHING) {
         return;
@@ -102,7 +102,7 @@ static float bounded_force(double x) {
                             : 0.0f;
 }
 
-/* Substeps per second: the force of a unit of impulse in a substep. */
+/* Substeps per second: the factor from an impulse in a substep to its mean force. */
 static double force_per_impulse(const thud_world *w) {
     return w->substeps / w->def.time_step;
 }
@@ -119,7 +119,8 @@ td_joint_load td_joint_load_of(const thud_world *w, const td_joint *joint) {
                            bounded_force(rate * impulse[2])};
 }
 
-/* Forces that increase the coordinate; the same with sides swapped, as coordinates are. */
+/* Positive forces increase the coordinate. Swapped sides make no difference, as coordinates are for
+ * the caller's order of bodies. */
 thud_drive_forces td_joint_drive_forces(const thud_world *w, const td_joint *joint, int direction) {
     int index = joint->part[direction];
     const td_constraint *part = index == TD_NONE ? NULL : td_constraint_at(w, index);

@@ -1,23 +1,25 @@
 /* joint_rows.c: the rows of joints for the direct solver (direct/direct.h): Jacobians, target
  * speeds and warm starts.
  *
- * td_*_take_rows fills a constraint's rows at the start of the step, and returns false: the soft
- * solver lets no joint bounce (direct/rows.h). The direct solver divides a step of an island with
- * joints into parts, since directions turn (direct/step_parts.c). td_*_update_rows recomputes the
- * rows for a part of duration h, from the motions of both sides since the start of the step: up to
- * the start of the part (a[0], b[0]) and, by the present iteration, up to its end (a[1], b[1]):
- * td_span. Where h is 0, rows are those of the instant at the end of a part.
+ * td_*_take_rows fills a constraint's rows at the start of the step, and returns false, since the
+ * soft solver never lets a joint bounce (direct/rows.h). The direct solver divides a step of an
+ * island with joints into parts, since directions turn (direct/step_parts.c). td_*_update_rows
+ * recomputes the rows for a part of duration h, from the motions of both sides since the start of
+ * the step: up to the start of the part (a[0], b[0]) and, by the present iteration, up to its end
+ * (a[1], b[1]): td_span. With h = 0 the rows are ordinary Jacobians for the poses at the end of a
+ * part.
  *
  * The Jacobians J of a part are discrete gradients of the joint's coordinate q, so that locked rows
  * do no work (O. Gonzalez, "Time integration and discrete Hamiltonian systems", 1996):
  *     J (x[1] - x[0]) = q(x[1]) - q(x[0])
  * This is exact for distances, for turn, and for frames that do not turn. For a frame that turns
  * with body a, J is that in the middle of the motion, and the equation holds to second order. The
- * target speed corrects what is left of it, so that gaps close in either case
+ * target speed corrects the remaining error, so that gaps close in either case
  * (target_speed_for_gap).
  *
  * The velocity at the end of a part is 2 v - v_before, where v is the mean velocity that the
- * problem solves for. Its impulses are thus half of those of the part, which gives the factors 0.5.
+ * problem solves for. So the impulses of the problem are half of those of the part: hence the
+ * factors 0.5.
  *
  * turn_sign is -1 where the block's sides are the caller's b and a, so that coordinates of turn are
  * those of the caller's order (joint.h). Lengths and masses are in the caller's units, times in
@@ -27,8 +29,8 @@
 
 #include "direct/rows.h"
 
-/* Warm start and target speed of an equality row: half of `impulse`, that of the last step, and the
- * speed that closes `gap` in this one. */
+/* Warm start and target speed of an equality row: half of `impulse`, the impulse of the last step,
+ * and the speed that closes `gap` in this step. */
 static void set_equality(const thud_world *w, td_direct_row *row, float impulse, double gap,
                          double unit) {
     row->impulse = 0.5 * (double)impulse;
@@ -37,7 +39,8 @@ static void set_equality(const thud_world *w, td_direct_row *row, float impulse,
 
 /* ---- a part of the step ---- */
 
-/* Sets a row's Jacobian: along (x, y) from a to b, with the crosses of the lever arms. */
+/* Sets a row's Jacobian: direction (x, y) from a to b; cross_a, cross_b: lever arms crossed with
+ * it. */
 static void set_direction(td_direct_row *row, double x, double y, double cross_a, double cross_b) {
     double a[3] = {-x, -y, -cross_a}, b[3] = {x, y, cross_b};
     for (int k = 0; k < 3; k++) {
@@ -55,27 +58,27 @@ static double displacement_along(const td_direct_row *row, const td_span *s) {
     return sum;
 }
 
-/* Gaps up to this width, in length scales or radians, stay as they are: they come from the rounding
- * of lever arms and motions to single precision (2^-24 = 6e-8 of each, some of them added). In a
- * loop with redundant locks, closing all of them would cause impulses against each other.
- * Measured: at 0 pendulum_keeps_time_by_its_substeps (test_joints_phase.c) and
+/* Gaps up to this width, in length scales or radians, are not closed: they come from the rounding
+ * of lever arms and motions to single precision (2^-24 = 6e-8 of each, several of them added). In a
+ * loop with redundant locks, closing all of them would cause impulses against each other. Measured:
+ * at 0 pendulum_keeps_time_by_its_substeps (test_joints_phase.c) and
  * chain_swings_without_stretching (test_joint_scenes.c) fail. */
 #define GAP_IGNORED 1e-6
 
 /* The share of a wider gap that closes in a whole step, and a width that closes in every part on
- * top of it, in length scales or radians, so that small gaps close for good. A chain with many open
- * gaps would be thrown if all of them closed at once. Measured on the tests of joints: they pass at
- * half and double the share, and at a width of 0; lorry_crosses_the_bridge (test_joint_scenes.c)
- * fails at a share of 1 and at ten times the width. */
+ * top of it, in length scales or radians, so that small gaps close completely. A chain with many
+ * open gaps would be flung away if all of them closed at once. Measured on the tests of joints: all
+ * pass at half and double the share, and at a width of 0; lorry_crosses_the_bridge
+ * (test_joint_scenes.c) fails at a share of 1 and at ten times the width. */
 #define GAP_SHARE_PER_STEP 0.2
 #define GAP_CLOSED_MIN 1e-4
 
-/* The mean speed along a row for which its gap, which the motion of the present iteration changes
- * from `before` to `after`, is as wide by the end of the part as it should be:
+/* The mean speed along a row by which its gap reaches its target width at the end of the part,
+ * where the motion of the present iteration changes the gap from `before` to `after`:
  *     (J (x[1] - x[0]) - (after - left)) / h,  where `left` is the gap that should be left.
  * A gap closes by the share and the width above, at TD_JOINT_CLOSING_SPEED at most. Sets
- * row->closing, the speed of closing. At an instant (h = 0) the row keeps it, and the gap is not
- * closed: the speed is 0. */
+ * row->closing, the speed of closing. At h = 0 row->closing is kept, and the result is 0: the gap
+ * is not closed. */
 static double target_speed_for_gap(const thud_world *w, td_direct_row *row, const td_span *s,
                                    double before, double after, double unit) {
     double width = td_abs(before);
@@ -122,9 +125,9 @@ static midpoint midpoint_of(const td_span *s) {
     return m;
 }
 
-/* The frame in the middle of the part. In one that does not turn the arms are averaged over the
- * rotation, which shortens them by the ratio of chord to arc: times the rotation they give the
- * chord, by which their ends move. */
+/* The frame in the middle of the part. In a frame that does not turn, the lever arms are averaged
+ * over the rotation, which shortens them by the ratio of chord to arc: multiplied by the rotation,
+ * they give the chord by which their ends move. */
 static td_joint_frame midpoint_frame(const td_block *block, int lane, double gap_u, double gap_v,
                                      bool turns, const td_span *s) {
     midpoint m = midpoint_of(s);
@@ -169,9 +172,9 @@ static void set_geometric_stiffness(td_direct_constraint *c, const td_joint_fram
     c->stiff[1] = half * (f->b_v * impulse_u - f->b_u * impulse_v);
 }
 
-/* Geometric stiffness of a distance. One that pulls (impulse < 0) resists rotation of its line,
- * too: a soft row across it, of weight h / 2 times the size of the row's impulse over the length,
- * with the present speed as its target. */
+/* Geometric stiffness of a distance. A distance under tension (impulse < 0) also resists rotation
+ * of its line: a soft row across it, of weight h / 2 times the size of the row's impulse over the
+ * length, with the present speed as its target. */
 static void set_line_stiffness(td_direct_constraint *c, const td_joint_frame *f, const td_span *s,
                                double impulse, double length, td_direct_row *across) {
     set_geometric_stiffness(c, f, s, impulse, 0.0);
@@ -211,7 +214,7 @@ void td_rod_update_rows(const thud_world *w, const td_block *block, int lane, co
 }
 
 /* td_update_rows_fn of locked directions: rows 0 along, 1 across, 2 turn. The Jacobian of turn is
- * constant, and stays. */
+ * constant. */
 void td_lock_update_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
                          td_direct_constraint *c) {
     const td_lock_rows *rows = td_lock_rows_at(block);
@@ -237,8 +240,8 @@ void td_lock_update_rows(const thud_world *w, const td_block *block, int lane, c
     set_geometric_stiffness(c, &f, s, c->row[0].impulse, c->row[1].impulse);
 }
 
-/* td_take_rows_fn of locked directions: the same rows. Those of directions that are not locked are
- * not used: their effective mass is 0. */
+/* td_take_rows_fn of locked directions: the same rows. Rows of directions that are not locked have
+ * an effective mass of 0, and are not used. */
 bool td_lock_take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
                        td_direct_constraint *c) {
     const td_lock_rows *rows = td_lock_rows_of(block);
@@ -261,11 +264,11 @@ bool td_lock_take_rows(const thud_world *w, td_block *block, int lane, const flo
 
 /* ---- driven directions ---- */
 
-/* Chooses the limit of a step: the one that is nearer as the step begins, or the other one where
- * the soft solver has chosen that, and ended nearer to it than the step began to the first one.
- * Sets limit_side (1 lower, -1 upper, 0 no limits), limit, and the separation from it at the start
- * of the step. Returns whether it is the first one, whose impulse of the last step is a warm start.
- */
+/* Chooses the limit of a step: the one that is nearer at the start of the step, or the other one if
+ * the soft solver has chosen it and ended nearer to it than the start of the step was to the first
+ * one. Sets limit_side (1 lower, -1 upper, 0 no limits), limit, and the separation from it at the
+ * start of the step. Returns whether it is the nearer one: only then the impulse of the last step
+ * is a warm start. */
 static bool choose_limit(td_block *block, int lane) {
     td_drive_rows *r = td_drive_rows_of(block);
     td_point *p = &block->point[0];
@@ -281,9 +284,9 @@ static bool choose_limit(td_block *block, int lane) {
     return !other;
 }
 
-/* The row of a limit; `along` is the driven direction. A limit at a distance gets the target speed
- * that just reaches it by the end of the step (as a speculative contact); equal limits lock.
- * `unit`: td_gap_unit of the direction. */
+/* The row of a limit; `along` is the driven direction. A limit that is not reached gets the target
+ * speed that just reaches it at the end of the step (as a speculative contact does); equal limits
+ * give an equality row. `unit`: td_gap_unit of the direction. */
 static void take_limit(const thud_world *w, td_block *block, int lane, const float *impulses,
                        td_direct_row *row, const td_direct_row *along, double unit) {
     const td_drive_rows *r = td_drive_rows_at(block);
@@ -302,9 +305,9 @@ static void take_limit(const thud_world *w, td_block *block, int lane, const flo
     row->target_speed = gap > 0.0 && !locked ? -gap / w->def.time_step : row->target_speed;
 }
 
-/* The effective mass of a driven direction, at the start of the step. A frame of an axis turns with
- * body a, whose lever arm then ends at b's anchor: its cross with u is cross_a - gap_v (joint.h).
- */
+/* The effective mass of a driven direction, at the start of the step. The frame of an axis turns
+ * with body a, whose lever arm then ends at b's anchor: its cross product with u is cross_a - gap_v
+ * (joint.h). */
 static double mass_of(const thud_world *w, const td_block *block, int lane) {
     const td_drive_rows *r = td_drive_rows_at(block);
     int kind = td_constraint_at(w, block->constraint[lane])->kind;
@@ -394,10 +397,10 @@ static td_joint_frame midpoint_drive(const thud_world *w, const td_block *block,
                                             : midpoint_frame(block, lane, u, v, true, s);
 }
 
-/* td_update_rows_fn of a driven direction. A limit that is open as the part begins gets the target
- * speed that just reaches it by the end of the part; at an instant, within the time of a step.
- * Drives have no geometric stiffness: the change of their directions is left out of the derivative
- * of Newton's method. */
+/* td_update_rows_fn of a driven direction. A limit that is not reached at the start of the part
+ * gets the target speed that just reaches it at the end of the part; with h = 0, within the time of
+ * a step. Drives have no geometric stiffness: Newton's method neglects the change of their
+ * directions. */
 void td_drive_update_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
                           td_direct_constraint *c) {
     const td_drive_rows *r = td_drive_rows_at(block);

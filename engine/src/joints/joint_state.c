@@ -2,8 +2,8 @@
 #include "joints/gear.h"
 #include "state/handles.h"
 
-/* Whether a slot holds a joint that a caller may see. A gear of which a joint was destroyed is
- * itself destroyed when the next step begins, and counts as destroyed already. */
+/* Whether a slot holds a joint that a caller may see. A gear one of whose joints was destroyed is
+ * itself destroyed when the next step begins, and already counts as destroyed. */
 static bool slot_has_joint(const thud_world *w, int index) {
     const td_joint *joint = td_joint_at(w, index);
     return joint->live && (joint->kind != THUD_JOINT_GEAR || td_gear_has_joints(w, joint));
@@ -68,7 +68,7 @@ thud_joint_id td_joint_handle(const thud_world *w, int index) {
 }
 
 /* Counts the joint of a slot, if there is one, and writes its handle if the list has room. Returns
- * the number of joints so far, with those for which there was no room. */
+ * the number of joints so far, including those for which there was no room. */
 static int append_handle(const thud_world *w, int index, thud_joint_id *out, int capacity,
                          int count) {
     if (!slot_has_joint(w, index)) {
@@ -96,8 +96,8 @@ thud_result thud_world_get_joints(const thud_world *w, thud_joint_id *out, int c
 
 /* The first part (constraint) of a joint. All parts of a joint, up to TD_JOINT_PARTS, are in the
  * edge lists of both its bodies (of a gear: of the dynamic bodies of its two joints), also while it
- * is disabled; counting only the first one lists each joint once. Elements that the joint does not
- * need are TD_NONE; it has at least one. */
+ * is disabled; counting only the first one lists each joint once. Elements of `part` that the joint
+ * does not need are TD_NONE; at least one is in use. */
 static int first_part(const td_joint *joint) {
     for (int i = 0; i < TD_JOINT_PARTS; i++) {
         if (joint->part[i] != TD_NONE) {

@@ -1,14 +1,13 @@
-/* joint_tied.c: makes the groups of tied bodies of a step (constraint/tied_bodies.h), and stops
- * them together. Groups are found by union-find over the joints (islands/label.h); the circular
- * lists are merged at each union. */
+/* joint_tied.c: finds the groups of tied bodies of a step (constraint/tied_bodies.h), and stops all
+ * bodies of a group together. Groups are found by union-find over the joints (islands/label.h); the
+ * circular lists are merged at each union. */
 #include "constraint/joint_hooks.h"
 #include "constraint/tied_bodies.h"
 #include "detection/detection.h"
 #include "islands/label.h"
 #include "joints/joint.h"
 
-/* Joins the groups of two bodies. Two circular lists become one where one link of each is swapped.
- */
+/* Joins the groups of two bodies. Swapping one link of each merges two circular lists. */
 static void join_groups(thud_world *w, td_awake_slot a, td_awake_slot b) {
     if (td_join_trees(w->scratch.parents.data, a, b)) {
         td_awake_slot next = td_next_tied(w, a);
@@ -17,28 +16,29 @@ static void join_groups(thud_world *w, td_awake_slot a, td_awake_slot b) {
     }
 }
 
-/* Whether a joint with a static or kinematic body locks so many directions that detection, by
- * stopping the dynamic body on its way, would open it. A rod locks one direction and does not
- * count; nor do locks of single axes (edits/locks.c). */
+/* Whether a joint with a static or kinematic body locks so many directions that it would come apart
+ * if detection stopped the dynamic body within the step. A rod locks one direction and does not
+ * count; neither do locks of single axes (edits/locks.c). */
 static bool fixes_body(const thud_world *w, const td_joint *joint) {
     return joint->kind != THUD_JOINT_DISTANCE && !td_joint_is_lock(w, joint, joint->body[1]);
 }
 
-/* Marks a body that is alone in its group as fixed. Slot 0 is no body. */
+/* Marks a body that is alone in its group as fixed. Slot 0 stands for all static bodies and is left
+ * out. */
 static void mark_fixed(const thud_world *w, td_awake_slot slot) {
     if (td_tied_link(w, slot)->at == slot.at && slot.at > 0) {
         td_tied_link(w, slot)->at = TD_NONE;
     }
 }
 
-/* The awake slot of a dynamic body; slot 0 for others, and where it sleeps. */
+/* The awake slot of a dynamic body; slot 0 for other bodies and sleeping ones. */
 static td_awake_slot moving_slot(const thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
     return b->kind == THUD_BODY_DYNAMIC && b->awake.at > 0 ? b->awake : (td_awake_slot){0};
 }
 
-/* Only locked directions tie: springs and motors may be displaced. td_joints_engage has reserved
- * the memory. */
+/* Only joints with locked directions tie their bodies: springs and motors may be displaced.
+ * td_joints_engage has reserved the memory. */
 void td_joints_tie(thud_world *w) {
     if (w->scratch.next_tied.count > 0) {
         return;

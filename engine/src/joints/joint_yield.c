@@ -3,10 +3,10 @@
  *
  * A joint that pulls a body against a static shape (a rope that is shortened, a motor without a
  * maximum force) and the contact there are a problem without a solution. The solver's impulses of
- * joint and contact grow from substep to substep, and the soft contact, which overlaps in
- * proportion to its impulse, is pressed in further in each step. So the result of a step is checked
- * after the solver. A group of tied bodies (constraint/tied_bodies.h; a body without locked joints
- * is a group of its own) is corrected
+ * joint and contact grow from substep to substep, and the overlap of the soft contact, which is
+ * proportional to its impulse, grows with each step. So the result of a step is checked after the
+ * solver. A group of tied bodies (constraint/tied_bodies.h; a body without locked joints is a group
+ * of its own) is corrected
  * - where a contact of one of its bodies with a static shape overlaps more than before the step and
  *   more than DEPTH_SHARE_DETECT allows, and a joint acts on that body; or
  * - where one of its motors misses its target speed although its force is below its maximum, a
@@ -19,16 +19,16 @@
  * this step (thud_world.delta), then their velocities. Where the value has to change by c, with the
  * masses and moments of inertia M,
  *     x += M^-1 J' c / (J M^-1 J').
- * Targets of the motions: the gap of a lock is 0, or what is left of the gap before the step
- * (excess_gap); the separation of a contact is at least min_separation. Targets of the velocities:
- * 0 along a lock, and >= 0 along a contact point that touches.
- * GROUP_PASSES passes solve motors, locks and contacts in this order, and CONTACT_PASSES more the
- * contacts alone, so that where rows contradict each other the contacts are satisfied: a rope stays
- * too long, and a motor stalls. The velocities are scaled down where they have more kinetic energy
- * than gravity and forces explain (limit_energy).
+ * Targets of the motions: the gap of a lock is 0, or the width that a step may leave of a gap that
+ * was already open (excess_gap); the separation of a contact is at least min_separation. Targets of
+ * the velocities: 0 along a lock, and >= 0 along a contact point that touches. GROUP_PASSES passes
+ * solve motors, locks and contacts in this order, and then CONTACT_PASSES passes the contacts
+ * alone, so that where rows contradict each other the contacts are satisfied: a rope stays too
+ * long, and a motor stalls. The velocities are scaled down if they have more kinetic energy than
+ * the group had before the step and can gain from gravity and forces (limit_energy).
  *
- * The next step begins without the impulses of the joints that yielded and of their static contacts
- * (td_joints_clear_yielded); kept, they would grow without bound. step.c calls
+ * The next step starts without the impulses of the joints that yielded and of their static contacts
+ * (td_joints_clear_yielded), which would otherwise grow without bound. step.c calls
  * td_joints_clear_yielded before the solver and td_joints_yield after it.
  *
  * The rule for motions is the projection of M. Mueller et al., "Position Based Dynamics" (2006). */
@@ -48,15 +48,15 @@
  * floor_bears_what_is_reeled_in (test_distances.c) and
  * motor_stalls_at_a_wall_and_its_hinge_stays_closed (test_joints_held.c) hold bodies to it. */
 #define DEPTH_SHARE_MAX 0.1f
-/* Share beyond which a joint is found to yield; while its group yielded in the last step,
- * DEPTH_SHARE_MAX is used instead. It is greater because impacts press limbs of ragdolls in further
- * than DEPTH_SHARE_MAX for a few steps, and their joints must not yield. Chosen; thud_joint.h
- * states it, and floor_bears_what_is_reeled_in fails at twice this. */
+/* Share of overlap above which a joint yields; if its group yielded in the last step,
+ * DEPTH_SHARE_MAX is used instead. This one is larger because impacts press limbs of ragdolls in
+ * further than DEPTH_SHARE_MAX for a few steps, where their joints must not yield. Chosen;
+ * thud_joint.h states it, and floor_bears_what_is_reeled_in fails at twice this. */
 #define DEPTH_SHARE_DETECT 0.4f
-/* A contact that overlaps by more than the limit as a step begins, as that of a body created inside
- * of a shape, has to separate at this share of the world's push_speed. Measured: at half and at
- * double, an arm of motor_stalls_at_a_wall_and_its_hinge_stays_closed ends within the block that it
- * meets (beyond 0.18 rad). */
+/* A contact that overlaps by more than the limit as a step begins, such as that of a body created
+ * inside of a shape, has to separate at this share of the world's push_speed. Measured: at half and
+ * at double, an arm of motor_stalls_at_a_wall_and_its_hinge_stays_closed ends within the block that
+ * it meets (beyond 0.18 rad). */
 #define RECOVERY_SHARE 0.2
 
 enum {
@@ -71,7 +71,7 @@ enum {
 
 struct finding;
 
-/* A group of tied bodies and what is done with it. */
+/* A group of tied bodies, and the state of its check or correction. */
 typedef struct tied_group {
     thud_world *w;
     td_awake_slot first;   /* any of its bodies */
@@ -82,9 +82,9 @@ typedef struct tied_group {
                               its joints yielded */
 } tied_group;
 
-/* Calls `visit` once for each acting constraint of the group's bodies. One with a dynamic body
- * outside of the group (a contact, or a joint that locks nothing) is left out where that body is
- * side a. */
+/* Calls `visit` once for each acting constraint of the group's bodies. A constraint with a dynamic
+ * body outside of the group (a contact, or a joint that locks nothing) is left out if that body is
+ * its side a, so that it is visited for one group only. */
 static void for_each_constraint(const tied_group *g,
                                 void (*visit)(const tied_group *g,
                                               const td_constraint *constraint)) {
@@ -106,7 +106,7 @@ static void for_each_constraint(const tied_group *g,
 
 /* ---- rows ---- */
 
-/* The motion or the velocity (x, y, turn) of a lane's side, by on_velocities. */
+/* The motion of a lane's side, or with on_velocities its velocity: x, y, turn. */
 static float *record_of(const tied_group *g, uint32_t side) {
     td_awake_slot slot = td_slot_of_side(side);
     return g->on_velocities ? td_row(&g->w->velocity, slot) : td_row(&g->w->delta, slot);
@@ -134,8 +134,8 @@ static void add_to_record(float *record, double mass, double inertia, const row_
     record[2] += (float)(inertia * cross * impulse);
 }
 
-/* Changes J x of a row by `change`. Static and kinematic sides have inverse masses of 0, and stay.
- */
+/* Changes J x of a row by `change`. Static and kinematic sides have inverse masses of 0, and do not
+ * change. */
 static void change_row_value(const tied_group *g, const td_lane *at, const row_direction *n,
                              double change) {
     const td_block *block = at->block;
@@ -170,7 +170,8 @@ static row_direction contact_normal(const td_lane *at, int k) {
 }
 
 /* The least separation that a contact point may have at the end of the step, a length: -share times
- * the extent; where the step began below that, what it began with plus the recovery of a step. */
+ * the extent; if the step began below that, the separation at its start plus the recovery of one
+ * step. */
 static double min_separation(const thud_world *w, const td_lane *at, int k, float share) {
     const td_block *block = at->block;
     float min_half_extent = td_row(&w->reach, td_slot_of_side(block->b[at->lane]))[0];
@@ -255,8 +256,8 @@ static td_joint_frame frame_of(const tied_group *g, const td_lane *at) {
                                 td_lock_rows_at(at->block)->frame_turns[at->lane] > 0.0f, a, b);
 }
 
-/* The locked directions of a lane: turn, along, across. Each sees the motion that the one before
- * has corrected. */
+/* The locked directions of a lane: turn, along, across. Each correction starts from the motion that
+ * the one before it has corrected. */
 static void correct_lock(const tied_group *g, const td_lane *at) {
     const td_block *block = at->block;
     const td_point *p = block->point;
@@ -296,7 +297,7 @@ static bool is_drive(int kind) {
 }
 
 /* The row of a drive's direction, as it was at the start of the step. An axis turns with body a,
- * whose lever arm ends at b's anchor then. */
+ * whose lever arm then ends at b's anchor. */
 static row_direction drive_direction(const td_lane *at, int kind) {
     const td_block *block = at->block;
     const td_point *p = &block->point[0];
@@ -336,7 +337,7 @@ static void correct_motor(const tied_group *g, const td_constraint *constraint) 
 
 /* ---- impulses and separations ---- */
 
-/* Recomputes the separations of a static contact for the corrected motion. */
+/* Recomputes the separations of a contact with a static shape for the corrected motion. */
 static void update_separations(const tied_group *g, const td_constraint *constraint) {
     td_lane at = td_lane_of(g->w, constraint);
     int points = td_form_points(g->w->kinds[constraint->kind]->form);
@@ -436,8 +437,8 @@ static double twice_energy(const thud_world *w, td_awake_slot slot, const float 
 }
 
 /* Scales the group's velocities down to the kinetic energy that it had before the step plus what
- * gravity and forces may have added. Rows that nearly oppose each other do not converge within the
- * passes, and leave much of the speed with which they approach. */
+ * gravity and forces may have added. Rows with nearly opposite directions do not converge within
+ * the passes, and leave velocities that are too large. */
 static void limit_energy(const tied_group *g) {
     const thud_world *w = g->w;
     double before = 0.0, after = 0.0;
@@ -493,16 +494,16 @@ enum {
     MARK_EXCEEDED = 4 /* a limit was far exceeded as the step began */
 };
 
-/* Adds bits to the mark of a body; slot 0, which stands for static sides, keeps none. */
+/* Adds bits to the mark of a body; slot 0, which stands for static bodies, is never marked. */
 static void mark_body(thud_world *w, td_awake_slot slot, int mark) {
     td_awake_slot *marks = w->scratch.parents.data;
     marks[slot.at].at |= slot.at > 0 ? mark : 0;
 }
 
 /* Whether a drive has a limit of length, and no spring, and the limit was exceeded, as the step
- * began, by more than TD_JOINT_CLOSING_SPEED takes back in a substep: a rope that is much too
- * short. The soft solver closes such a limit slowly (max_limit_bias in wide_drive.c). Without
- * limits the start_separation of point 0 is 0. */
+ * began, by more than closes in a substep at TD_JOINT_CLOSING_SPEED: a rope that is much too short.
+ * The soft solver closes such a limit slowly (max_limit_bias in wide_drive.c). Without limits the
+ * start_separation of point 0 is 0. */
 static bool limit_far_exceeded(const thud_world *w, const td_lane *at, int kind) {
     const td_drive_rows *rows = td_drive_rows_at(at->block);
     float far = TD_JOINT_CLOSING_SPEED / TD_JOINT_GAP_SHARE * w->length_scale *
@@ -557,7 +558,7 @@ static int lane_mark(const thud_world *w, const td_lane *at, const td_run *run) 
     return deep && (far || yielded) ? MARK_PRESSED : 0;
 }
 
-/* Sets the marks of all bodies. False where no body is marked; marks are not initialised then. */
+/* Sets the marks of all bodies. False if no body is marked; the marks are then not initialised. */
 static bool mark_bodies(thud_world *w) {
     bool any = false;
     for (int i = 0; i < w->scratch.runs.count; i++) {
@@ -582,9 +583,9 @@ static bool mark_bodies(thud_world *w) {
     return any;
 }
 
-/* What the constraints of a group show:
- * touches_static: a contact with a static shape has an impulse or overlaps;
- * locks_open: a lock's gap is wider than depth_share of the group's smallest half extent, and wider
+/* Results of inspecting the constraints of a group: touches_static: a contact with a static shape
+ * has an impulse or overlaps; locks_open: a lock's gap is wider than depth_share of the group's
+ * smallest half extent, and wider
  *     than at the start of the step;
  * deep: a contact with a static shape is below its least separation. */
 typedef struct finding {
@@ -596,7 +597,7 @@ static bool opened_wider(float now, float before, float tolerance) {
     return td_joint_abs(now) > td_max_float(tolerance, td_joint_abs(before));
 }
 
-/* Adds what one constraint shows to the group's finding. */
+/* Adds the result of one constraint to the group's finding. */
 static void inspect_constraint(const tied_group *g, const td_constraint *constraint) {
     finding *found = g->found;
     td_lane at = td_lane_of(g->w, constraint);

@@ -14,7 +14,7 @@ typedef enum drive_kind { LINE, AXIS, TURN } drive_kind;
 /* The driven direction in the present substep, its crosses, and its coordinate (length or rad). */
 typedef struct direction8 {
     f8 x, y, cross_a, cross_b, value;
-    f8 k, mass; /* J M^-1 J', the speed that a unit of impulse brings; and its inverse */
+    f8 k, mass; /* J M^-1 J', the speed that a unit of impulse causes; and its inverse */
 } direction8;
 
 TD_INLINE direction8 direction_now(const td_block *block, const td_drive_rows *r,
@@ -50,8 +50,8 @@ TD_INLINE void apply_along(td_block *block, const direction8 *n, bool a_static, 
                   n->y * change, n->cross_a * change, n->cross_b * change);
 }
 
-/* Applies the sum of the impulses of the last substep along the direction as it is now, in place of
- * what was applied then. */
+/* Applies the sum of the last substep's impulses along the present direction, in place of the
+ * direction in the last substep. */
 TD_INLINE void replace_along(td_block *block, const direction8 *n, bool a_static, sides *v) {
     td_drive_rows *r = td_drive_rows_of(block);
     f8 all = block->point[1].normal_impulse + block->tangent_impulse +
@@ -97,10 +97,10 @@ TD_INLINE void solve_motor(td_block *block, const td_drive_rows *r, const td_sol
     apply_along(block, n, a_static, v, now - old);
 }
 
-/* Chooses the limit that is nearer at the end of the substep; `ahead` is the displacement until
- * then at the present speed. Where the limit changes, the impulse of the old one becomes a negative
- * one of the new, which the solver then takes back. Sets limit, limit_side, start_separation and
- * separation. */
+/* Chooses the limit that is nearer at the end of the substep; `ahead` is the displacement in the
+ * substep at the present speed. If the limit changes, the impulse of the old limit becomes a
+ * negative one of the new limit, which the solver then removes. Sets limit, limit_side,
+ * start_separation and separation. */
 TD_INLINE void choose_limit(td_block *block, td_drive_rows *r, const direction8 *n, f8 ahead) {
     td_point *p = &block->point[0];
     f8 one = f8_all(1.0f), value = n->value + ahead;
@@ -114,10 +114,10 @@ TD_INLINE void choose_limit(td_block *block, td_drive_rows *r, const direction8 
 }
 
 /* The maximum of a limit's bias, a speed. Angles are within a few radians, so that a constant is
- * enough. A limit of length that is exceeded, as a step begins, by more than TD_JOINT_CLOSING_SPEED
- * takes back in a substep (a rope that is much too short) closes at that speed and what its load
- * takes: a contact in its way turns a part of the speed into another direction, in which it stays
- * when the gap has closed. */
+ * enough. A limit of length that is exceeded at the start of a step by more than closes in a
+ * substep at TD_JOINT_CLOSING_SPEED (a rope that is much too short) closes at that speed, plus the
+ * bias that its load needs. It must not be faster: a contact in the way turns a part of the speed
+ * into another direction, where it remains after the gap has closed. */
 TD_INLINE f8 max_limit_bias(const td_point *p, const td_solve_context *c, f8 k, drive_kind which) {
     if (which == TURN) {
         return f8_all(TD_JOINT_CLOSING_FACTOR * TD_JOINT_CLOSING_SPEED);
@@ -128,9 +128,9 @@ TD_INLINE f8 max_limit_bias(const td_point *p, const td_solve_context *c, f8 k, 
            f8_keep(far, f8_all((TD_JOINT_CLOSING_FACTOR - 1.0f) * c->joint_closing_speed));
 }
 
-/* Solves limits: as a contact, speculative where it is open (the gap may close by the end of the
- * substep), soft where it is exceeded; or, where both limits are the same, as a lock. `soft`: solve
- * pass, false: relax pass. */
+/* Solves limits: like a contact, speculative while it is not reached (the gap may close by the end
+ * of the substep), soft while it is exceeded; if both limits are equal, as an equality row. `soft`:
+ * solve pass, false: relax pass. */
 TD_INLINE void solve_limit(td_block *block, td_drive_rows *r, const td_solve_context *c,
                            const direction8 *n, bool a_static, drive_kind which, bool soft,
                            sides *v) {
@@ -197,7 +197,7 @@ static void no_bounce(td_block *const *blocks, int count, const td_solve_context
     (void)blocks, (void)count, (void)c;
 }
 
-/* Makes the passes td_solve_drive_NAME of a kind of drive. */
+/* Defines the passes td_solve_drive_NAME of a kind of drive. */
 #define DRIVE_PASSES(name, which)                                                              \
     TD_PASS(warm_start_##name, warm_start, false, which)                                       \
     TD_PASS(warm_start_static_##name, warm_start, true, which)                                 \

@@ -4,7 +4,7 @@
  *     a = (td_gear_rows.a_x, td_gear_rows.a_y, point[0].cross_a)
  *     b = (block->nx, block->ny, point[0].cross_b)
  * are the gradients of the coordinates of the gear's two joints, the second times the ratio
- * (gear.c). They keep their values of the start of the step. Neither side is static. */
+ * (gear.c). They are computed at the start of the step. Neither side is static. */
 #include "joints/wide_joint.h"
 
 /* J x, for velocities or motions. */
@@ -27,8 +27,8 @@ TD_INLINE void apply_row(const td_block *block, sides *v, f8 impulse) {
     v->b.z += block->inv_inertia_b * p->cross_b * impulse;
 }
 
-/* A solve pass (`soft`) or relax pass. The last relax pass notes the greatest |J v| as the
- * residual, with a minus sign as tallies have it. */
+/* A solve pass (`soft`) or relax pass. The last relax pass records the greatest |J v| as the
+ * residual, negated as in all tallies (solver/tally.h). */
 TD_INLINE void solve_gear(td_block *const *blocks, int count, const td_solve_context *c,
                           bool soft) {
     f8 zero = f8_all(0.0f);

@@ -1,12 +1,12 @@
-/* wide_joint.h: what the solver passes of joints share: the frames of eight joints in a substep,
- * their softness, and how they apply impulses.
+/* wide_joint.h: code that the soft solver's passes over joints share: the frames of eight joints in
+ * a substep, their softness, and how they apply impulses.
  *
  * Soft constraints with substeps as for contacts (solver/wide_solve.h; E. Catto, "Soft
  * Constraints", 2011, and Box2D's joints): a solve pass with bias, positions, a relax pass without
  * bias. Lever arms and axes are rotated with their bodies in each substep; with those of the start
- * of the step a hinge that swings would open by the square of its rotation. Impulses of the last
- * substep are part of the velocities already (motion.h), along the directions of then: a pass takes
- * them back and applies them along those of now (replace_impulse).
+ * of the step a hinge that swings would open by the square of its rotation. The velocities already
+ * contain the impulses of the last substep (motion.h), along the directions of that substep: a pass
+ * removes them and applies them along the present directions (replace_impulse).
  *
  * A row with effective mass m, gap C and speed v changes its impulse p in a solve pass by
  *     -mass_scale m (v + bias) - impulse_scale p,  bias = clamp(TD_JOINT_GAP_SHARE C / h),
@@ -17,17 +17,17 @@
 #include "base/rotation.h"
 #include "solver/wide_solve.h"
 
-/* The scales of a soft constraint that goes on by the angle TD_JOINT_PHASE = omega h in a substep,
- * at damping ratio 1 (block.h): the share TD_JOINT_GAP_SHARE = 1/2 of a gap closes in a substep,
- * and an impulse loses the share IMPULSE_SCALE = 1/9; the mass scale is 1 - IMPULSE_SCALE. */
+/* The scales of a soft constraint with the phase TD_JOINT_PHASE = omega h in a substep, at damping
+ * ratio 1 (block.h): the share TD_JOINT_GAP_SHARE = 1/2 of a gap closes in a substep, and an
+ * impulse loses the share IMPULSE_SCALE = 1/9; the mass scale is 1 - IMPULSE_SCALE. */
 #define IMPULSE_SCALE (1.0f / (1.0f + TD_JOINT_PHASE * (2.0f + TD_JOINT_PHASE)))
 
-/* The share of a gap that closes in groups that would add energy (closing_factor <= 1,
- * joint_brace.c). A slow mode of many rows, of which each moves little, oscillates with growing
- * amplitude unless
+/* The share of a gap that closes in a substep in braced groups, which would add energy
+ * (closing_factor <= 1, joint_brace.c). A low-frequency mode of many rows, each of which moves
+ * little, oscillates with growing amplitude unless
  *     IMPULSE_SCALE (1 + s) > s g
- * for the mass scale s = 1 - IMPULSE_SCALE and the share g: what both passes of a substep take from
- * an impulse must exceed what its gap adds. The g of equality, less 5 %: 0.22. */
+ * for the mass scale s = 1 - IMPULSE_SCALE and the share g: both passes of a substep must reduce an
+ * impulse by more than its gap increases it. The value is the g of equality, less 5 %: 0.22. */
 #define GAP_SHARE_BRACED (0.95f * IMPULSE_SCALE * (2.0f - IMPULSE_SCALE) / (1.0f - IMPULSE_SCALE))
 
 /* The share of a gap that closes in a substep. */
@@ -36,20 +36,21 @@ TD_INLINE f8 gap_share(f8 closing_factor) {
                    f8_all(GAP_SHARE_BRACED));
 }
 
-/* A soft row bears a load of impulse L a substep at rest by a bias of LOAD_BIAS K L, where K is the
- * inverse of its effective mass: the gap then restores what the impulse loses. */
+/* A soft row that carries a load at rest, of impulse L in each substep, has a bias of LOAD_BIAS K
+ * L, where K is the inverse of its effective mass: the bias then restores what the impulse scale
+ * takes from the impulse. */
 #define LOAD_BIAS (IMPULSE_SCALE / (1.0f - IMPULSE_SCALE))
 
-/* Limit of the bias of a joint's limit or a gear, a speed: that of its present impulse, on top of
- * TD_JOINT_CLOSING_FACTOR times `closing`, so that no load is too great for it. */
+/* Maximum bias of a joint's limit or of a gear, a speed: the bias that its present impulse needs
+ * (LOAD_BIAS), plus TD_JOINT_CLOSING_FACTOR times `closing`, so that it can carry any load. */
 TD_INLINE f8 max_bias(float closing, f8 k, f8 impulse) {
     return f8_all(TD_JOINT_CLOSING_FACTOR * closing) + f8_all(LOAD_BIAS) * k * f8_abs(impulse);
 }
 
 /* Adding and then subtracting 1.5 * 2^23 rounds a float to a whole number. */
 #define ROUNDING_SHIFT 12582912.0f
-/* Rotations in a step are clamped to this, rad: a float has errors of 0.004 rad there, and rounding
- * to whole turns still works. */
+/* Rotations in a step are clamped to this, rad: at this size a float has a rounding error of 0.004
+ * rad, and rounding to whole turns still works. */
 #define STEP_TURN_MAX 1e5f
 
 /* Cosine and sine of a rotation within a step, by their Taylor polynomials of degree 8 and 9:
@@ -72,7 +73,8 @@ typedef struct frame8 {
     f8 gap_u, gap_v;       /* from a's anchor to b's, along u and v */
 } frame8;
 
-/* Rotates arms against a frame that stays: *u, *v are their crosses with u and v. */
+/* Rotates lever arms relative to a frame that does not turn; *u, *v are their cross products with u
+ * and v. */
 TD_INLINE void rotate_arms(f8 angle, f8 *u, f8 *v) {
     f8 c, s, x = *u, y = *v;
     cosine_and_sine(angle, &c, &s);
@@ -80,9 +82,9 @@ TD_INLINE void rotate_arms(f8 angle, f8 *u, f8 *v) {
     *v = c * y + s * x;
 }
 
-/* The frames now, from those at the start of the step (block->nx, ny and the crosses of its points;
- * gap_u, gap_v) and the motions d since. Where `turns` is 1, the frame turns with a, whose arm then
- * ends at b's anchor; where 0, u and v stay. `a_static`: side a is static. */
+/* The present frames, from those at the start of the step (block->nx, ny, the cross products of its
+ * points, gap_u and gap_v) and the motions d since. If `turns` is 1, the frame turns with a, whose
+ * lever arm then ends at b's anchor; if 0, u and v do not change. `a_static`: side a is static. */
 TD_INLINE frame8 frame_now(const td_block *block, const sides *d, bool a_static, f8 gap_u, f8 gap_v,
                            f8 turns) {
     const td_point *p = &block->point[0], *q = &block->point[1];
@@ -114,14 +116,14 @@ TD_INLINE frame8 frame_now(const td_block *block, const sides *d, bool a_static,
     return f;
 }
 
-/* The same with u along the gap. *length: that of the gap. gap_u, gap_v and the crosses with v are
- * not set. */
+/* The same with u along the gap. *length: the length of the gap. gap_u, gap_v and the cross
+ * products with v are not set. */
 TD_INLINE frame8 line_now(const td_block *block, const sides *d, bool a_static, f8 gap_u, f8 gap_v,
                           f8 *length) {
     f8 zero = f8_all(0.0f), one = f8_all(1.0f);
     frame8 f = frame_now(block, d, a_static, gap_u, gap_v, zero);
     *length = f8_sqrt(f.gap_u * f.gap_u + f.gap_v * f.gap_v);
-    /* Where the anchors coincide, u stays as it is: any direction will do. */
+    /* If the anchors coincide, u does not change: any direction is valid. */
     i8 apart = *length > zero;
     f8 divisor = f8_pick(apart, *length, one);
     f8 c = f8_pick(apart, f.gap_u / divisor, one), s = f8_keep(apart, f.gap_v / divisor);
@@ -139,7 +141,7 @@ TD_INLINE f8 speed_now(const sides *v, bool a_static, f8 x, f8 y, f8 cross_a, f8
 }
 
 /* An entry of K = J M^-1 J': the speed along one direction that a unit of impulse along another one
- * brings. `linear`: the scalar product of both directions. */
+ * causes. `linear`: the dot product of the two directions. */
 TD_INLINE f8 inverse_mass_entry(const td_block *block, const sides *v, bool a_static, f8 linear,
                                 f8 from_a, f8 from_b, f8 to_a, f8 to_b) {
     f8 mass = a_static ? v->b.w : v->a.w + v->b.w;
@@ -164,8 +166,8 @@ TD_INLINE void apply_impulse(const td_block *block, bool a_static, sides *v,
     v->b.z += block->inv_inertia_b * moment_b;
 }
 
-/* Applies the difference to what the joint applied in this substep, so that this impulse takes its
- * place. */
+/* Replaces the impulse that the joint has applied in this substep by this one: applies the
+ * difference. */
 TD_INLINE void replace_impulse(const td_block *block, bool a_static, sides *v,
                                td_applied_impulse *applied, f8 x, f8 y, f8 moment_a, f8 moment_b) {
     apply_impulse(block, a_static, v, applied, x - applied->x, y - applied->y,
@@ -186,14 +188,14 @@ TD_INLINE void clear_applied(td_applied_impulse *applied) {
     *applied = (td_applied_impulse){zero, zero, zero, zero};
 }
 
-/* wide_rod.c: a stage of bracing (joint_brace.c) on what the lanes of a rod's or lock's block
- * applied, by c->brace: measures p.u or p.u' into td_brace_rows, takes the impulses back,
- * or applies the share to keep. */
+/* wide_rod.c: a stage of bracing (joint_brace.c), selected by c->brace, on the impulses that the
+ * lanes of a block of rods or locks applied: measures p.u or p.u' into td_brace_rows, removes the
+ * impulses, or applies the share to keep. */
 typedef void td_brace_fn(td_block *block, const td_solve_context *c, bool a_static);
 td_brace_fn TD_WIDE(td_brace_applied);
 
-/* Sets c->torn where a gap (lengths) or an angle (rad) at the start of the step is wider than
- * TD_JOINT_CLOSING_SPEED closes in a substep, so that the step braces its joints. */
+/* Sets c->torn, so that the step braces its joints, if a gap (length) or an angle (rad) at the
+ * start of the step is too wide to close in a substep at TD_JOINT_CLOSING_SPEED. */
 TD_INLINE void flag_torn(const td_solve_context *c, f8 gap, f8 turn) {
     f8 rate = f8_all(TD_JOINT_GAP_SHARE * c->inv_h);
     i8 torn = (f8_abs(gap) * rate > f8_all(c->joint_closing_speed)) |

@@ -1,5 +1,5 @@
-/* wide_lock.c: solver passes for the locked directions of a joint (along u, across v, turn), of
- * which up to three are solved at once as a block (lock_matrix_of). Impulses are those of point[0],
+/* wide_lock.c: solver passes for the locked directions of a joint (along u, across v, turn). The up
+ * to three rows are solved at once as one block (lock_matrix_of). Impulses are those of point[0],
  * of point[1], and of the tangent. */
 #include "joints/wide_joint.h"
 
@@ -20,7 +20,7 @@ TD_INLINE softness rigid(void) {
     return (softness){zero, f8_all(1.0f), zero, zero};
 }
 
-/* The speed at which a gap is closed. */
+/* The speed at which a gap is closed (the bias). */
 TD_INLINE f8 bias_of(f8 gap, f8 rate, f8 max) {
     return f8_clamp(gap * rate, -max, max);
 }
@@ -33,10 +33,10 @@ typedef struct lock_matrix {
 } lock_matrix;
 
 /* All rows of a lane are solved at once: Gauss-Seidel over them converges slowly where arms are
- * long, that is, where mass times arm^2 is large beside the moment of inertia. With i = 1 / I of
- * either side, m the sum of inverse masses, a and b the lever arms, d = b - a, and d_u = d x u as
- * arms are crossed with directions, these formulas give the Schur complement without differences,
- * which would cancel in single precision:
+ * long, that is, where mass times arm^2 is large beside the moment of inertia. With the inverse
+ * moments of inertia i_a and i_b, m the sum of inverse masses, a and b the lever arms, d = b - a,
+ * and d_u = d x u as arms are crossed with directions, these formulas give the Schur complement
+ * without subtractions, which would suffer cancellation in single precision:
  *     turn locked:  K_uu - K_ut^2 / K_tt = m + i_a i_b / (i_a + i_b) d_u^2
  *                   det = m^2 + m i_a i_b / (i_a + i_b) |d|^2
  *     turn free:    det = m^2 + m (i_a |a|^2 + i_b |b|^2) + i_a i_b (a x b)^2
@@ -123,7 +123,8 @@ TD_INLINE void solve_lock(td_block *block, const softness *s, const td_solve_con
     }
 }
 
-/* Applies the impulses of the last step, and looks for gaps that make the step brace its joints. */
+/* Applies the impulses of the last step, and sets c->torn if a gap is so wide that the step braces
+ * its joints (flag_torn). */
 TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_context *c,
                           bool a_static) {
     for (int i = 0; i < count; i++) {

@@ -1,6 +1,6 @@
-/* wide_place.c: the rows of eight joints at the start of a step: frames, crosses of lever arms,
- * gaps and effective masses from the present poses. td_joint_place_of (joint.c) computes the same
- * for one joint, by the same operations, so that both give the same bits. */
+/* wide_place.c: computes the rows of eight joints at the start of a step: frames, cross products of
+ * lever arms, gaps and effective masses from the present poses. td_joint_place_of (joint.c)
+ * computes the geometry of one joint by the same operations, so that both give the same bits. */
 #include "joints/joint.h"
 #include "joints/wide_joint.h"
 
@@ -176,9 +176,9 @@ TD_INLINE void place_rod(const thud_world *w, td_block *block) {
     q->start_separation = q->separation = length - rows->rest_length;
 }
 
-/* The rows of a driven direction with coordinate `value`: the limit that is nearer, which the
- * passes may change later, the spring and the motor. Impulses of another limit than last, and of
- * springs and motors that do not act, become 0. */
+/* Sets the rows of a driven direction with coordinate `value`: the nearer limit, which the solver
+ * passes may still change, the spring and the motor. The impulse of a limit becomes 0 if another
+ * limit was nearer in the last step, and so do impulses of springs and motors that do not act. */
 TD_INLINE void set_values(td_block *block, td_drive_rows *rows, f8 value) {
     td_point *p = &block->point[0], *q = &block->point[1];
     f8 zero = f8_all(0.0f), one = f8_all(1.0f);

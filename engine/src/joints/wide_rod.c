@@ -1,6 +1,6 @@
 /* wide_rod.c: solver passes for locked distances (rods): one equality row along the line between
  * the anchors as it is in the substep, with gap = distance - rest length; and, for rods and locks,
- * the passes of bracing, which bounds the energy that widely open joints add (joint_brace.c). */
+ * the passes of bracing, which bounds the energy that torn joints add (joint_brace.c). */
 #include "joints/wide_joint.h"
 
 /* A solve pass (`soft`) or relax pass over a block; `a_static`: side a is static. The equations are
@@ -12,14 +12,14 @@ TD_INLINE void solve_rod(td_block *block, const td_solve_context *c, bool a_stat
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), length;
     f8 rest_length = td_lock_rows_of(block)->rest_length;
     sides v = read_sides(c->velocity, block, a_static), d = read_sides(c->delta, block, a_static);
-    f8 start_length = p->start_separation + rest_length; /* distance as the step began */
+    f8 start_length = p->start_separation + rest_length; /* distance at the start of the step */
     frame8 f = line_now(block, &d, a_static, start_length, zero, &length);
     p->separation = f8_keep(p->normal_mass > zero, length - rest_length); /* 0 in empty lanes */
     td_applied_impulse *applied = &td_lock_rows_of(block)->applied;
     f8 old = p->normal_impulse;
-    /* The velocities of a later substep have the impulse along the line of the substep before, by
-     * td_integrate_velocity: it is turned to the present line. In the first substep no body has
-     * moved since the warm start. */
+    /* In later substeps the velocities contain the impulse along the line of the substep before
+     * (td_integrate_velocity): it is replaced by one along the present line. In the first substep
+     * no body has moved since the warm start. */
     if (soft && !c->first) {
         replace_impulse(block, a_static, &v, applied, f.x * old, f.y * old, f.a_u * old,
                         f.b_u * old);
@@ -47,8 +47,8 @@ TD_INLINE void solve_rod(td_block *block, const td_solve_context *c, bool a_stat
     }
 }
 
-/* In the first substep: applies the impulses of the last step along the line as the step begins,
- * and sets c->torn if a gap is so wide that the step braces its joints (flag_torn). */
+/* In the first substep: applies the impulses of the last step along the line at the start of this
+ * step, and sets c->torn if a gap is so wide that the step braces its joints (flag_torn). */
 TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_context *c,
                           bool a_static) {
     for (int i = 0; i < count; i++) {
@@ -76,9 +76,10 @@ TD_INLINE void solve(td_block *const *blocks, int count, const td_solve_context 
 /* A pass of bracing (td_brace, block.h) on the impulses p that the lanes of a rod's or lock's block
  * applied in this substep (td_lock_rows.applied). TD_BRACE_WORK_WITH and TD_BRACE_WORK_WITHOUT
  * store p times the relative speed along it, an energy: p.u', by the speeds u' with the impulses of
- * all locks, and p.u, by the speeds u without them. TD_BRACE_REMOVE takes p back, and leaves the
- * record of it. TD_BRACE_APPLY_SHARE applies the share of p that joint_brace.c has computed from
- * the two (kept_share), and scales the lane's impulses and the record by it. */
+ * all locks, and p.u, by the speeds u without them. TD_BRACE_REMOVE removes p from the velocities,
+ * but not from the record (`applied`). TD_BRACE_APPLY_SHARE applies the share of p that
+ * joint_brace.c has computed from the two (kept_share), and scales the lane's impulses and the
+ * record by it. */
 void TD_WIDE(td_brace_applied)(td_block *block, const td_solve_context *c, bool a_static) {
     td_applied_impulse *applied = &td_lock_rows_of(block)->applied;
     td_brace_rows *rows = td_brace_rows_of(block);
@@ -108,8 +109,8 @@ void TD_WIDE(td_brace_applied)(td_block *block, const td_solve_context *c, bool 
     write_sides(c, block, a_static, &v);
 }
 
-/* A pass of bracing of rods. TD_BRACE_WARM_START turns the impulses that the velocities have from
- * the substep before to the present line; the others are td_brace_applied. */
+/* A pass of bracing of rods. TD_BRACE_WARM_START replaces the impulses of the substep before by
+ * impulses along the present line; td_brace_applied does the other passes. */
 TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool a_static) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];

@@ -5,22 +5,22 @@
 #include "contact/contact.h"
 #include "rules/rules.h"
 
-/* Makes room for an event of each touching lane and of each impact, of which there are at most as
- * many as the step's detection has reserved room for. False when memory is short. */
+/* Reserves memory for an event of each touching lane and of each impact; the step's detection has a
+ * maximum number of impacts. False when memory is short. */
 bool td_rules_reserve(thud_world *w) {
     return !w->adds_impulses || td_array_reserve(&w->memory, &w->rules->impulses,
                                                  w->touching + w->scratch.impacts.capacity);
 }
 
-/* Adds the event of a contact; there is room. */
+/* Adds the event of a contact; memory has been reserved. */
 static void add_event(thud_world *w, const thud_contact *seen) {
     TD_PUSH(thud_impulse_event, &w->rules->impulses) =
         (thud_impulse_event){seen->shape_a, seen->shape_b, seen->point, seen->normal,
                              seen->normal_impulse};
 }
 
-/* Adds the events of a block's lanes. The least bound of all rules is compared first: few lanes
- * exceed it. */
+/* Adds the events of a block's lanes. Compares with the lowest threshold of all rules first, since
+ * few lanes exceed it. */
 static void add_events_of_block(thud_world *w, td_block *block, int points) {
     const td_point_history *history = td_history_of(block, points);
     for (int lane = 0; lane < block->used; lane++) {
@@ -35,7 +35,7 @@ static void add_events_of_block(thud_world *w, td_block *block, int points) {
     }
 }
 
-/* Adds the events of the step: of solved lanes, then of impacts within the step. */
+/* Adds the events of the step: those of solved lanes, then those of impacts within the step. */
 void td_rules_tell(thud_world *w) {
     for (int r = 0; r < w->scratch.runs.count && w->adds_impulses; r++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, r);

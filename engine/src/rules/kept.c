@@ -1,16 +1,16 @@
 /* kept.c: rules in snapshots. The bytes are the rules that are set, by rising index in the table
- * and once for each two kinds, and then the impulse events of the last step. The caller's filter is
- * a function, and not part of them: it stays as the world has it. */
+ * and once for each pair of kinds, and then the impulse events of the last step. The caller's
+ * filter is a function and not part of a snapshot: a restore does not change it. */
 #include "rules/rules.h"
 
 #include <string.h>
 
-/* Whether the cell has a rule, in the order of kinds in which it was set. */
+/* Whether the cell has a rule with its kinds in the order in which the caller set it. */
 static bool is_stored(const td_rule *rule) {
     return rule->is_set && !rule->reversed;
 }
 
-/* How many rules and events there are to store. */
+/* The number of rules and events to store. */
 td_ruled td_rules_ruled(const thud_world *w) {
     td_ruled ruled = {.impulses = w->rules->impulses.count};
     for (int cell = 0; cell < TD_RULE_CELLS; cell++) {
@@ -19,7 +19,7 @@ td_ruled td_rules_ruled(const thud_world *w) {
     return ruled;
 }
 
-/* Writes both to `to`, td_ruled_bytes long. */
+/* Writes rules and events to `to`, which has td_ruled_bytes bytes. */
 void td_rules_keep(const thud_world *w, char *to) {
     const td_array *impulses = &w->rules->impulses;
     for (int32_t cell = 0; cell < TD_RULE_CELLS; cell++) {
@@ -51,7 +51,8 @@ static uint32_t column_of(td_kept_rule kept) {
     return 1u << kept.cell % TD_RULE_KINDS;
 }
 
-/* Whether the bytes hold valid rules, by rising cells: they may come from anywhere. */
+/* Whether the bytes hold valid rules, by rising cells. They come from the caller, and may be
+ * corrupt. */
 bool td_rules_kept(const thud_world *w, td_ruled ruled, const char *from) {
     int last = -1;
     for (int i = 0; i < ruled.rules; i++) {

@@ -1,25 +1,25 @@
-/* one_way.c: one-way rules: a shape, such as a plank that is jumped through from below, holds
- * others on its solid side only.
+/* one_way.c: one-way rules: a shape, such as a plank through which one can jump from below,
+ * collides on its solid side only.
  *
- * Each one-way contact is in one of two states (td_constraint.vetoed). TD_HELD: it acts, and stays
- * so until the shapes part, wherever the body slides to. TD_PASSING: it does not act, until the
- * shapes part or are found apart on the solid side. A contact that begins is held if its normal is
- * within the solid side's cone and the shapes did not overlap before the motion that brought them
- * together: separation + closing speed * time step >= -TD_SLOP. */
+ * Each one-way contact is in one of two states (td_constraint.vetoed). TD_HELD: it acts until the
+ * shapes part, wherever the body slides to. TD_PASSING: it does not act, until the shapes part or
+ * are found apart on the solid side. A contact that begins is held if its normal is within the
+ * solid side's cone and the shapes did not overlap before the motion that brought them together:
+ * separation + closing speed * time step >= -TD_SLOP. */
 #include "constraint/lanes.h"
 #include "contact/contact.h"
 #include "rules/rules.h"
 #include "state/handles.h"
 #include "state/surface.h"
 
-/* The least cosine between a contact's normal and the solid side, at which the contact is on that
- * side: normals within 78.5 degrees of it. It leaves out normals of the walls beside it, which
- * rounding may tilt. Chosen; not tuned. */
+/* A contact is on the solid side if the cosine between its normal and the solid side's direction is
+ * at least this: within 78.5 degrees. This excludes normals of the walls beside it, which rounding
+ * may tilt. Chosen; not tuned. */
 #define SOLID_COSINE_MIN 0.2f
 
-/* The cosine between the solid side, in the world, and the normal as it points away from the
- * one-way shape. (nx, ny) points from a to b; the one-way shape is a, or b where the rule is
- * reversed. */
+/* The cosine between the solid side's direction, in world axes, and the normal that points away
+ * from the one-way shape. (nx, ny) points from a to b; the one-way shape is a, or b where the rule
+ * is reversed. */
 static float solid_side_cosine(const thud_world *w, const td_rule *rule,
                                const td_body_index body[2], float nx, float ny) {
     const td_pose *pose = td_pose_at(w, body[rule->reversed]);
@@ -28,7 +28,7 @@ static float solid_side_cosine(const thud_world *w, const td_rule *rule,
     return (rule->reversed ? -along : along) / __builtin_sqrtf(x * x + y * y);
 }
 
-/* Decides the state of one lane's contact, and removes its points where it passes. */
+/* Decides the state of one lane's contact, and removes its points if it is TD_PASSING. */
 static void decide_lane(thud_world *w, td_block *block, int lane, const td_rule *rule) {
     td_contact *contact = td_contact_at(w, block->constraint[lane]);
     int points = td_form_points(w->kinds[contact->kind]->form);
@@ -82,8 +82,9 @@ bool td_rules_let_through(const thud_world *w, const thud_contact *seen) {
            solid_side_cosine(w, rule, body, seen->normal.x, seen->normal.y) <= SOLID_COSINE_MIN;
 }
 
-/* td_rule_hooks.hides: without a one-way rule always; with one only while the two are held, because
- * a plank that lets a body pass must not take away the face of the wall beside it. */
+/* td_rule_hooks.hides: true without a one-way rule; with one only while the contact is TD_HELD,
+ * because a plank that lets a body pass must not hide the face of the wall beside it
+ * (contact/internal_edges.h). */
 bool td_rules_hide(const thud_world *w, int shape, int other) {
     const td_rule *rule = td_rule_of_pair(w, shape, other);
     if (!rule || rule->rule.kind != THUD_RULE_ONE_WAY) {

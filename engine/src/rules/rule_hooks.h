@@ -1,6 +1,6 @@
-/* rule_hooks.h: the decisions that collision rules make (thud_rules.h), as the stages of a step ask
- * for them. A world gets this table with its first rule or filter, so that a program without does
- * not link it. */
+/* rule_hooks.h: the functions by which the stages of a step ask for the decisions of collision
+ * rules (thud_rules.h). A world gets this table with its first rule or filter, so that a program
+ * without rules does not link it. */
 #ifndef TD_RULE_HOOKS_H
 #define TD_RULE_HOOKS_H
 
@@ -8,7 +8,7 @@
 
 #include "thud/thud_rules.h"
 
-/* How much a snapshot has of rules: kept.c. */
+/* Numbers of rules and events in a snapshot: kept.c. */
 typedef struct td_ruled {
     int32_t rules;    /* number of rules (td_kept_rule) */
     int32_t impulses; /* number of impulse events of the last step (thud_impulse_event) */
@@ -20,11 +20,11 @@ typedef struct td_kept_rule {
     int32_t cell; /* index in td_rules.table: row * TD_RULE_KINDS + column */
 } td_kept_rule;
 
-/* Kinds of shapes: one for each bit of thud_filter.category; and rules between each two of them, a
- * kind and itself included. */
+/* Kinds of shapes: one for each bit of thud_filter.category; and the maximum number of rules: one
+ * for each pair of kinds, including pairs of equal kinds. */
 enum { TD_RULE_KINDS = 32, TD_RULES_MAX = TD_RULE_KINDS * (TD_RULE_KINDS + 1) / 2 };
 
-/* The bytes of both in a snapshot. */
+/* The number of bytes of rules and events in a snapshot. */
 static inline uint64_t td_ruled_bytes(td_ruled ruled) {
     return (uint64_t)ruled.rules * sizeof(td_kept_rule) +
            (uint64_t)ruled.impulses * sizeof(thud_impulse_event);
@@ -33,8 +33,8 @@ static inline uint64_t td_ruled_bytes(td_ruled ruled) {
 typedef struct td_rule_hooks {
     /* Whether two shapes that pass each other's filters may have a contact. */
     bool (*allows)(const thud_world *w, int shape_a, int shape_b);
-    /* Replaces the settings that the rule of two shapes has a value for. Returns the bits that a
-     * lane of theirs keeps in td_lane_marks.rule (rules.h). */
+    /* Replaces the settings for which the rule of two shapes has a value. Returns the bits for
+     * td_lane_marks.rule of their lane (rules.h). */
     uint16_t (*settle)(const thud_world *w, int shape_a, int shape_b,
                        thud_contact_settings *settings);
     /* Whether static `shape` can cover the faces of its neighbours against `other`, for internal
@@ -42,15 +42,15 @@ typedef struct td_rule_hooks {
     bool (*hides)(const thud_world *w, int shape, int other);
     /* Whether a one-way rule lets the two shapes of an impact within the step pass. */
     bool (*lets_through)(const thud_world *w, const thud_contact *seen);
-    /* Decides which one-way contacts hold in this step; removes the points of the others. */
+    /* Decides which one-way contacts act in this step; removes the points of the others. */
     void (*decide)(thud_world *w);
-    /* Makes room for impulse events. False when memory is short. */
+    /* Reserves memory for impulse events. False when memory is short. */
     bool (*reserve)(thud_world *w);
-    /* Adds events of the contacts whose impulse exceeds the bound of their rule. */
+    /* Adds events of the contacts whose impulse exceeds event_impulse of their rule. */
     void (*tell)(thud_world *w);
-    /* For snapshots: how much there is; writes it, td_ruled_bytes long; whether such bytes hold
-     * valid rules; makes room to read them, false when memory is short; replaces the rules by them.
-     */
+    /* For snapshots, in this order: counts rules and events; writes them, td_ruled_bytes bytes;
+     * checks whether such bytes hold valid rules; reserves memory to read them, false when memory
+     * is short; replaces the rules by them. */
     td_ruled (*ruled)(const thud_world *w);
     void (*write)(const thud_world *w, char *to);
     bool (*valid)(const thud_world *w, td_ruled ruled, const char *from);

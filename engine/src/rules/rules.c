@@ -8,7 +8,7 @@
 #include "state/handles.h"
 #include "state/surface.h"
 
-/* Not a number: the pair keeps the value of its shapes. */
+/* NaN: the pair keeps the value of its shapes. */
 #define OF_SHAPES __builtin_nanf("")
 
 thud_rule thud_default_rule(void) {
@@ -32,7 +32,8 @@ static bool allows(const thud_world *world, int shape_a, int shape_b) {
     if (!rules->filter) {
         return true;
     }
-    thud_world *w = (thud_world *)world; /* only `locked` changes, so that the filter cannot edit */
+    thud_world *w = (thud_world *)world; /* only `locked` changes: it keeps the filter from editing
+                                            the world */
     bool locked = w->locked;
     w->locked = true;
     bool yes = rules->filter(w, td_shape_handle(w, shape_a), td_shape_handle(w, shape_b),
@@ -41,7 +42,7 @@ static bool allows(const thud_world *world, int shape_a, int shape_b) {
     return yes;
 }
 
-/* Replaces a value, unless the rule's is not a number. */
+/* Replaces a value, unless the rule's value is NaN. */
 static void override(float *value, float rule_value) {
     *value = rule_value == rule_value ? rule_value : *value;
 }
@@ -91,7 +92,7 @@ static thud_result check_unlocked(thud_world *w) {
                      : THUD_OK;
 }
 
-/* Makes the world's rules, and plugs in the hooks, if it has none. False when memory is short. */
+/* Creates the world's rules and sets the hooks, if it has none yet. False when memory is short. */
 static bool make_rules(thud_world *w) {
     if (!w->rules) {
         w->rules = td_memory_get(&w->memory, sizeof *w->rules);
@@ -103,7 +104,7 @@ static bool make_rules(thud_world *w) {
     return w->rules != NULL;
 }
 
-/* Whether the shape lives and its kind is among `kinds`, or all kinds are. */
+/* Whether the shape exists and its kind is in `kinds`, or `kinds` has all bits. */
 static bool is_affected(const thud_world *w, int shape, uint32_t kinds) {
     const td_shape *s = td_shape_at(w, shape);
     uint32_t category = s->filter.category;
@@ -111,8 +112,8 @@ static bool is_affected(const thud_world *w, int shape, uint32_t kinds) {
 }
 
 /* Applies changed rules to all shapes of these kinds: wakes their bodies, ends the contacts that
- * are no longer allowed, updates the settings of the others, and has new pairs searched. Room for
- * the end events must be reserved. */
+ * are no longer allowed, updates the settings of the others, and makes the broadphase search for
+ * new pairs. Memory for the end events must be reserved. */
 static void update_shapes_of(thud_world *w, uint32_t kinds) {
     for (int i = 0; i < w->shapes.count; i++) {
         if (is_affected(w, i, kinds)) {

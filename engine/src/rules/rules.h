@@ -7,17 +7,17 @@
 
 enum { TD_RULE_NONE = TD_RULE_KINDS, TD_RULE_CELLS = TD_RULE_KINDS * TD_RULE_KINDS };
 
-/* td_lane_marks.rule of a contact whose rule the step must look at: one or both of these bits, for
- * a one-way rule and for a bound of the impulse; the lower 10 bits are the rule's index in the
- * table. (The bits between are those of block.h.) */
+/* Bits of td_lane_marks.rule of a contact whose rule acts within a step: it is one-way, or has an
+ * event_impulse. The lower 10 bits are then the rule's index in the table; block.h has the bits
+ * between. */
 enum { TD_RULE_ONE_WAY = 1 << 15, TD_RULE_IMPULSE = 1 << 14 };
 
 /* A cell of the table, for the kinds of its row and its column. */
 typedef struct td_rule {
     thud_rule rule;
     bool is_set;
-    bool reversed; /* solid_side is of the column's shape: the rule was set with the
-                      kinds in the other order */
+    bool reversed; /* solid_side belongs to the column's shape: the caller gave the kinds in the
+                      other order */
 } td_rule;
 
 typedef struct td_rules {
@@ -25,7 +25,7 @@ typedef struct td_rules {
     thud_filter_fn *filter;                      /* the caller's filter; null: none */
     void *filter_context;
     bool one_way;      /* there is a one-way rule */
-    float min_bound;   /* least event_impulse of all rules; infinite: no rule has a bound */
+    float min_bound;   /* lowest event_impulse of all rules; infinite: no rule has one */
     td_array impulses; /* thud_impulse_event, of the last step */
 } td_rules;
 
@@ -35,7 +35,7 @@ static inline int td_rule_kind_of(const thud_world *w, int shape) {
     return category ? __builtin_ctz(category) : TD_RULE_NONE;
 }
 
-/* The rule of two shapes, of which a's kind is the row; null: none is set. */
+/* The rule of two shapes; a's kind is the row. Null: none is set. */
 static inline const td_rule *td_rule_of_pair(const thud_world *w, int shape_a, int shape_b) {
     int a = td_rule_kind_of(w, shape_a), b = td_rule_kind_of(w, shape_b);
     const td_rule *rule = a < TD_RULE_KINDS && b < TD_RULE_KINDS ? &w->rules->table[a][b] : NULL;
@@ -47,14 +47,15 @@ static inline td_rule *td_rule_at(const thud_world *w, int cell) {
     return &w->rules->table[cell / TD_RULE_KINDS][cell % TD_RULE_KINDS];
 }
 
-/* The rule of a lane that has the mark `watched` (one of the two above); null: it has not. */
+/* The rule of a lane that has the bit `watched` (TD_RULE_ONE_WAY or TD_RULE_IMPULSE); null: it does
+ * not have it. */
 static inline const td_rule *td_rule_of_lane(const thud_world *w, const td_block *block, int lane,
                                              int watched) {
     int mark = block->mark[lane].rule;
     return mark & watched ? td_rule_at(w, mark % TD_RULE_CELLS) : NULL;
 }
 
-/* Whether the rule has a bound of the impulse. */
+/* Whether the rule has an event_impulse. */
 static inline bool td_rule_counts_impulses(const td_rule *rule) {
     return rule->rule.event_impulse < __builtin_inff();
 }
@@ -63,7 +64,7 @@ static inline bool td_rule_counts_impulses(const td_rule *rule) {
 /* The reason why a rule between these kinds (bits) is refused; null: it is valid. */
 const char *td_rule_error(const thud_world *w, uint32_t first, uint32_t second,
                           const thud_rule *rule);
-/* Sets the cells of each kind of `first` with each of `second`, in both orders. */
+/* Sets the cells for each kind of `first` with each kind of `second`, in both orders. */
 void td_rules_write(td_rules *rules, uint32_t first, uint32_t second, const td_rule *rule);
 /* Recomputes one_way, min_bound and thud_world.adds_impulses after the table has changed. */
 void td_rules_look_through(thud_world *w);

@@ -1,7 +1,7 @@
 /* table.c: checks rules, and writes them into the table. */
 #include "rules/rules.h"
 
-/* Whether the value is not a number (the shapes' own) or in range. */
+/* Whether the value is NaN (the shapes' own value is used) or in range. */
 static bool in_range(float value, float min, float max) {
     return value != value || (value >= min && value <= max);
 }
@@ -27,8 +27,8 @@ const char *td_rule_error(const thud_world *w, uint32_t first, uint32_t second,
     return NULL;
 }
 
-/* Writes a rule into the cells of each kind of `first` with each of `second`, and, reversed, into
- * those of the other order. Of a kind with itself the rule as given stays. */
+/* Writes a rule into the cells for each kind of `first` with each kind of `second`, and, reversed,
+ * into those of the other order. The cell of a kind with itself has the rule as given. */
 void td_rules_write(td_rules *rules, uint32_t first, uint32_t second, const td_rule *rule) {
     td_rule reversed = *rule;
     reversed.reversed = true;
@@ -41,8 +41,8 @@ void td_rules_write(td_rules *rules, uint32_t first, uint32_t second, const td_r
     }
 }
 
-/* Recomputes what the stages ask first: whether any rule is one-way or has a bound of the impulse.
- */
+/* Recomputes the flags that the stages check first: whether any rule is one-way or has an
+ * event_impulse. */
 void td_rules_look_through(thud_world *w) {
     w->rules->one_way = false;
     w->rules->min_bound = __builtin_inff();

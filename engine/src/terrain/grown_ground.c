@@ -1,6 +1,5 @@
-/* grown_ground.c: see grown_ground.h. Every end of a piece is computed by the same expression
- * wherever it is needed, so that neighbouring pieces end and begin at the same bits and leave no
- * gap. */
+/* grown_ground.c: see grown_ground.h. Every end of a piece is always computed by the same
+ * expression, so that neighbouring pieces share their end point exactly and leave no gap. */
 #include "terrain/grown_ground.h"
 
 td_grown td_grown_by(const thud_terrain *t, const thud_geometry *s, thud_pos offset) {
@@ -53,8 +52,8 @@ void td_grown_vertices(const td_grown *k, double x_min, double x_max, int *first
     *last = k->mirrored ? end - a : b;
 }
 
-/* The piece of the segment from p to q: the segment shifted by the point of the shape that is
- * lowest in the direction of the segment's normal. */
+/* The piece of the segment from p to q: the segment, shifted by the point of the shape that is
+ * lowest along the segment's normal. */
 static td_piece shifted(const td_grown *k, thud_pos p, thud_pos q) {
     double dx = q.x - p.x, dy = q.y - p.y;
     thud_pos low = k->under[0];
@@ -108,8 +107,8 @@ double td_piece_height(const td_piece *e, double x) {
         double square = (e->radius - dx) * (e->radius + dx);
         return e->touch.y + (square > 0.0 ? __builtin_sqrt(square) : 0.0);
     }
-    if (x - e->p.x <
-        e->q.x - x) { /* from the nearer end, so that the heights at both ends are exact */
+    if (x - e->p.x < e->q.x - x) { /* interpolates from the nearer end, so that the heights at both
+                                      ends are exact */
         return e->p.y + (x - e->p.x) * ((e->q.y - e->p.y) / (e->q.x - e->p.x));
     }
     return e->q.y + (x - e->q.x) * ((e->q.y - e->p.y) / (e->q.x - e->p.x));

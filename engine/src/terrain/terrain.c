@@ -12,8 +12,8 @@ thud_result td_terrain_readable(const thud_terrain *t) {
     case THUD_TERRAIN_FLAT:
         return td_abs(t->slope) <= THUD_TERRAIN_SLOPE_MAX ? THUD_OK : THUD_ERROR_INVALID;
     case THUD_TERRAIN_UNIFORM:
-        /* Spacings below the rounding of x (2^-53, about 1e-16; 1e-12 leaves some margin) would let
-         * neighbouring vertices coincide. */
+        /* Spacings below the rounding of x (2^-53, about 1e-16; 1e-12 leaves some margin) would
+         * make neighbouring vertices coincide. */
         if (!(t->spacing > 0.0 && t->spacing <= THUD_TERRAIN_PLACE_MAX &&
               td_abs(t->x0) <= THUD_TERRAIN_PLACE_MAX &&
               t->spacing > 1e-12 * (td_abs(t->x0) + t->spacing * (double)t->count))) {
@@ -69,9 +69,9 @@ static int uniform_segment_at(const thud_terrain *t, double x) {
 }
 
 /* Binary search that compiles to conditional moves. Measured on a line of 100,000 vertices with
- * gcc: 3.5 times as fast as one with branches. An index of evenly spaced buckets over x would only
- * be 1.8 times as fast again there, and no faster below 10,000 vertices: not worth its memory and
- * its upkeep under edits. */
+ * gcc: 3.5 times as fast as one with branches. An index of evenly spaced buckets over x would be
+ * another 1.8 times as fast there, and no faster below 10,000 vertices: not worth its memory and
+ * its updates with each edit. */
 static int irregular_segment_at(const thud_terrain *t, double x) {
     const thud_pos *low = t->points;
     for (int candidates = t->count - 1; candidates > 1;) {
@@ -116,8 +116,8 @@ td_segment td_terrain_segment(const thud_terrain *t, int segment, double x_min, 
     s.tx = dx / s.length;
     s.ty = dy / s.length;
     if (t->kind == THUD_TERRAIN_FLAT) {
-        /* From the slope rather than from p and q, so that all pieces of the line have the same
-         * tangent. */
+        /* The tangent comes from the slope instead of p and q, so that all pieces of the line have
+         * the same one. */
         s.tx = 1.0 / __builtin_sqrt(1.0 + t->slope * t->slope);
         s.ty = t->slope * s.tx;
     }
@@ -189,7 +189,7 @@ void thud_terrain_segments(const thud_terrain *t, double x_min, double x_max, in
         *out_first = td_terrain_segment_at(t, x_min);
         *out_last = td_terrain_segment_at(t, x_max);
         if (*out_first > 0 && x_min == td_terrain_x(t, *out_first)) {
-            --*out_first; /* x_min is the end of the segment before, which counts */
+            --*out_first; /* x_min is the end of the previous segment, which belongs to the range */
         }
     }
 }

@@ -1,13 +1,14 @@
 /* terrain_closest.c: the signed distance of a shape from a terrain, with normal and closest points.
  *
  * It is the distance of the shape's centre, the origin here, from the outline of the grown ground
- * (grown_ground.h). From outside, the nearest piece gives it. From inside, pieces may be buried
- * under others and do not count, so that the outline is walked: from the point straight above the
- * centre to both sides, from piece to piece, until no nearer point can follow. */
+ * (grown_ground.h). For a centre outside, it is the distance to the nearest piece. For a centre
+ * inside, pieces that lie below others do not belong to the outline. So the outline is walked from
+ * piece to piece, from the point straight above the centre to both sides, until no nearer point can
+ * follow. */
 #include "terrain/grown_ground.h"
 
-/* Bisections of an interval of x: more than the 53 bits of a double's fraction, so that the
- * interval cannot become smaller. */
+/* Bisections of an interval of x: more than the 53 bits of a double's fraction, so that further
+ * ones would change nothing. */
 enum { BISECTIONS = 64 };
 
 /* A value of `enough` that td_grown_highest never reaches. */
@@ -15,8 +16,8 @@ enum { BISECTIONS = 64 };
 
 /* ---- candidates ---- */
 
-/* Makes a candidate the result in *best if its absolute distance is less. z is the nearest place of
- * the outline, on the piece e, from which the closest point on the ground follows. */
+/* Stores a candidate in *best if its absolute distance is smaller. z is its point of the outline,
+ * on the piece e, from which the closest point on the ground follows. */
 static void keep_nearer(const td_grown *k, const td_piece *e, thud_closest found, thud_pos z,
                         thud_closest *best) {
     if (td_abs(found.distance) >= td_abs(best->distance)) {
@@ -31,13 +32,14 @@ static void keep_nearer(const td_grown *k, const td_piece *e, thud_closest found
     *best = found;
 }
 
-/* The candidate z, an end of piece e or a place where two pieces meet. `inside`: the centre is in
- * the ground, and the distance is negative. */
+/* The candidate z, an end of piece e or a point where two pieces meet. `inside`: the centre is in
+ * the grown ground, and the distance is negative. */
 static void try_point(const td_grown *k, const td_piece *e, thud_pos z, bool inside,
                       thud_closest *best) {
     double length = __builtin_sqrt(z.x * z.x + z.y * z.y), sign = inside ? 1.0 : -1.0;
     thud_pos n = {sign * z.x / length, sign * z.y / length};
-    /* Where the direction to z is only rounding error, the piece's normal is used. */
+    /* If z is so near that the direction to it is only rounding error, the piece's normal is
+     * used. */
     if (length <= 1e-15 * (td_abs(e->touch.x) + td_abs(e->touch.y))) {
         n = td_piece_normal(e, z);
     }
@@ -54,14 +56,14 @@ static void try_foot(const td_grown *k, const td_piece *e, double from, double t
         distance = __builtin_sqrt(e->touch.x * e->touch.x + e->touch.y * e->touch.y) - e->radius;
     }
     thud_pos z = {-n.x * distance, -n.y * distance};
-    /* A normal that looks down would be on the lower half of a circle, which is no part of the
+    /* A normal that points down belongs to the lower half of the circle, which is not part of the
      * piece. */
     if (z.x >= from && z.x <= to && n.y > 0.0) {
         keep_nearer(k, e, (thud_closest){.distance = distance, .nx = n.x, .ny = n.y}, z, best);
     }
 }
 
-/* The candidate on the upright side under the right end of the line. */
+/* The candidate on the vertical side under the right end of the line. */
 static void try_side(const td_grown *k, thud_closest *best) {
     thud_pos last = td_grown_vertex(k, k->terrain->count - 1);
     double x = last.x - k->under[0].x, top;
@@ -88,9 +90,9 @@ static void try_vertex(const td_grown *k, int i, thud_closest *best) {
     }
 }
 
-/* Finds the nearest point of the outline for a centre outside of the grown ground: the vertices
- * above and below the shape first, then those to both sides, while they may be nearer. `mirrored`
- * is k with left and right exchanged. */
+/* Finds the nearest point of the outline for a centre outside of the grown ground: first from the
+ * vertices above and below the shape, then from those to both sides, as long as they may be nearer.
+ * `mirrored` is k with left and right exchanged. */
 static void from_outside(const td_grown *k, const td_grown *mirrored, thud_closest *best) {
     int first, last;
     td_grown_vertices(k, 0.0, 0.0, &first, &last);
@@ -119,10 +121,11 @@ static double rise(const td_piece *other, const td_piece *top, double x) {
     return td_piece_height(other, x) - td_piece_height(top, x);
 }
 
-/* Finds the least x between `x` and `stop`, *at, where the piece `other` rises above the piece
- * `top`; false where it does not. The difference of their heights changes its sign once there: it
- * is linear, or convex and not positive at the start, or, for a round piece over a straight one,
- * concave up to the place where both are parallel, which bounds the search. */
+/* Finds the smallest x between `x` and `stop`, *at, at which the piece `other` rises above the
+ * piece `top`; false if there is none. The difference of their heights changes sign only once in
+ * the searched interval: it is linear, or convex and not positive at the start, or, for a round
+ * piece over a straight one, concave up to the x at which both are parallel, where the search
+ * ends. */
 static bool overtakes(const td_piece *other, const td_piece *top, double x, double stop,
                       double tolerance, double *at) {
     double low = x > other->p.x ? x : other->p.x;
@@ -137,7 +140,7 @@ static bool overtakes(const td_piece *other, const td_piece *top, double x, doub
     }
     double below = rise(other, top, low), above = rise(other, top, high);
     *at = low;
-    if (!(above > tolerance) || !(below < 0.0)) { /* also where heights are NaN */
+    if (!(above > tolerance) || !(below < 0.0)) { /* also if heights are NaN */
         return above > tolerance;
     }
     if (!other->round && !top->round) {
@@ -156,9 +159,10 @@ static bool overtakes(const td_piece *other, const td_piece *top, double x, doub
     return true;
 }
 
-/* The candidate where the outline changes from one piece to the next, in a valley or at a joint.
- * The height of the flatter piece is used, since x is rounded; the point on the ground is that of
- * the piece that a shape moving out along the candidate's direction leaves. */
+/* The candidate at the point where the outline changes from one piece to the next, in a valley or
+ * at a common end. Since x is rounded, the height is that of the flatter piece, whose height
+ * depends less on x. The point on the ground is that of the piece whose normal is nearer to the
+ * direction of moving out. */
 static void try_joint(const td_grown *k, const td_piece *top, const td_piece *next, double x,
                       thud_closest *best) {
     bool flatter = td_piece_steepness(next, x) < td_piece_steepness(top, x);
@@ -168,8 +172,8 @@ static void try_joint(const td_grown *k, const td_piece *top, const td_piece *ne
     try_point(k, leaves_next ? next : top, z, true, best);
 }
 
-/* Walks the outline to the right, from the place of piece `top` at x, and tries all candidates that
- * may be nearer than *best. `tolerance`: heights that differ by less are equal, length. */
+/* Walks the outline to the right, from the point of piece `top` at x, and tries all candidates that
+ * may be nearer than *best. `tolerance`: heights that differ by less count as equal, length. */
 static void walk(const td_grown *k, td_piece top, double x, double tolerance, thud_closest *best) {
     double end = td_grown_vertex(k, k->terrain->count - 1).x - k->under[0].x, height;
     while (x < end && x < -best->distance) {
@@ -188,7 +192,8 @@ static void walk(const td_grown *k, td_piece top, double x, double tolerance, th
         try_foot(k, &top, x, stop, best);
         try_joint(k, &top, &next, stop, best);
         bool ended = stop >= top.q.x;
-        x = stop > x ? stop : x + tolerance; /* so that rounding cannot stop the walk */
+        x = stop > x ? stop : x + tolerance; /* advances in any case, so that rounding cannot make
+                                                the loop endless */
         top = next;
         if (ended && !td_grown_highest(k, x, ANY_HEIGHT, &top, &height)) {
             break;

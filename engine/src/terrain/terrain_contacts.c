@@ -1,33 +1,33 @@
-/* terrain_contacts.c: the up to two points at which a shape stands on a whole terrain. For queries;
+/* terrain_contacts.c: the one or two contact points of a shape with a whole terrain. For queries;
  * the solver's contacts come from terrain_manifold.c, segment by segment.
  *
- * The first point is the closest point, or for a shape in the ground that of the least translation
- * out of it. For the second, every feature that may touch (a corner of a box, a ridge of the
- * ground, a segment under a circle) is tested alone; none can be deeper than the whole shape. Among
- * those within the margin, the point furthest from the first is taken; then, among those as deep as
- * the first, the point furthest from the second replaces the first. Points far from each other
- * describe best how the shape is supported. */
+ * The first point is the closest point, or for a shape in the ground the point of the minimum
+ * translation out of it. For the second, every feature that may touch (a corner of a box, a ridge
+ * of the ground, a segment under a circle) is tested by itself; none can be deeper than the first
+ * point. Among those within the margin, the point furthest from the first is taken; then, among
+ * those as deep as the first, the point furthest from the second replaces the first. Points far
+ * from each other describe best how the shape is supported. */
 #include "terrain/terrain.h"
 
-/* Points nearer to each other than this share of the shape's extent are one point, and depths that
- * differ by less are equal. Above rounding; chosen, not tuned. */
+/* Points nearer to each other than this share of the shape's extent count as one point, and depths
+ * that differ by less as equal. Larger than rounding errors; chosen, not tuned. */
 #define SAME_POINT 1e-9
-/* By how much a normal may lie outside of a ridge's wedge, sine of the angle. Above rounding;
- * chosen, not tuned. */
+/* Tolerance for a normal outside of a ridge's wedge, sine of the angle. Larger than rounding
+ * errors; chosen, not tuned. */
 #define WEDGE_SLACK 1e-9
 
 /* A search for the point furthest from `from`. Points are relative to the shape's centre. */
 typedef struct search {
     const thud_terrain *terrain;
     const thud_geometry *shape;
-    double margin; /* points with a greater separation do not count */
+    double margin; /* points with a larger separation are left out */
     thud_closest from;
-    double apart; /* distance of the best point from it so far; at first the least that counts */
+    double apart; /* distance of the best point so far from `from`; at first the minimum distance */
     bool found;
     thud_closest best;
 } search;
 
-/* Makes a candidate the best one if it is within the margin and further from `from`. */
+/* Stores a candidate in `best` if it is within the margin and further from `from`. */
 static void keep_further(search *k, const thud_closest *c) {
     double dx = c->ax - k->from.ax, dy = c->ay - k->from.ay;
     double apart = __builtin_sqrt(dx * dx + dy * dy);
@@ -38,7 +38,7 @@ static void keep_further(search *k, const thud_closest *c) {
     }
 }
 
-/* The candidates of a box's corners, each with the nearest place of the ground. */
+/* The candidates of a box's corners, each with the nearest point of the ground. */
 static void try_corners(search *k) {
     thud_geometry box = *k->shape,
                   point = {.kind = THUD_SHAPE_CIRCLE, .x = box.x, .y = box.y, .c = 1.0};
@@ -62,13 +62,12 @@ static thud_pos vertex_of(const search *k, int i) {
                       k->terrain->points[i].y - k->shape->y};
 }
 
-/* The candidate of vertex i, with the nearest place of the shape, where the vertex is a ridge and
- * the direction to it is in the ridge's wedge, between the normals of the ground before and
- * after. */
+/* The candidate of vertex i, with the nearest point of the shape, if the vertex is a ridge and the
+ * direction lies in the ridge's wedge, between the normals of the segments before and after it. */
 static void try_ridge(search *k, int i) {
     const thud_terrain *t = k->terrain;
     td_segment before = {.ty = 1.0},
-               after = {.ty = -1.0}; /* the ground is upright beyond its ends */
+               after = {.ty = -1.0}; /* the side under an end of the line is vertical */
     if (i > 0) {
         before = td_terrain_segment(t, i - 1, 0.0, 0.0);
     }
@@ -90,7 +89,7 @@ static void try_ridge(search *k, int i) {
     }
 }
 
-/* The candidate of segment i, where the centre of a circle projects onto it from above. */
+/* The candidate of segment i, if the centre of a circle projects onto it from above. */
 static void try_segment(search *k, int i) {
     td_segment s = td_terrain_segment(k->terrain, i, 0.0, 0.0);
     s.p = vertex_of(k, i);
@@ -103,8 +102,8 @@ static void try_segment(search *k, int i) {
     keep_further(k, &c);
 }
 
-/* Tries all candidates. `centre_out`: a circle's centre is not in the ground, so that segments
- * count. */
+/* Tries all candidates. `centre_out`: a circle's centre is not in the ground, so that segments are
+ * candidates. */
 static bool find(search *k, bool centre_out) {
     bool circle = td_kind_is_round(k->shape->kind);
     double reach = td_half_width(k->shape) + k->margin;
@@ -125,8 +124,8 @@ static bool find(search *k, bool centre_out) {
     return k->found;
 }
 
-/* Adds the second point to out->point[0], which is set, and replaces that where the head of this
- * file says so. */
+/* Given out->point[0], adds the second point, and then replaces the first one as the head of this
+ * file describes. */
 static void find_points(const thud_terrain *t, const thud_geometry *shape, double margin,
                         thud_contacts *out) {
     thud_closest *first = &out->point[0], *second = &out->point[1];

@@ -3,7 +3,7 @@
 
 #include "thud/thud_terrain.h"
 
-/* Keeps the higher of the present place and the one at x; of equal heights the nearer to the sole's
+/* Moves the foot to x if the ground is higher there, or equally high and nearer to the sole's
  * middle. */
 static void try_place(thud_foot *foot, double middle, double x, double height) {
     if (height > foot->height ||

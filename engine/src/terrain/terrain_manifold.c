@@ -1,28 +1,28 @@
 /* terrain_manifold.c: see terrain_manifold.h.
  *
- * The plane is divided between the features of the line (its Voronoi regions), and the features
- * between the segments, so that each place has one owner:
+ * The plane is divided into the Voronoi regions of the line's features, and each feature belongs to
+ * one segment, so that each point of the plane has one owner:
  * - Above the line, the points that project onto a segment belong to the segment, and those in the
- *   wedge between the normals of two segments at a ridge belong to the vertex. A vertex is reported
- *   by the segment that it begins, the last one by the segment that it ends.
+ *   wedge between the normals of two segments at a ridge belong to the vertex. A vertex belongs to
+ *   the segment on its right, the last vertex to the last segment.
  * - In the ground, a point belongs to the segment through which it is nearest to the surface.
- * - The ground's upright sides count as a segment before the first and one after the last, and are
- *   reported by those. Only shapes whose centre is beyond the end of the line can touch them.
+ * - The ground's vertical sides are treated as one more segment at each end, and reported by the
+ *   first and last segment. Only shapes whose centre is beyond the end of the line can touch them.
  *
- * A circle touches with its centre's owner. A box touches with each of its corners that the segment
- * owns, and with vertices of the line inside its faces. */
+ * A circle touches the owner of its centre. A box touches the segment with each corner that the
+ * segment owns, and with the segment's vertices that are inside the box's faces. */
 #include "terrain/terrain_manifold.h"
 
 #include "terrain/terrain.h"
 
-/* Values of owner_of that are no segments; the right side is count - 1. */
+/* Results of owner_of that are not segments; the right side is count - 1. */
 enum { ABOVE_GROUND = -2, LEFT_SIDE = -1 };
 
-/* The least sine of the angle between two segments that counts as a ridge for a box, or as a
- * valley. Above rounding; chosen, not tuned. */
+/* Two segments form a ridge for a box, or a valley, if the sine of the angle between them is at
+ * least this. Larger than rounding errors; chosen, not tuned. */
 #define RIDGE_SINE_MIN 1e-9
 
-/* The arguments of td_terrain_segment_manifold, and what follows from them. */
+/* The arguments of td_terrain_segment_manifold, and values derived from them. */
 typedef struct query {
     const thud_terrain *terrain;
     const thud_geometry *shape;
@@ -30,15 +30,14 @@ typedef struct query {
     bool endless, first, last; /* endless: a flat line; first, last: the segment's left or right end
                                   is an end of the line with an open side */
     td_segment s;
-    bool open_left, open_right; /* the ends of the line are not sealed */
+    bool open_left, open_right; /* the end of the line at this side is not sealed */
     double margin;
 } query;
 
 static query query_of(const thud_terrain *t, int segment, const thud_geometry *shape,
                       unsigned sealed, double margin) {
     bool left = !(sealed & TD_SEALED_LEFT), right = !(sealed & TD_SEALED_RIGHT);
-    /* Half the width of the piece of a flat line that stands for its only segment: more than the
-     * shape takes up. */
+    /* Half the width of the piece that represents a flat line: wider than the shape. */
     double reach = 2.0 * td_reach(shape) + 1.0;
     bool endless = t->kind == THUD_TERRAIN_FLAT;
     return (query){.terrain = t,
@@ -67,13 +66,13 @@ static double ridge_of(const vertex *v) {
 /* The vertex at the segment's left or right end. */
 static vertex vertex_of(const query *k, bool right) {
     const td_segment *s = &k->s;
-    if (right) { /* only called for the last segment: the ground goes straight down after it */
+    if (right) { /* only called for the last segment: after its end comes the vertical side */
         return (vertex){s->q, s->tx, s->ty, 0.0, -1.0};
     }
     if (k->first) {
         return (vertex){s->p, 0.0, 1.0, s->tx, s->ty};
     }
-    if (k->segment == 0) { /* sealed: the ground goes straight on */
+    if (k->segment == 0) { /* the end is sealed: the tangent continues */
         return (vertex){s->p, s->tx, s->ty, s->tx, s->ty};
     }
     td_segment before = td_terrain_segment(k->terrain, k->segment - 1, 0.0, 0.0);
@@ -87,9 +86,10 @@ static double distance_to(const td_segment *s, double x, double y) {
     return __builtin_sqrt(dx * dx + dy * dy);
 }
 
-/* The segment, or LEFT_SIDE or count - 1 for the upright sides, through which a point in the ground
- * is nearest to the surface; ABOVE_GROUND above the line or beyond its ends. Only the segments that
- * the shape's bounds touch are searched, as no others report this shape. */
+/* The segment, or LEFT_SIDE or count - 1 for the vertical sides, through which a point in the
+ * ground is nearest to the surface; ABOVE_GROUND for a point above the line or beyond its ends.
+ * Only the segments that the shape's bounds touch are searched, since only those report contacts of
+ * this shape. */
 static int owner_of(const query *k, double x, double y) {
     const thud_terrain *t = k->terrain;
     if (k->endless) {
@@ -130,8 +130,8 @@ static int owner_of(const query *k, double x, double y) {
     return k->open_right && k->shape->x > right && right - x < nearest ? t->count - 1 : owner;
 }
 
-/* Whether a point above the ground projects onto the segment. A point over the vertex that the
- * segment begins is its own; one over the vertex that it ends is not. */
+/* Whether a point above the ground projects onto the segment. A point exactly over the segment's
+ * left vertex projects onto it; one over the right vertex does not. */
 static bool foot_within(const query *k, double x, double y) {
     const td_segment *s = &k->s;
     return k->endless ||
@@ -140,8 +140,8 @@ static bool foot_within(const query *k, double x, double y) {
 
 /* ---- circle ---- */
 
-/* Makes the circle's contact with the given normal and distance of its centre the manifold, if it
- * is within the margin and deeper than the present one. */
+/* Stores the circle's contact with this normal and distance of its centre in *out, if it is within
+ * the margin and deeper than the present one. */
 static void keep_deeper(td_terrain_manifold *out, const query *k, double nx, double ny,
                         double distance) {
     double separation = distance - k->shape->hx, reach = -(k->shape->hx + 0.5 * separation);
@@ -150,8 +150,8 @@ static void keep_deeper(td_terrain_manifold *out, const query *k, double nx, dou
     }
 }
 
-/* The circle against a vertex of the segment, where its centre is in the wedge over it: past the
- * end of the segment before, and before the start of the segment after. */
+/* The circle against a vertex of the segment, if its centre is in the wedge over the vertex: beyond
+ * the end of the segment before, and before the start of the segment after. */
 static void try_vertex(td_terrain_manifold *out, const query *k, bool right) {
     double x = k->shape->x, y = k->shape->y;
     vertex v = vertex_of(k, right);
@@ -191,8 +191,7 @@ static void circle(const query *k, td_terrain_manifold *out) {
 /* ---- box ---- */
 
 /* Adds a contact point: the ground's surface is at (x, y), and the box's `separation` from there
- * along the normal. Of more than two points the two deepest stay. They are ordered along the
- * ground. */
+ * along the normal. Of more than two points the two deepest are kept, ordered along the ground. */
 static void add_point(td_terrain_manifold *out, const query *k, double x, double y,
                       double separation, uint32_t id) {
     td_terrain_point point = {x - k->shape->x + 0.5 * separation * out->nx,
@@ -214,11 +213,11 @@ static void add_point(td_terrain_manifold *out, const query *k, double x, double
     }
 }
 
-/* Whether a corner of the box that the neighbouring segment `owner` owns is a contact with this
- * segment, too, as in a valley, where the corner overlaps both slopes. It is, if it would be in
- * reach of this segment once it has left the other one. Its foot on this segment's line may be past
- * the vertex by four times its depth below the other segment, as far as it can be in a valley whose
- * slopes are up to 75 degrees steep. */
+/* Whether a corner of the box that the neighbouring segment `owner` owns also has a contact with
+ * this segment, as in a valley, where the corner overlaps both slopes. It has one if it would be
+ * within the margin of this segment after it was moved out of the other one. The foot of the corner
+ * on this segment's line may lie beyond the vertex by up to four times its depth below the other
+ * segment, the maximum in valleys with slopes of up to 75 degrees. */
 static bool in_valley(const query *k, int owner, double x, double y) {
     if (k->endless || owner < 0 || owner > k->terrain->count - 2 ||
         (owner != k->segment - 1 && owner != k->segment + 1)) {
@@ -255,7 +254,7 @@ static void corners_on_segment(const query *k, td_terrain_manifold *out) {
     }
 }
 
-/* The contact points of the box's corners with the upright side under an end of the line. */
+/* The contact points of the box's corners with the vertical side under an end of the line. */
 static void corners_on_side(const query *k, int side, td_terrain_manifold *out) {
     thud_pos end = side == LEFT_SIDE ? k->s.p : k->s.q;
     out->nx = side == LEFT_SIDE ? -1.0 : 1.0;
@@ -293,8 +292,8 @@ static faces faces_around(const thud_geometry *box, thud_pos v) {
 }
 
 /* The separation of a vertex from the box's surface along the unit normal (nx, ny), out of the
- * ground: the distance by which the box must move against the normal until the vertex is at its
- * surface. Faces whose normal is within 0.001 rad of being perpendicular to it do not count. */
+ * ground: the distance by which the box must move against the normal until the vertex is on its
+ * surface. Faces whose normal is perpendicular to it within 0.001 rad are left out. */
 static double separation_along(const faces *f, double nx, double ny) {
     double best = -1e300;
     for (int i = 0; i < 4; i++) {
@@ -306,9 +305,10 @@ static double separation_along(const faces *f, double nx, double ny) {
     return best;
 }
 
-/* Adds the contact of a ridge vertex inside a face of the box. Where the segment has no other
- * point, the normal is that of the face of least penetration among those that look into the ground,
- * clamped to the wedge between the normals of the two segments; else it is the manifold's. */
+/* Adds the contact of a ridge vertex inside a face of the box. If the manifold has no point yet,
+ * the normal is opposite to that of the face of least penetration among the faces that point into
+ * the ground, clamped to the wedge between the normals of the two segments; otherwise the
+ * manifold's normal is kept. */
 static void add_vertex(const query *k, bool right, td_terrain_manifold *out) {
     if (td_abs((right ? k->s.q.x : k->s.p.x) - k->shape->x) > td_half_width(k->shape) + k->margin) {
         return;
@@ -319,14 +319,14 @@ static void add_vertex(const query *k, bool right, td_terrain_manifold *out) {
         return;
     }
     faces f = faces_around(k->shape, v.at);
-    /* The sum of both segments' normals looks out of the ridge, however sharp it is. */
+    /* The sum of both segments' normals points out of the ridge, however sharp it is. */
     double rx = -ay - by, ry = ax + bx, length = __builtin_sqrt(rx * rx + ry * ry);
     double best = -1e300, nx = 0.0, ny = 1.0;
     int outside = 0;
     for (int i = 0; i < 4; i++) {
         outside += f.separation[i] > 0.0;
-        /* Cosine below -0.001: faces that are all but perpendicular to the ridge's normal do not
-         * count. */
+        /* Cosine below -0.001: faces that are nearly perpendicular to the ridge's normal are left
+         * out. */
         bool into_ground = f.nx[i] * rx + f.ny[i] * ry < -1e-3 * length;
         if (into_ground && f.separation[i] > best) {
             best = f.separation[i];
@@ -343,7 +343,7 @@ static void add_vertex(const query *k, bool right, td_terrain_manifold *out) {
         nx = out->nx;
         ny = out->ny;
     } else if (nx * ax + ny * ay < 0.0 || nx * bx + ny * by > 0.0) {
-        /* The normal is outside of the wedge: take the nearer of its sides. */
+        /* The normal is outside of the wedge: use the nearer side of the wedge. */
         bool before = ny * ax - nx * ay > ny * bx - nx * by;
         nx = before ? -ay : -by;
         ny = before ? ax : bx;
@@ -356,8 +356,8 @@ static void add_vertex(const query *k, bool right, td_terrain_manifold *out) {
     }
 }
 
-/* Adds a contact of the box's centre, where it is in the ground and owned by the segment. A thin
- * box through which a hill goes has neither a corner in the ground nor a vertex in a face. */
+/* Adds a contact of the box's centre, if it is in the ground and owned by the segment: if a hill
+ * passes through a thin box, there may be neither a corner in the ground nor a vertex in a face. */
 static void add_centre(const query *k, td_terrain_manifold *out) {
     double x = k->shape->x, y = k->shape->y, above = td_above(&k->s, x, y);
     if (above < 0.0 && owner_of(k, x, y) == k->segment) {
@@ -368,13 +368,14 @@ static void add_centre(const query *k, td_terrain_manifold *out) {
     }
 }
 
-/* The least separation of a manifold; 1e300 without points. */
+/* The smallest separation of a manifold; 1e300 without points. */
 static double deepest(const td_terrain_manifold *m) {
     double depth = m->count > 0 ? m->point[0].separation : 1e300;
     return m->count > 1 && m->point[1].separation < depth ? m->point[1].separation : depth;
 }
 
-/* The manifold of a box: one side of the line's end replaces the segment where it is deeper. */
+/* The manifold of a box: the vertical side at an end of the line replaces the segment if its
+ * contact is deeper. */
 static void box(const query *k, td_terrain_manifold *out) {
     corners_on_segment(k, out);
     for (int end = 0; end < 2; end++) {

@@ -9,9 +9,9 @@
 typedef struct td_terrain_point {
     double px, py;     /* halfway between the surfaces, relative to the shape's centre */
     double separation; /* along the normal; negative: overlap */
-    /* What the point belongs to, for warm starting. A circle: 0. A box: 0 to 3, its corner; 4 and
-     * 5, the vertex at the segment's left and right end, inside a face of the box; 6, the box's
-     * centre. */
+    /* The feature of the contact, by which warm starting recognises the point. A circle: 0. A box:
+     * 0 to 3, its corner; 4 and 5, the vertex at the segment's left and right end, inside a face of
+     * the box; 6, the box's centre. */
     uint32_t id;
 } td_terrain_point;
 
@@ -23,14 +23,14 @@ typedef struct td_terrain_manifold {
 } td_terrain_manifold;
 
 /* Bits of `sealed`: ends of the line at which other ground continues (contact/internal_edges.h), so
- * that no shape can touch the upright side there. They are 1 << TD_FACE_RIGHT and 1 <<
+ * that no shape can touch the vertical side there. They are 1 << TD_FACE_RIGHT and 1 <<
  * TD_FACE_LEFT. */
 enum { TD_SEALED_RIGHT = 1, TD_SEALED_LEFT = 4 };
 
 /* Computes the manifold. The shape's coordinates are relative to the terrain's origin. Points with
- * a separation greater than `margin` are left out. All segments that the shape's bounds touch
- * together report each contact once, and a shape that slides over collinear segments only gets
- * their normal. */
+ * a separation greater than `margin` are left out. Each contact is reported by only one of the
+ * segments that the shape's bounds touch, and a shape that slides over collinear segments gets no
+ * normal other than theirs. */
 void td_terrain_segment_manifold(const thud_terrain *terrain, int segment,
                                  const thud_geometry *shape, unsigned sealed, double margin,
                                  td_terrain_manifold *out);

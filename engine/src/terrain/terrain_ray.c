@@ -1,8 +1,8 @@
 /* terrain_ray.c: a ray against a terrain, from above.
  *
  * The ray is followed from vertex to vertex, and its height above the line is computed at each. The
- * height at a vertex is computed once and used for the segments on both sides, so that no ray slips
- * through between them by rounding. */
+ * height at a vertex is computed once and used for the segments on both sides, so that rounding
+ * lets no ray pass between them. */
 #include "terrain/terrain.h"
 
 /* A ray and the terrain that it is cast against. */
@@ -42,8 +42,8 @@ static bool crosses_down(ray_sample a, ray_sample b, double *fraction) {
     return true;
 }
 
-/* Walks the segments `first` to `last` in the direction of the ray. False where the ray does not
- * cross the line, or starts below it. */
+/* Walks the segments `first` to `last` in the direction of the ray. False if the ray does not cross
+ * the line, or starts below it. */
 static bool walk_segments(const ray *r, int first, int last, double *fraction, int *segment) {
     bool rightward = r->dx > 0.0;
     int step = rightward ? 1 : -1, i = rightward ? first : last, end = rightward ? last : first;

@@ -5,12 +5,12 @@
 #include "terrain/terrain.h"
 #include "base/trig.h"
 
-/* Chords by which the half circle is replaced, 11.25 degrees each: they are off by at most 1 -
- * cos(5.625 degrees), 0.5 % of the radius. Half as many would be off by 1.9 %; twice as many double
- * the vertices that an edit adds. */
+/* Number of chords that approximate the half circle, 11.25 degrees each: their error is at most 1 -
+ * cos(5.625 degrees), 0.5 % of the radius. With half as many it would be 1.9 %; twice as many would
+ * double the vertices that an edit adds. */
 enum { ARC_PIECES = 16 };
 
-/* Vertices nearer to each other than this share of the radius become one. Chosen; not tuned. */
+/* Vertices nearer to each other than this share of the radius are merged. Chosen; not tuned. */
 #define SPACING_MIN (1.0 / 64.0)
 
 void td_tool_vertices(const thud_terrain *t, const td_tool *tool, int *first, int *count) {
@@ -28,8 +28,8 @@ int td_tool_room(int count) {
     return 2 * (count + ARC_PIECES + 1);
 }
 
-/* The change of height by the tool at x, where the ground has the height `ground`. A circle's
- * counts only where it is negative. */
+/* The change of height by the tool at x, where the ground has the height `ground`. For a circle
+ * only negative changes are applied. */
 static double shift_at(const td_tool *tool, double x, double ground) {
     double u = (x - tool->x) / tool->radius, inside = td_max_double(1.0 - u * u, 0.0);
     /* A mound's slope is zero at its foot and on its top. */
@@ -37,7 +37,7 @@ static double shift_at(const td_tool *tool, double x, double ground) {
                       : tool->rise * inside * inside;
 }
 
-/* Whether a change of the height by `shift` takes place: a circle only removes ground. */
+/* Whether a change of the height by `shift` is applied: a circle only removes ground. */
 static bool changes(const td_tool *tool, double shift) {
     return tool->digs ? shift < 0.0 : shift != 0.0;
 }
@@ -57,15 +57,16 @@ static double ground_at(const thud_terrain *t, int right, double x) {
 
 /* The new vertices, written from left to right. */
 typedef struct polyline {
-    const thud_pos *before; /* the last vertex before the tool, which stays; null: there is none */
+    const thud_pos *before; /* the last vertex to the left of the tool, which is kept; null: there
+                               is none */
     thud_pos *out;
     int count;
-    double spacing_min; /* least distance of two vertices */
+    double spacing_min; /* minimum distance between two vertices */
     double stop;        /* x of the last vertex of the line */
 } polyline;
 
-/* Whether b, to the right of a, is too close to it for a vertex of its own. The x alone must differ
- * by a millionth of the least spacing. */
+/* Whether b, to the right of a, is too close to it for a vertex of its own. Their x must also
+ * differ, by at least a millionth of the minimum distance. */
 static bool too_near(const polyline *p, thud_pos a, thud_pos b) {
     double dx = b.x - a.x, dy = b.y - a.y;
     return dx * dx + dy * dy < p->spacing_min * p->spacing_min || dx < 1e-6 * p->spacing_min;
@@ -84,8 +85,8 @@ static void append(polyline *p, double x, double y) {
 }
 
 /* Walks vertices and samples of the tool's curve together, in the order of x, and appends: samples
- * where the ground changes, all old vertices, and the crossings between ground that changes and
- * ground that does not. */
+ * where the ground changes, all old vertices, and the points where changed and unchanged ground
+ * meet. */
 static void reshape_irregular(polyline *p, const thud_terrain *t, const td_tool *tool, int first,
                               int end) {
     double before_x = 0.0, before_ground = 0.0, before_shift = 0.0;
@@ -103,7 +104,8 @@ static void reshape_irregular(polyline *p, const thud_terrain *t, const td_tool 
         }
         double ground = vertex || right == 0 ? t->points[right].y : ground_at(t, right, x);
         double shift = shift_at(tool, x, ground);
-        /* At the ends of the half circle the ground stays, even if that makes an upright wall. */
+        /* At the ends of the half circle the ground is unchanged, even if that makes a nearly
+         * vertical wall. */
         shift = edge && changes(tool, shift) ? 0.0 : shift;
         bool changed = changes(tool, shift);
         if (begun && changed != changes(tool, before_shift)) {

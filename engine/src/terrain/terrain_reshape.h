@@ -1,4 +1,4 @@
-/* terrain_reshape.h: computes the vertices of a part of a terrain where it is dug out or raised.
+/* terrain_reshape.h: computes new vertices for a part of a terrain that is dug out or raised.
  * state/terrain_edit.c puts them into the world. */
 #ifndef TD_TERRAIN_RESHAPE_H
 #define TD_TERRAIN_RESHAPE_H
@@ -18,14 +18,13 @@ typedef struct td_tool {
 /* The range of vertices strictly within the tool's width; not of a flat terrain. */
 void td_tool_vertices(const thud_terrain *terrain, const td_tool *tool, int *first, int *count);
 
-/* The greatest number of vertices that td_tool_reshape writes in place of `count`. */
+/* The maximum number of vertices that td_tool_reshape writes in place of `count` vertices. */
 int td_tool_room(int count);
 
-/* Writes the vertices that replace the `count` ones from `first` on, and returns their number. A
- * uniform terrain keeps its vertices' x. An irregular one also gets vertices where the ground
- * begins to differ from what it was, and along the tool's curve. No two of them are nearer to each
- * other than 1/64 of the radius, so that digging in the same place again and again does not add
- * ever more. */
+/* Writes the vertices that replace the `count` ones from `first` on, and returns their number. In a
+ * uniform terrain only heights change. An irregular one also gets vertices where the changed ground
+ * begins and ends, and along the tool's curve. No two of them are nearer to each other than 1/64 of
+ * the radius, so that repeated digging in the same place does not add vertices without bound. */
 int td_tool_reshape(const thud_terrain *terrain, const td_tool *tool, int first, int count,
                     thud_pos *out);
 

@@ -12,7 +12,8 @@ bool td_texture_entry_valid(float entry) {
     return entry >= 0.0f && entry <= THUD_FRICTION_MAX;
 }
 
-/* The two entries of the table beside a texture coordinate, and the weight of the second. */
+/* The two entries of the table on both sides of a texture coordinate, and the weight of the
+ * second. */
 typedef struct entries {
     int first, second;
     double weight;
@@ -23,7 +24,7 @@ static entries entries_at(const thud_texture *t, double u) {
                               : td_clamp(u, 0.0, 1.0) * (t->table_count - 1);
     int first = (int)place, last = t->table_count - 1;
     double weight = place - first;
-    /* Rounding makes u - floor(u) 1 where u is a little below 0. */
+    /* For u slightly below 0, rounding makes u - floor(u) equal to 1. */
     first = first <= last ? first : 0;
     int next = first < last ? first + 1 : t->repeats ? 0 : last;
     return (entries){first, next, weight};

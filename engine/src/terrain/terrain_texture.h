@@ -4,9 +4,10 @@
 
 #include "thud/thud_textured.h"
 
-/* Whether the value of a vertex is in range: of a texture without a table a friction. */
+/* Whether the value of a vertex is in range: a texture coordinate with a table, a friction
+ * coefficient without. */
 bool td_texture_vertex_valid(bool has_table, double value);
-/* Whether an entry of a table is. */
+/* Whether an entry of a table is in range. */
 bool td_texture_entry_valid(float entry);
 
 #endif

@@ -1,9 +1,9 @@
 /* terrain_toi.c: whether a shape overlaps a terrain, and the time of impact of a moving shape with
  * it.
  *
- * The ground is the area on and below the line, between two upright sides under its ends. Its
- * outline is a chain of straight pieces; the time of impact is the least of those with each piece,
- * seen as a box of thickness 0 (geometry/toi.c). */
+ * The ground is the area on and below the line, between the two vertical sides under its ends. Its
+ * outline is a chain of straight edges; the time of impact is the earliest of those with each edge
+ * as a box of thickness 0 (geometry/toi.c). */
 #include "terrain/grown_ground.h"
 
 /* As thud_terrain_overlap, for input known to be valid. */
@@ -19,8 +19,8 @@ bool thud_terrain_overlap(const thud_terrain *t, const thud_geometry *shape) {
            overlaps(t, shape);
 }
 
-/* Where the motion has an impact with the edge from p to q, sets *hit, and lowers *time to the
- * impact's time. */
+/* If the motion has an impact with the edge from p to q, sets *hit, and *time to the earlier of its
+ * value and the impact's time. */
 static void impact_with_edge(const thud_geometry *shape, thud_motion motion, thud_pos p, thud_pos q,
                              double target, bool *hit, double *time) {
     double dx = q.x - p.x, dy = q.y - p.y, length = __builtin_sqrt(dx * dx + dy * dy);
@@ -46,7 +46,7 @@ void td_terrain_time_of_impact(const thud_terrain *t, const thud_geometry *shape
     if (*out_hit) {
         return;
     }
-    /* Places are relative to the shape's centre, so that no precision is lost far from the
+    /* Coordinates are relative to the shape's centre, so that no precision is lost far from the
      * origin. */
     double reach = td_reach(shape) + target;
     double left = (motion.dx < 0.0 ? motion.dx : 0.0) - reach;

@@ -1,6 +1,6 @@
-/* texture_store.c: the memory of textures, and textures in snapshots. The bytes there are, for each
- * terrain slot that has a texture, by rising slot: a td_kept_texture, then its values (double) and
- * its table (float). Nothing in them is aligned. */
+/* texture_store.c: the memory of textures, and textures in snapshots. The bytes in a snapshot are,
+ * for each terrain slot that has a texture, by rising slot: a td_kept_texture, then its values
+ * (double) and its table (float), without alignment. */
 #include "textures/textures.h"
 
 #include "terrain/terrain_texture.h"
@@ -26,7 +26,7 @@ typedef struct td_kept_texture {
     int32_t terrain, vertices, table, repeats;
 } td_kept_texture;
 
-/* The bytes of a texture with its head. */
+/* The number of bytes of a texture, including its td_kept_texture. */
 static uint64_t bytes_of(int vertices, int table) {
     return sizeof(td_kept_texture) + (uint64_t)vertices * sizeof(double) +
            (uint64_t)table * sizeof(float);
@@ -41,7 +41,7 @@ uint64_t td_textures_bytes(const thud_world *w) {
     return bytes;
 }
 
-/* Copies the elements of an array, and returns the place behind them. */
+/* Copies the elements of an array, and returns the address after them. */
 static char *put(char *to, const td_array *array) {
     size_t bytes = (size_t)array->count * (size_t)array->stride;
     if (bytes) {
@@ -63,7 +63,7 @@ void td_textures_write(const thud_world *w, char *to) {
 
 /* ---- reading ---- */
 
-/* Whether the values and entries behind a head are in their ranges. */
+/* Whether the values and table entries that follow a td_kept_texture are in their ranges. */
 static bool numbers_valid(td_kept_texture kept, const char *from) {
     for (int i = 0; i < kept.vertices; i++) {
         double value;
@@ -83,7 +83,8 @@ static bool numbers_valid(td_kept_texture kept, const char *from) {
     return true;
 }
 
-/* Whether a texture fits the terrain's number of points: of a flat line, which has none, two. */
+/* Whether the number of values equals the terrain's number of points; a flat line, which stores
+ * none, counts as two. */
 static bool fits(td_kept_texture kept, const char *points_of) {
     int32_t points;
     memcpy(&points, points_of + (size_t)kept.terrain * sizeof points, sizeof points);
@@ -123,7 +124,7 @@ bool td_textures_make_room(thud_world *w, const char *from, uint64_t bytes) {
     return true;
 }
 
-/* Reads the elements of an array that has room for them, and returns the place behind them. */
+/* Reads elements into an array, where memory is reserved, and returns the address after them. */
 static const char *take(const char *from, td_array *array, int count) {
     size_t bytes = (size_t)count * (size_t)array->stride;
     if (bytes) {

@@ -16,14 +16,14 @@
 
 /* ---- reading ---- */
 
-/* The texture of a shape; null: it is no line, or has none. */
+/* The texture of a shape; null if it is not a line or has none. */
 static const td_texture *texture_of(const thud_world *w, int shape) {
     const td_shape *s = td_shape_at(w, shape);
     return w->texture_hooks && s->terrain != TD_NONE ? td_texture_of(w, s->terrain) : NULL;
 }
 
-/* Sets segment and weights of *sample to those of a line at x, from its origin; beyond an end to
- * those of the end. `near_segment`: is looked at before the line is searched; TD_NONE: no guess. */
+/* Sets segment and weights of *sample for a line at x, relative to its origin; beyond an end, to
+ * those of the end. `near_segment`: a first guess of the segment; TD_NONE: no guess. */
 static void weigh(const thud_terrain *line, int near_segment, double x,
                   thud_terrain_sample *sample) {
     if (line->kind == THUD_TERRAIN_FLAT) {
@@ -44,7 +44,7 @@ static void weigh(const thud_terrain *line, int near_segment, double x,
 /* A line with its texture; `texture.count` 0: it has none. */
 typedef struct textured_line {
     int shape;
-    double origin; /* x of the line's origin in the world */
+    double origin; /* world x coordinate of the line's origin */
     thud_terrain terrain;
     thud_texture texture;
 } textured_line;
@@ -61,8 +61,8 @@ static textured_line line_of(const thud_world *w, int shape) {
                            .texture = td_texture_view(texture)};
 }
 
-/* Sets *out to the friction of a line at x, a coordinate of the world. `near_segment` as above.
- * False where the line has no texture, or x is not finite. */
+/* Sets *out to the friction of a line at x, a world coordinate. `near_segment`: as in weigh. False
+ * where the line has no texture, or x is not finite. */
 static bool friction_at(const textured_line *line, int near_segment, double x, float *out) {
     if (line->texture.count == 0 || !td_finite(x)) {
         return false;
@@ -72,7 +72,8 @@ static bool friction_at(const textured_line *line, int near_segment, double x, f
     return thud_texture_friction_at(&line->texture, &sample, out) == THUD_OK;
 }
 
-/* The settings of a pair whose line, one of the two, has a friction of its own at this place. */
+/* The settings of a pair in which the line's friction is replaced by `friction`, from its
+ * texture. */
 static thud_contact_settings settings_with(const thud_world *w, int line, int other,
                                            float friction) {
     return td_surface_of_frictions(w, line, other, friction, td_shape_at(w, other)->friction);
@@ -91,8 +92,8 @@ static void settle_one(const thud_world *w, const thud_contact *seen,
     }
 }
 
-/* Sets a lane whose side a is the line, and takes back what a prologue made of it in the last step.
- */
+/* Sets the friction of a lane whose side a is the line, and undoes changes that a prologue made in
+ * the last step. */
 static void settle_lane(thud_world *w, const textured_line *line, td_block *block, int points,
                         int lane) {
     int segment = td_contact_at(w, block->constraint[lane])->child;
@@ -105,9 +106,9 @@ static void settle_lane(thud_world *w, const textured_line *line, td_block *bloc
     }
 }
 
-/* td_texture_hooks.settle. A lane's point is where the body stands now, also where its manifold is
- * kept from an earlier step, whose lever arms move with the body. Lanes of the same line mostly
- * follow each other. */
+/* td_texture_hooks.settle. The contact point comes from lever arms that move with the body, so that
+ * it is up to date even if the manifold is kept from an earlier step. Consecutive lanes are mostly
+ * of the same line, which is looked up once. */
 static void settle(thud_world *w) {
     textured_line line = {.shape = TD_NONE};
     for (int r = 0; r < w->scratch.runs.count; r++) {
@@ -132,7 +133,7 @@ static void settle(thud_world *w) {
 
 /* ---- edits of the line ---- */
 
-/* td_texture_hooks.reserve: `count` more values, and as many behind them for splice. */
+/* td_texture_hooks.reserve: `count` more values, and as many again as scratch memory for splice. */
 static bool reserve(thud_world *w, int line, int count) {
     int terrain = td_shape_at(w, line)->terrain;
     td_texture *texture = td_texture_of(w, terrain);
@@ -140,8 +141,8 @@ static bool reserve(thud_world *w, int line, int count) {
            td_array_reserve(&w->memory, &texture->vertices, texture->vertices.count + 2 * count);
 }
 
-/* td_texture_hooks.splice. The values of new vertices are worked out behind the others first, since
- * those that they replace are needed for that. */
+/* td_texture_hooks.splice. The values of new vertices are first computed after the end of the
+ * others, since they depend on the values that they replace. */
 static void splice(thud_world *w, int line, int first, int removed, const thud_pos *points,
                    int count) {
     td_texture *texture = td_texture_of(w, td_shape_at(w, line)->terrain);
@@ -163,7 +164,7 @@ static void splice(thud_world *w, int line, int first, int removed, const thud_p
     texture->vertices.count = left;
 }
 
-/* Takes a slot's texture away, and its memory. */
+/* Removes a slot's texture, and frees its memory. */
 static void forget(thud_world *w, int terrain) {
     td_texture *texture = td_texture_of(w, terrain);
     if (texture) {
@@ -197,8 +198,8 @@ static const td_texture_hooks HOOKS = {.settle = settle,
 
 /* ---- the calls ---- */
 
-/* Makes the world's textures, and plugs in the hooks, if it has none. False when memory is short.
- */
+/* Creates the world's textures and sets the hooks, if it has none yet. False when memory is
+ * short. */
 static bool make_textures(thud_world *w) {
     if (!w->textures) {
         w->textures = td_memory_get(&w->memory, sizeof *w->textures);
@@ -257,7 +258,7 @@ static thud_result check(const thud_world *w, int line, const thud_texture *t) {
     return THUD_OK;
 }
 
-/* The line has no texture any more: contacts get the friction of the shapes back. */
+/* Removes a line's texture: its contacts have the friction of the shapes again. */
 static void take_away(thud_world *w, int line) {
     if (texture_of(w, line)) {
         forget(w, td_shape_at(w, line)->terrain);

@@ -6,15 +6,15 @@
 
 #include "thud/thud_textured.h"
 
-/* The texture of a line: thud_texture, whose arrays are these. */
+/* The texture of a line; thud_texture refers to these arrays. */
 typedef struct td_texture {
-    td_array vertices; /* double; none: the line has no texture */
-    td_array table;    /* float; none: the values of the vertices are the friction */
+    td_array vertices; /* double; empty: the line has no texture */
+    td_array table;    /* float; empty: the values of the vertices are the friction */
     bool repeats;
 } td_texture;
 
 typedef struct td_textures {
-    td_array of; /* td_texture, by terrain slot; of as many slots as have had one */
+    td_array of; /* td_texture, by terrain slot, up to the highest slot that has had one */
 } td_textures;
 
 /* The texture of a terrain slot; null: it has none. */
@@ -24,15 +24,15 @@ static inline td_texture *td_texture_of(const thud_world *w, int terrain) {
     return texture && texture->vertices.count ? texture : NULL;
 }
 
-/* The texture as callers see it. */
+/* The texture as the public API describes it. */
 static inline thud_texture td_texture_view(const td_texture *t) {
     return (thud_texture){t->vertices.data, t->vertices.count,
                           t->table.count ? t->table.data : NULL, t->table.count, t->repeats};
 }
 
 /* texture_store.c. */
-/* The slot's place in td_textures.of, with room for a texture of that size; what it has stays. Null
- * when memory is short. */
+/* The slot's texture, with memory reserved for these numbers of values; its contents do not change.
+ * Null when memory is short. */
 td_texture *td_texture_room(thud_world *w, int terrain, int vertices, int table);
 
 /* For snapshots; td_texture_hooks says what each does. */
