@@ -22,6 +22,7 @@ export const KEYWORDS: Readonly<Record<string, string>> = {
   lab_callbacks:
     "callbacks listeners events veto does the pair collide kicker bumper portal velocities one to " +
     "each object",
+  lab_capsule: "swept sphere stadium rounded segment capsule normal depth signed distance closest points",
   lab_latency:
     "network prediction dead reckoning swept prediction rollback lag delay peers extrapolation",
   lab_microscope:
