@@ -1,5 +1,5 @@
 /**
- * Tests the laboratory's capsules in the page: the numbers in the panel
+ * Tests the laboratory's capsules and approximated polygon in the page: the numbers in the panel
  * against computations from the values of its sliders, by keyboard.
  */
 import assert from "node:assert/strict";
@@ -65,6 +65,37 @@ for (const browser of BROWSERS)
       assert.equal(rows["They overlap"], distance <= 0 ? "yes" : "no");
       assert.ok(distance < 0, "the thick capsule overlaps the circle");
       assert.match((await rowsOf(page, "way"))["The circle hits B"], /^at 0\.\d+ of its way$/);
+      assert.deepEqual(await runAxe(page, "#dock"), []);
+      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth > innerWidth), false);
+      assert.deepEqual(errors, []);
+      await close();
+    });
+
+for (const browser of BROWSERS)
+  for (const [size, options] of SCREENS)
+    test(`approximation_in_${browser}_on_a_${size}_misses_less_with_more_pieces`, { skip: leftOut(browser) }, async () => {
+      const { page, errors, close } = await openVisitor({ browser }).open("?scene=lab_approximate&paused=1", options);
+      await stepBy(page, 2);
+      await choose(page, "set-kinds", "circles");
+      const withPieces = async (key) => {
+        await page.focus('[name="set-count"]');
+        await page.keyboard.press(key);
+        const { count } = await valuesOf(page, ["count"]);
+        const rows = await until(
+          () => rowsOf(page, "missed"),
+          (found) => found.Circles === String(count) && found.Boxes === "0",
+          `${count} circles`,
+        );
+        return { count, rows };
+      };
+      const few = await withPieces("Home");
+      const more = await withPieces("PageUp");
+      assert.ok(few.count === 1 && more.count > 1);
+      const error = ({ rows }) =>
+        Number.parseFloat(rows["Area missed"]) + Number.parseFloat(rows["Area outside of the polygon"]);
+      const distance = ({ rows }) => Number(rows["Distance missed, at most"]);
+      assert.ok(error(more) < error(few), `${error(more)}, ${error(few)}`);
+      assert.ok(distance(more) < distance(few), `${distance(more)}, ${distance(few)}`);
       assert.deepEqual(await runAxe(page, "#dock"), []);
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth > innerWidth), false);
       assert.deepEqual(errors, []);

@@ -16,6 +16,9 @@ export const KEYWORDS: Readonly<Record<string, string>> = {
   playground: "complex shapes made up of boxes approximation compound",
   sizes: "grid cell size broadphase",
   textured: "terrain foot feet friction uv coordinates weights interpolation",
+  lab_approximate:
+    "complex shapes made up of circles and boxes approximation compound polygon area wasted " +
+    "hausdorff bound error over count",
   lab_bisection: "time of collision halvings halving tunnelling speed time step thickness",
   lab_broadphase:
     "n^2 n² n squared grid cell size plane sweep and prune sap sorted lists insertion sort counted",
