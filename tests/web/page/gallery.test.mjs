@@ -79,7 +79,8 @@ const IDEAS = {
   portal: "lab_callbacks",
   epilogue: "lab_callbacks",
   microscope: "lab_microscope",
-  "960 hz": "detection",
+  "960 hz": "lab_prices",
+  priced: "lab_prices",
   advice: "detection",
 };
 

@@ -13,6 +13,7 @@ import { byId, make } from "./dom";
 import type { Brought } from "./own-level";
 
 export { ABOUTS };
+export { howToPlay, isTouch } from "./how";
 
 interface Card {
   button: HTMLButtonElement;

@@ -7,7 +7,7 @@ export const KEYWORDS: Readonly<Record<string, string>> = {
   broadphases: "plane sweep and prune sap sorted lists insertion sort spatial hash cell size",
   detection:
     "collision detection tunnelling ccd intersection testing bisection capsules extruded circles " +
-    "swept volumes error over time price cost frequency hertz hz 60 960 advice which method to choose",
+    "swept volumes error over time price cost advice which method to choose",
   geometry:
     "collision detection normal depth penetration signed distance closest points time of impact " +
     "intersection testing bounding volumes",
@@ -31,6 +31,9 @@ export const KEYWORDS: Readonly<Record<string, string>> = {
   lab_microscope:
     "collision microscope resolution four steps overlap response impulse normal depth solver",
   lab_minkowski: "point against shape configuration space difference capsule rounded extruded",
+  lab_prices:
+    "collision detection overlap bisection swept continuous accuracy efficiency error over time price " +
+    "cost frequency hertz 60 hz 120 hz 240 hz 480 hz 960 hz which method to choose",
   lab_swept:
     "intersection testing time of impact quadratic roots discriminant parabola trajectory sagitta " +
     "capsule extruded circle ccd continuous",

@@ -1,0 +1,103 @@
+/**
+ * The section “Detection, priced” of the panel Trade: measures in the laboratory's worker what each
+ * detection costs and how accurate it is, from 60 to 960 steps a second, and draws error over time.
+ */
+import { make } from "../../page/dom";
+import { say } from "../../page/messages";
+import type { Price } from "../../worker/measure-prices";
+import type { Laboratory } from "./laboratory";
+import { plainTime, timeText } from "./text";
+import { Work } from "./work";
+
+/** The motions, each with what it is. */
+const MOTIONS: Readonly<Record<string, string>> = {
+  shuttle: "between two walls, without gravity",
+  hop: "on a floor",
+};
+
+const ABOUT =
+  "Is a detection that looks ahead more accurate for the same time than one that looks more often? " +
+  "64 balls bounce for two seconds without loss, where a closed form says where each is. The error is " +
+  "their mean distance from there; the time is that of the steps for a simulated second, the least of " +
+  "five rounds. The scene Detection, priced shows them at it.";
+const READ =
+  "Each line is a detection, from 60 steps a second on the left to 960 on the right; both axes are " +
+  "logarithmic. The nearer a line is to the lower left corner, the less error it has for its time. A " +
+  "line that falls gains from more steps, a level one does not.";
+
+export function createPrices(laboratory: Laboratory): HTMLElement {
+  const shown = make("div", { class: "result", id: "prices-result" });
+  const work = new Work("Measure the detections", laboratory, async (work) => {
+    const prices = await laboratory.ask(
+      "prices",
+      {},
+      ({ done, doing }) => work.report(done, doing),
+      () => work.report(null, "A step takes seconds: cancel, or wait."),
+    );
+    if (!prices) return "Cancelled.";
+    const { createPlot } = await import("./prices-plot");
+    const parts = Object.keys(MOTIONS).flatMap((motion) => {
+      const own = prices.filter((price) => price.motion === motion);
+      const plot = createPlot(own, `Error over time of ${motion}`);
+      return [
+        make("h4", {}, `${capital(motion)}: ${MOTIONS[motion]}`),
+        plot,
+        make("p", { class: "priced" }, answerOf(own)),
+        tableOf(own, motion),
+      ];
+    });
+    shown.replaceChildren(make("p", { class: "explained" }, READ), ...parts);
+    say("The detections are measured.");
+    return "";
+  });
+  return make(
+    "section",
+    { class: "trade-part", "aria-labelledby": "prices-heading" },
+    make("h3", { id: "prices-heading" }, "Detection, priced"),
+    make("p", { class: "explained" }, ABOUT),
+    work.element,
+    shown,
+  );
+}
+
+const capital = (word: string) => word[0].toUpperCase() + word.slice(1);
+const errorText = (error: number) => `${(1000 * error).toFixed(2)} mm`;
+
+/** The most accurate setting, and the cheapest whose error is at most twice as large. */
+export function answerOf(prices: readonly Price[]): string {
+  const best = prices.reduce((one, other) => (other.error < one.error ? other : one));
+  const enough = prices.filter(({ error }) => error <= 2 * best.error);
+  const cheapest = enough.reduce((one, other) => (other.time < one.time ? other : one));
+  const name = ({ detection, rate }: Price) => `${detection} at ${rate} steps a second`;
+  const first = `${capital(name(best))} is the most accurate, ${errorText(best.error)} off, for ${timeText(best.time)}.`;
+  if (cheapest === best) return `${first} Nothing cheaper comes within twice that error.`;
+  return (
+    `${first} Within twice that error ${name(cheapest)} is the cheapest: ` +
+    `${errorText(cheapest.error)} for ${timeText(cheapest.time)}.`
+  );
+}
+
+/** The figures as a table, in an element that scrolls. */
+function tableOf(prices: readonly Price[], motion: string): HTMLElement {
+  const heads = ["detection", "steps/s", "ms", "error, mm"].map((text) => make("th", { scope: "col" }, text));
+  const rows = prices.map(({ detection, rate, time, error }) =>
+    make(
+      "tr",
+      { "data-price": [motion, detection, rate].join() },
+      make("th", { scope: "row" }, detection),
+      ...[String(rate), plainTime(time), (1000 * error).toFixed(2)].map((text) => make("td", {}, text)),
+    ),
+  );
+  return make(
+    "details",
+    { class: "tried" },
+    make("summary", {}, "As a table"),
+    make(
+      "table",
+      {},
+      make("caption", {}, `Milliseconds for a simulated second of ${motion}, and the error after two.`),
+      make("thead", {}, make("tr", {}, ...heads)),
+      make("tbody", {}, ...rows),
+    ),
+  );
+}
