@@ -121,7 +121,7 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   const loadGallery = () => {
     gallery ??= import("./page/gallery").then(
       ({ ABOUTS, addGallery, ...words }) => {
-        addGallery(app, (brought) => void openFiles(brought));
+        addGallery(app, dock, (brought) => void openFiles(brought));
         how = words;
         app.abouts = ABOUTS;
         app.chosen();

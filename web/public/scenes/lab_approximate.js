@@ -10,7 +10,7 @@ import { tellApproximation } from "./lab_approximate/tell.js";
 export const title = "Approximated polygon";
 export const about =
   "An irregular polygon approximated by circles and boxes: the area and distance missed over the count of pieces.";
-export const menu = { group: "Laboratory", place: 910 };
+export const menu = { group: "Laboratory", place: 154 };
 
 const KINDS = [
   { value: "both", label: "Both" },

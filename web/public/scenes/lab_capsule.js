@@ -10,7 +10,7 @@ import { tellCapsules } from "./lab_capsule/tell.js";
 export const title = "Capsules: extruded circles";
 export const about =
   "A capsule against a circle, a box or a capsule: distance, normal, overlap, and the circle that it is the way of.";
-export const menu = { group: "Laboratory", place: 904 };
+export const menu = { group: "Laboratory", place: 152 };
 
 const KINDS = [
   { value: "circle", label: "Circle" },

@@ -8,7 +8,7 @@ import { paintLanes } from "./lab_prices/picture.js";
 export const title = "Detection, priced";
 export const about =
   "Overlap, bisection and swept on a motion known in closed form: error over time, from 60 to 960 steps a second.";
-export const menu = { group: "Laboratory", place: 911 };
+export const menu = { group: "Laboratory", place: 153 };
 
 const choice = (name, label, options, group) => (
   {

@@ -92,8 +92,11 @@ export function createPanel(app: App): Panel {
   );
   const prices = createPrices(laboratory);
   /** The section on detections comes first in the scene that it is of. */
-  const place = () =>
-    app.state.scene === PRICED ? element.prepend(prices) : element.append(prices);
+  const place = () => {
+    if (app.state.scene !== PRICED) return element.append(prices);
+    element.prepend(prices);
+    prices.scrollIntoView();
+  };
   app.listen({ run: place });
   place();
   draw();
