@@ -40,16 +40,16 @@ function paintCurve(marks, { count }, found, known) {
   for (let power = LEAST; power <= GREATEST; power++) {
     const y = yOf(10 ** power);
     marks.push(line([[LEFT, y], [RIGHT, y]], "soft", { width: 1, opacity: 0.5 }));
-    marks.push({ ...text([LEFT - 0.5, y], String(10 ** power), "ink"), size: 12 });
+    marks.push({ ...text([LEFT - 0.75, y], String(10 ** power), "ink"), size: 12 });
   }
   for (const n of [1, 6, 12, 18, 24])
-    marks.push({ ...text([xOf(n), BOTTOM - 0.3], String(n), "ink"), size: 12 });
+    marks.push({ ...text([xOf(n), BOTTOM - 0.5], String(n), "ink"), size: 12 });
   marks.push(line([[xOf(count), BOTTOM], [xOf(count), TOP]], "ink", { width: 1, dashed: true }));
   const counts = [...known.keys()].sort((a, b) => a - b);
   ERRORS.forEach(([name, ink, value], i) => {
     const points = counts.map((n) => [xOf(n), yOf(value(known.get(n)))]);
     if (points.length > 1) marks.push(line(points, ink, { width: 3 }));
     marks.push(dot([xOf(count), yOf(value(found))], ink, 0.14));
-    marks.push({ ...text([RIGHT - 2.2, TOP + 0.1 - 0.42 * i], name, ink), size: 12 });
+    marks.push({ ...text([RIGHT - 2.4, TOP + 0.25 - 0.7 * i], name, ink), size: 12 });
   });
 }
