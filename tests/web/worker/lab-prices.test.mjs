@@ -5,11 +5,13 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { openSession } from "../../../web/tools/scenes.mjs";
+import { importTypeScript, openSession } from "../../../web/tools/scenes.mjs";
 import { createMotion, errorOf } from "../../../web/public/scenes/lab_prices/motions.js";
 import { thud } from "../support/package.mjs";
 
 const engine = await thud.load();
+const { describe, setUp } = await importTypeScript("src/worker/stage.ts");
+const { USUAL } = await importTypeScript("src/page/url.ts");
 
 const rowOf = (paint, control, name) =>
   paint.readings[control].find(([label]) => label === name)?.[1];
@@ -88,4 +90,18 @@ test("errors_at_the_end_stay_and_going_back_in_time_shows_what_was_there", async
   assert.ok(session.seek(128));
   assert.equal(JSON.stringify(session.paint), seen[127]);
   session.close();
+});
+
+test("scene_tells_which_panel_opens_with_it_and_one_that_is_not_there_is_refused", async () => {
+  const request = { name: "own", seed: 0, choices: USUAL };
+  const open = (panel) => {
+    const scene = ({ createWorld }) => ({ world: createWorld(), ...(panel && { panel }) });
+    return setUp(1, { default: scene }, engine, request, () => "", { loadMover: async () => thud.Mover });
+  };
+  for (const panel of ["trade", "contacts", undefined]) {
+    const session = await open(panel);
+    assert.equal(describe(session).panel, panel ?? null);
+    session.close();
+  }
+  await assert.rejects(open("drawer"), /panel is one of trade, contacts/);
 });
