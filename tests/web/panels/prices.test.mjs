@@ -44,7 +44,7 @@ for (const browser of BROWSERS)
         const own = rows.filter((row) => row.motion === motion);
         const best = Math.min(...own.map(({ error }) => error));
         const [, name, rate, off] =
-          /^([A-Z][a-z]+) at (\d+) steps a second is the most accurate, ([\d.]+) mm off/.exec(sentences[i]);
+          /^([A-Z][a-z]+) at (\d+) steps a second has the least error, ([\d.]+) mm for/.exec(sentences[i]);
         const named = own.find((row) => row.detection === name.toLowerCase() && row.rate === Number(rate));
         assert.deepEqual([named.error, Number(off)], [best, best], sentences[i]);
         const match = / ([a-z]+) at (\d+) steps a second is the cheapest/.exec(sentences[i]);

@@ -1,6 +1,6 @@
 /**
- * The section “Detection, priced” of the panel Trade: measures in the laboratory's worker what each
- * detection costs and how accurate it is, from 60 to 960 steps a second, and draws error over time.
+ * The section “Detection, priced” of the panel Trade: measures in the laboratory's worker the
+ * time and the error of each detection, from 60 to 960 steps a second, and draws one over the other.
  */
 import { make } from "../../page/dom";
 import { say } from "../../page/messages";
@@ -16,7 +16,7 @@ const MOTIONS: Readonly<Record<string, string>> = {
 };
 
 const ABOUT =
-  "Is a detection that looks ahead more accurate for the same time than one that looks more often? " +
+  "Has a detection that looks ahead less error for the same time than one that looks more often? " +
   "64 balls bounce for two seconds without loss, where a closed form says where each is. The error is " +
   "their mean distance from there; the time is that of the steps for a simulated second, the least of " +
   "five rounds. The scene Detection, priced shows them at it.";
@@ -63,13 +63,13 @@ export function createPrices(laboratory: Laboratory): HTMLElement {
 const capital = (word: string) => word[0].toUpperCase() + word.slice(1);
 const errorText = (error: number) => `${(1000 * error).toFixed(2)} mm`;
 
-/** The most accurate setting, and the cheapest whose error is at most twice as large. */
+/** The setting with the least error, and the cheapest whose error is at most twice as large. */
 export function answerOf(prices: readonly Price[]): string {
   const best = prices.reduce((one, other) => (other.error < one.error ? other : one));
   const enough = prices.filter(({ error }) => error <= 2 * best.error);
   const cheapest = enough.reduce((one, other) => (other.time < one.time ? other : one));
   const name = ({ detection, rate }: Price) => `${detection} at ${rate} steps a second`;
-  const first = `${capital(name(best))} is the most accurate, ${errorText(best.error)} off, for ${timeText(best.time)}.`;
+  const first = `${capital(name(best))} has the least error, ${errorText(best.error)} for ${timeText(best.time)}.`;
   if (cheapest === best) return `${first} Nothing cheaper comes within twice that error.`;
   return (
     `${first} Within twice that error ${name(cheapest)} is the cheapest: ` +
