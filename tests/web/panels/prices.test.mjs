@@ -52,6 +52,23 @@ for (const browser of BROWSERS)
         const cheapest = own.find(({ detection, rate }) => detection === match[1] && rate === Number(match[2]));
         for (const row of own) if (row.error < 2 * best - 0.01) assert.ok(row.time >= cheapest.time, JSON.stringify(row));
       }
+      // Bisection ends below the time of the hit, at a multiple of its tolerance.
+      const calls = await page.$$eval("[data-call]", (found) =>
+        found.map((row) => [Number(row.dataset.call), ...[...row.cells].map((cell) => cell.textContent)]),
+      );
+      assert.ok(calls.length > 6);
+      for (const [halvings, name, , time, error] of calls) {
+        assert.equal(name, halvings > 0 ? "bisect" : "swept");
+        assert.ok(Number(time) > 0, `${time} µs`);
+        let sum = 0;
+        for (let i = 0; i < 64; i++) {
+          const part = (0.5 + 0.618 * i) % 1;
+          sum += (part - Math.floor(part * 2 ** halvings) / 2 ** halvings) * ((3 + 0.11 * i) / 60);
+        }
+        const mean = (1000 * sum) / 64;
+        if (halvings > 0) near(Number(error) / mean, 1, 0.006, `error of ${halvings} halvings`);
+        else assert.ok(Number(error) < 1e-9, `${error} mm of swept`);
+      }
       // Firefox does not emulate the dark theme here.
       const axe = browser === "chromium" ? runAxeInBothThemes : runAxe;
       assert.deepEqual(await axe(page, "#dock"), []);

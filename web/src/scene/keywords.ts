@@ -34,7 +34,7 @@ export const KEYWORDS: Readonly<Record<string, string>> = {
   lab_minkowski: "point against shape configuration space difference capsule rounded extruded",
   lab_prices:
     "collision detection overlap bisection swept continuous accuracy efficiency error over time price " +
-    "cost frequency hertz 60 hz 120 hz 240 hz 480 hz 960 hz which method to choose",
+    "cost frequency hertz 60 hz 120 hz 240 hz 480 hz 960 hz tolerance which method to choose",
   lab_swept:
     "intersection testing time of impact quadratic roots discriminant parabola trajectory sagitta " +
     "capsule extruded circle ccd continuous",

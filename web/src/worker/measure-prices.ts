@@ -4,6 +4,7 @@
  * from there at the end; the price is the time of the steps, the least of several rounds.
  */
 import type { Detection, Engine, World } from "thud";
+import { type CallPrice, measureCalls } from "./measure-calls";
 
 /** What this needs of web/public/scenes/lab_prices/motions.js. */
 interface Motions {
@@ -31,6 +32,12 @@ export interface Price {
   error: number;
 }
 
+/** What worlds were measured at, and single calls without a world. */
+export interface Prices {
+  worlds: Price[];
+  calls: CallPrice[];
+}
+
 export interface PriceProgress {
   /** The share that is done, 0 to 1. */
   done: number;
@@ -45,7 +52,7 @@ export async function measurePrices(
   engine: Engine,
   base: string,
   report: (progress: PriceProgress) => void,
-): Promise<Price[]> {
+): Promise<Prices> {
   const { href } = new URL("scenes/lab_prices/motions.js", base);
   const motions = (await import(/* @vite-ignore */ href)) as Motions;
   const prices = Object.keys(motions.MOTIONS).flatMap((motion) =>
@@ -62,7 +69,8 @@ export async function measurePrices(
       price.time = Math.min(price.time, time);
       price.error = error;
     }
-  return prices;
+  report({ done: 1, doing: "one call, bisected and swept" });
+  return { worlds: prices, calls: await measureCalls(engine) };
 }
 
 function runOnce(

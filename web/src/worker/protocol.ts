@@ -8,7 +8,7 @@ import type { Command } from "./commands";
 import type { BodyReport } from "./inspect";
 import type { Series, SeriesProgress } from "./measure";
 import type { HeavierProgress, Heaviest } from "./measure-heavier";
-import type { Price, PriceProgress } from "./measure-prices";
+import type { PriceProgress, Prices } from "./measure-prices";
 import type { Collision, ContactList, Pair } from "./microscope";
 
 /** What the visitor has chosen for every world; see WorldOptions. */
@@ -161,7 +161,7 @@ export interface Questions {
    */
   measure: { ask: SceneRequest; answer: Series; progress: SeriesProgress };
   /** Measures what each detection costs, and its error. */
-  prices: { ask: Record<string, never>; answer: Price[]; progress: PriceProgress };
+  prices: { ask: Record<string, never>; answer: Prices; progress: PriceProgress };
   /** Measures the largest sizes of a scene ("Heavier"), likewise. */
   heavier: {
     ask: { scene: SceneRequest; sizes: SceneSize; hertz: number };

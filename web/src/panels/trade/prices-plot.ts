@@ -8,10 +8,18 @@ import { DARK, LIGHT, type Theme } from "../../draw/palette";
 import { make } from "../../page/dom";
 import { isDark, onTheme } from "../../page/theme";
 import type { Ink } from "../../scene/scene";
-import type { Price } from "../../worker/measure-prices";
+
+/** A point of the plot, on the line of its detection; the error in millimetres. */
+export interface PricePoint {
+  detection: string;
+  time: number;
+  error: number;
+}
 
 /** Height of the plot in CSS pixels. Chosen. */
 const HEIGHT = 220;
+/** The lower end of the axis of errors, mm: smaller errors, which are of rounding, are drawn there. */
+const LEAST = 1e-7;
 
 /** By detection the ink of its line, and its dashes, so that lines differ without colours, too. */
 const LINES: Readonly<Record<string, { ink: Ink; dash?: number[] }>> = {
@@ -23,13 +31,13 @@ const LINES: Readonly<Record<string, { ink: Ink; dash?: number[] }>> = {
 
 const themeNow = (): Theme => (isDark() ? DARK : LIGHT);
 
-/** The plot with its legend, for the prices of one motion. */
-export function createPlot(prices: readonly Price[], about: string): HTMLElement {
-  const names = [...new Set(prices.map(({ detection }) => detection as string))];
+/** The plot with its legend. `unit`: of the times, in words. */
+export function createPlot(prices: readonly PricePoint[], about: string, unit: string): HTMLElement {
+  const names = [...new Set(prices.map(({ detection }) => detection))];
   const tables = names.map((name) => {
     const own = prices.filter(({ detection }) => detection === name);
     const sorted = [...own].sort((a, b) => a.time - b.time);
-    return [sorted.map(({ time }) => time), sorted.map(({ error }) => 1000 * error)] as UPlot.AlignedData;
+    return [sorted.map(({ time }) => time), sorted.map(({ error }) => Math.max(LEAST, error))] as UPlot.AlignedData;
   });
   const keys = names.map((name) => ({ name, swatch: make("i", { "aria-hidden": "true" }) }));
   const paintKeys = () => {
@@ -41,7 +49,7 @@ export function createPlot(prices: readonly Price[], about: string): HTMLElement
     { class: "prices-plot" },
     make("small", {}, "error, mm"),
     figure,
-    make("small", { class: "end" }, "ms for a simulated second"),
+    make("small", { class: "end" }, unit),
     make("ul", { class: "legend" }, ...keys.map(({ name, swatch }) => make("li", {}, swatch, name))),
   );
   let chart: UPlot | null = null;
@@ -66,7 +74,7 @@ function optionsOf(names: readonly string[], width: number): UPlot.Options {
     font: "11px system-ui, sans-serif",
     grid: { stroke: () => themeNow().gridStrong, width: 1 },
     ticks: { show: false },
-    values: (_, ticks) => ticks.map((value) => (value === null ? "" : String(Number(value.toPrecision(1))))),
+    values: (_, ticks) => ticks.map((value) => (value === null ? "" : tickText(value))),
   };
   const range: UPlot.Range.Function = (_, low, high) => [low / 1.3, high * 1.3];
   return {
@@ -92,4 +100,8 @@ function optionsOf(names: readonly string[], width: number): UPlot.Options {
       })),
     ],
   };
+}
+
+function tickText(value: number): string {
+  return value < 1e-3 ? value.toExponential(0) : String(Number(value.toPrecision(1)));
 }

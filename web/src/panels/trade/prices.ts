@@ -4,6 +4,7 @@
  */
 import { make } from "../../page/dom";
 import { say } from "../../page/messages";
+import type { CallPrice } from "../../worker/measure-calls";
 import type { Price } from "../../worker/measure-prices";
 import type { Laboratory } from "./laboratory";
 import { plainTime, timeText } from "./text";
@@ -25,6 +26,13 @@ const READ =
   "logarithmic. The nearer a line is to the lower left corner, the less error it has for its time. A " +
   "line that falls gains from more steps, a level one does not.";
 
+const CALLS =
+  "Without a world: when does a ball hit a wall within a step? Bisection halves the step until the " +
+  "interval is as short as the tolerance, a test for each halving: from left to right it halves more " +
+  "often, and its error is the way that is left. Swept solves for the time, to rounding.";
+
+const pointOf = ({ detection, time, error }: Price | CallPrice) => ({ detection, time, error: 1000 * error });
+
 export function createPrices(laboratory: Laboratory): HTMLElement {
   const shown = make("div", { class: "result", id: "prices-result" });
   const work = new Work("Measure the detections", laboratory, async (work) => {
@@ -37,8 +45,8 @@ export function createPrices(laboratory: Laboratory): HTMLElement {
     if (!prices) return "Cancelled.";
     const { createPlot } = await import("./prices-plot");
     const parts = Object.keys(MOTIONS).flatMap((motion) => {
-      const own = prices.filter((price) => price.motion === motion);
-      const plot = createPlot(own, `Error over time of ${motion}`);
+      const own = prices.worlds.filter((price) => price.motion === motion);
+      const plot = createPlot(own.map(pointOf), `Error over time of ${motion}`, "ms for a simulated second");
       return [
         make("h4", {}, `${capital(motion)}: ${MOTIONS[motion]}`),
         plot,
@@ -46,6 +54,13 @@ export function createPrices(laboratory: Laboratory): HTMLElement {
         tableOf(own, motion),
       ];
     });
+    const { calls } = prices;
+    parts.push(
+      make("h4", {}, "One call: bisection to several tolerances"),
+      make("p", { class: "explained" }, CALLS),
+      createPlot(calls.map(pointOf), "Error over time of a call", "µs a call"),
+      callsTable(calls),
+    );
     shown.replaceChildren(make("p", { class: "explained" }, READ), ...parts);
     say("The detections are measured.");
     return "";
@@ -77,17 +92,33 @@ export function answerOf(prices: readonly Price[]): string {
   );
 }
 
-/** The figures as a table, in an element that scrolls. */
 function tableOf(prices: readonly Price[], motion: string): HTMLElement {
-  const heads = ["detection", "steps/s", "ms", "error, mm"].map((text) => make("th", { scope: "col" }, text));
   const rows = prices.map(({ detection, rate, time, error }) =>
-    make(
-      "tr",
-      { "data-price": [motion, detection, rate].join() },
-      make("th", { scope: "row" }, detection),
-      ...[String(rate), plainTime(time), (1000 * error).toFixed(2)].map((text) => make("td", {}, text)),
-    ),
+    rowOf(detection, [String(rate), plainTime(time), (1000 * error).toFixed(2)], {
+      "data-price": [motion, detection, rate].join(),
+    }),
   );
+  const caption = `Milliseconds for a simulated second of ${motion}, and the error after two.`;
+  return foldedTable(["detection", "steps/s", "ms", "error, mm"], caption, rows);
+}
+
+function callsTable(calls: readonly CallPrice[]): HTMLElement {
+  const rows = calls.map(({ detection, halvings, time, error }) =>
+    rowOf(detection, [halvings > 0 ? `2^−${halvings}` : "–", time.toFixed(2), (1000 * error).toExponential(2)], {
+      "data-call": halvings,
+    }),
+  );
+  const caption = "The tolerance as a part of the step, microseconds of a call, and the mean error.";
+  return foldedTable(["detection", "tolerance", "µs", "error, mm"], caption, rows);
+}
+
+function rowOf(name: string, cells: readonly string[], attributes: Record<string, string | number>): HTMLElement {
+  const rest = cells.map((text) => make("td", {}, text));
+  return make("tr", attributes, make("th", { scope: "row" }, name), ...rest);
+}
+
+/** The figures as a table, folded. */
+function foldedTable(heads: readonly string[], caption: string, rows: readonly HTMLElement[]): HTMLElement {
   return make(
     "details",
     { class: "tried" },
@@ -95,8 +126,8 @@ function tableOf(prices: readonly Price[], motion: string): HTMLElement {
     make(
       "table",
       {},
-      make("caption", {}, `Milliseconds for a simulated second of ${motion}, and the error after two.`),
-      make("thead", {}, make("tr", {}, ...heads)),
+      make("caption", {}, caption),
+      make("thead", {}, make("tr", {}, ...heads.map((text) => make("th", { scope: "col" }, text)))),
       make("tbody", {}, ...rows),
     ),
   );
