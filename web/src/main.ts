@@ -9,7 +9,6 @@ import { byId, make } from "./page/dom";
 import { readDraft } from "./page/drafts";
 import { Score } from "./page/score";
 import { addHint } from "./page/hint";
-import { howToPlay, isTouch } from "./page/how";
 import { Hud } from "./page/hud";
 import { fail, notice, say, type WayOn } from "./page/messages";
 import type { Brought } from "./page/own-level";
@@ -22,6 +21,7 @@ import { panels } from "./panels/panels";
 import { findScene, FIRST_SCENE } from "./scene/registry";
 import { messageOf } from "./shared/error";
 import { chooseWasm } from "./wasm/choose";
+import type { RunningScene } from "./worker/protocol";
 
 /** What runs a level that a visitor brings. */
 const OWN_LEVEL = "own_level";
@@ -120,8 +120,9 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   let gallery: Promise<void> | null = null;
   const loadGallery = () => {
     gallery ??= import("./page/gallery").then(
-      ({ ABOUTS, addGallery }) => {
-        addGallery(app, (brought) => void openFiles(brought));
+      ({ ABOUTS, addGallery, ...words }) => {
+        addGallery(app, dock, (brought) => void openFiles(brought));
+        how = words;
         app.abouts = ABOUTS;
         app.chosen();
       },
@@ -180,6 +181,9 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   if (panel) await dock.show(panel, false);
   app.player.waiting = false;
 }
+
+/** What tells how games are played; the gallery brings it with what it tells of scenes. */
+let how: Pick<typeof import("./page/how"), "howToPlay" | "isTouch"> | null = null;
 
 let slow: Promise<void> | null = null;
 
@@ -263,14 +267,14 @@ function listenToScenes(
    * its buttons do. */
   let [untold, framed, speaks, worded] = [false, false, false, false];
   const tell = () => {
-    if (!untold || !framed || !app.abouts) return;
+    if (!untold || !framed || !app.abouts || !how) return;
     untold = false;
     const { about } = app;
-    const how = worded && isTouch() ? "" : howToPlay(app.scene!.keys);
-    const text = `${speaks ? "" : about} ${how}`.trim();
-    if ((speaks || (hinted && !how)) && about) say(about);
+    const play = worded && how.isTouch() ? "" : how.howToPlay(app.scene!.keys);
+    const text = `${speaks ? "" : about} ${play}`.trim();
+    if ((speaks || (hinted && !play)) && about) say(about);
     // To whom a hint is shown, the first scene tells nothing more but how it is played.
-    if (text && (how || !hinted) && byId("notice").hidden) notice(text, how ? 15 : 7);
+    if (text && (play || !hinted) && byId("notice").hidden) notice(text, play ? 15 : 7);
     hinted = false;
   };
   /** Takes back what was told of a scene that could not be run, or did not answer. */
@@ -298,7 +302,7 @@ function listenToScenes(
         hinted = false;
       }
       announced = played;
-      showValues(dock, scene.controls.length > 0, untold);
+      showPanel(dock, scene, untold);
       if (app.state.code !== null)
         void import("./page/memory").then(({ watchMemory }) => watchMemory(app));
       const { notes } = scene;
@@ -376,11 +380,17 @@ function listenToScenes(
   });
 }
 
-/** The panel Values comes with a scene that has some to set, and goes with it. */
-function showValues(dock: Dock, has: boolean, begins: boolean): void {
+/**
+ * A scene that begins opens the panel that it asks for. Values comes with a scene that has some to
+ * set, and goes with it.
+ */
+function showPanel(dock: Dock, { controls, panel }: RunningScene, begins: boolean): void {
+  const has = controls.length > 0;
   document.querySelector<HTMLElement>("button[data-panel=values]")!.hidden = !has;
   if (!has && dock.open === VALUES_PANEL) dock.close();
-  if (has && begins) void dock.show(VALUES_PANEL, false);
+  if (!begins) return;
+  if (panel) void dock.show(panel === "contacts" ? "inside" : panel, false);
+  else if (has) void dock.show(VALUES_PANEL, false);
 }
 
 /** Fits the scene into what the page leaves free now. */

@@ -29,7 +29,7 @@ const FEWER = {
 };
 const OWN_LEVEL = "own_level";
 /** Scenes that have shapes but no bodies, or only one. */
-const BODILESS = ["geometry", "lab_minkowski", "lab_swept", "lab_volumes"];
+const BODILESS = ["geometry", "lab_approximate", "lab_capsule", "lab_minkowski", "lab_prices", "lab_swept", "lab_volumes"];
 const names = readdirSync(new URL("../../../web/public/scenes", import.meta.url))
   .filter((file) => file.endsWith(".js"))
   .map((file) => file.replace(/\.js$/, ""))

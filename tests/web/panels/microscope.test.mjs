@@ -85,6 +85,27 @@ for (const [size, options] of SIZES)
     await close();
   });
 
+for (const [size, options] of SIZES)
+  test(`laboratory_scene_opens_at_its_contacts_and_takes_the_next_one_apart_on_a_${size}`, async () => {
+    const { page, errors, close } = await visitor.open("?scene=lab_microscope&paused=1", options);
+    await page.click("#next-contact");
+    await page.waitForSelector("#scope-meeting > div");
+    const [first] = await page.locator("#contacts tbody button").allTextContents();
+    const [, a, b] = /^(\d+) and (\d+), new$/.exec(first);
+    assert.match(await page.textContent("#microscope h3"), new RegExp(`^Bodies ${a} \\(a\\) and ${b} \\(b\\)`));
+    const rows = await listed(page, "#scope-meeting");
+    const normal = rows["normal n, from a to b"].split(", ").map(Number);
+    near(Math.hypot(...normal), 1, 1e-3, "the normal");
+    const order = await page.evaluate(() =>
+      ["#scope-meeting", "#scope-pictures", "#scope-formula", "#scope-velocities"].map(
+        (selector) => document.querySelector(selector).getBoundingClientRect().top,
+      ),
+    );
+    assert.deepEqual(order, [...order].sort((one, other) => one - other), "pictures before formulas");
+    assert.deepEqual(errors, []);
+    await close();
+  });
+
 test("scene_goes_on_from_where_it_was_taken_apart", async () => {
   const hashOf = async (page) => {
     await show(page, "bits");

@@ -11,7 +11,7 @@ import { tellBisection } from "./lab_bisection/tell.js";
 
 export const title = "Overlap and bisection";
 export const about = "A step halved until its collision is found, and bullets that pass through paper.";
-export const menu = { group: "Laboratory", place: 900 };
+export const menu = { group: "Laboratory", place: 150 };
 
 const [MOTION, PAPER] = ["A step, halved", "A bullet and paper"];
 

@@ -7,7 +7,7 @@ import { createSecond } from "./lab_broadphase/second.js";
 
 export const title = "How few tests find all pairs?";
 export const about = "Broadphases search the same gas of circles; their tests are counted, not timed.";
-export const menu = { group: "Laboratory", place: 905 };
+export const menu = { group: "Laboratory", place: 157 };
 export const size = { means: "circles", usual: 300, least: 2, most: 2000 };
 
 const BROADPHASES = [

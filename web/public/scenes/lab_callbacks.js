@@ -10,7 +10,7 @@ import { tell } from "./lab_callbacks/tell.js";
 export const title = "Asked and told";
 export const about =
   "A contact in slow motion: the prologue is asked, and its answer holds; then the epilogues are told.";
-export const menu = { group: "Laboratory", place: 907 };
+export const menu = { group: "Laboratory", place: 159 };
 
 const ANSWERS = [
   { value: "plain", label: "As it is" },

@@ -13,7 +13,7 @@ import { build, inputOf, judge, MIDDLE, OPTIONS, steer } from "./lab_latency/rin
 
 export const title = "Latency";
 export const about = "Two peers play air hockey over a slow line; four ways to hide the delay.";
-export const menu = { group: "Laboratory", place: 909 };
+export const menu = { group: "Laboratory", place: 161 };
 
 const slider = (name, label, most, step) => (
   { kind: "slider", name, label, least: 0, most, step, group: "The line" }

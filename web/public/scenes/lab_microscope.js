@@ -3,8 +3,8 @@
 
 export const title = "Collisions to take apart";
 export const about =
-  "Head on, on a slope, on a corner, heavy on light: pause and open Inside, Contacts, for each number.";
-export const menu = { group: "Laboratory", place: 908 };
+  "Head on, on a slope, on a corner, heavy on light: each collision with its normal, depth and every formula.";
+export const menu = { group: "Laboratory", place: 160 };
 
 /** Steps from one beginning to the next. */
 const ROUND = 120;
@@ -37,6 +37,7 @@ export default function ({ createWorld }) {
     spawn: [0, 8],
     controls: CONTROLS,
     show: ["contacts"],
+    panel: "contacts",
     state: { restitution: 0.5, friction: 0.4, speed: 6, ratio: 3, bodies: [] },
     update({ step }) {
       if (step > 0 && step % ROUND === 0) begin(scene);

@@ -10,7 +10,7 @@ import { tellSum } from "./lab_minkowski/tell.js";
 
 export const title = "Growing into the sum";
 export const about = "One shape grows into the Minkowski sum as the other shrinks to a point.";
-export const menu = { group: "Laboratory", place: 902 };
+export const menu = { group: "Laboratory", place: 155 };
 
 const SUM = "The sum";
 const AGAINST = [

@@ -10,7 +10,7 @@ import { tellSwept } from "./lab_swept/tell.js";
 
 export const title = "Swept";
 export const about = "When two moving circles touch, as a quadratic equation, and a flight cut into straight ways.";
-export const menu = { group: "Laboratory", place: 901 };
+export const menu = { group: "Laboratory", place: 151 };
 
 const FLIGHT = "Straight way and parabola";
 

@@ -13,7 +13,7 @@ import { tell } from "./lab_terrain/tell.js";
 export const title = "Terrain";
 export const about =
   "Drag the ground, and see how a place on it is found and what its two vertices weigh there.";
-export const menu = { group: "Laboratory", place: 906 };
+export const menu = { group: "Laboratory", place: 158 };
 
 const check = (name, label, about) => ({ kind: "check", name, label, about, group: "Look at" });
 const slider = (name, label, least, most, step, group) => (

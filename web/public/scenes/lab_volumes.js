@@ -10,14 +10,14 @@ import { tellVolumes } from "./lab_volumes/tell.js";
 
 export const title = "Bounding volumes";
 export const about = "Circle, AABB and OBB: the area they waste, their false alarms, and what a test takes.";
-export const menu = { group: "Laboratory", place: 903 };
+export const menu = { group: "Laboratory", place: 156 };
 export const size = { means: "shapes", usual: 40, least: 2, most: 200 };
 
 const NAMES = { circle: "Circle", aabb: "AABB", obb: "OBB", proxy: "Proxy" };
 const ABOUTS = {
   circle: "One distance to compare. It suits round shapes, and is the same however they turn.",
   aabb: "Two intervals to compare. It suits what stands upright.",
-  obb: "It turns with its shape: the tightest, and the dearest test.",
+  obb: "It turns with its shape, and wastes least.",
   proxy: "A circle of the shape’s area in its place. It is no bound: corners stick out of it.",
 };
 
@@ -32,7 +32,7 @@ const CONTROLS = [
   ...KINDS.map((kind) => check(kind, NAMES[kind], ABOUTS[kind], "Volumes")),
   slider("slender", "Length over width", 1, 12, 0.5, "Crowd"),
   slider("turned", "Turned by, °", 0, 90, 1, "Crowd"),
-  check("exact", "The exact test", "What every pair of volumes that overlap has to take then.", "Crowd"),
+  check("exact", "The exact test", "What every pair of volumes that overlap has to take then, beside the tests of the volumes.", "Crowd"),
   kindOf("A"),
   kindOf("B"),
   ...[...slidersOf("A"), ...slidersOf("B")].filter(({ name }) => !name.startsWith("way")),

@@ -5,14 +5,16 @@
 import "../style/gallery.css";
 import "../style/print.css";
 import { ABOUTS } from "../scene/abouts";
-import { KEYWORDS } from "../scene/keywords";
+import { KEYWORDS, PARTS } from "../scene/keywords";
 import { GROUPS, type SceneEntry, SCENES, thumbnailFile } from "../scene/registry";
 import type { App } from "./app";
 import { showCurrent } from "./dialogs";
+import type { Dock } from "./dock";
 import { byId, make } from "./dom";
 import type { Brought } from "./own-level";
 
 export { ABOUTS };
+export { howToPlay, isTouch } from "./how";
 
 interface Card {
   button: HTMLButtonElement;
@@ -28,16 +30,23 @@ interface GroupOfCards {
 
 /** Builds the dialog. `openFiles` gets the files that the visitor chooses, and the file-system
  * entries of files and folders that are dropped on the page. */
-export function addGallery(app: App, openFiles: (brought: Brought[]) => void): void {
+export function addGallery(app: App, dock: Dock, openFiles: (brought: Brought[]) => void): void {
   const dialog = byId<HTMLDialogElement>("scenes");
-  const run = (entry: SceneEntry) => {
+  const run = async (entry: SceneEntry) => {
+    const part = partFor(entry, typedWords());
     dialog.close();
-    void app.open(entry.name);
+    if (!(await app.open(entry.name))) return;
+    // Whoever paused the scene before has not paused this one.
+    if (app.state.paused && !matchMedia("(prefers-reduced-motion: reduce)").matches)
+      app.setPaused(false);
+    if (!part) return;
+    await dock.show(part.panel);
+    document.getElementById(part.id)?.scrollIntoView({ block: "center" });
   };
   const groups = GROUPS.map((name): GroupOfCards => {
     const entries = SCENES.filter((entry) => entry.group === name);
     const cards = entries.map((entry) => ({
-      button: cardOf(entry, () => run(entry)),
+      button: cardOf(entry, () => void run(entry)),
       text: textOf(entry).toLowerCase(),
     }));
     const heading = make("h3", {}, name);
@@ -46,6 +55,7 @@ export function addGallery(app: App, openFiles: (brought: Brought[]) => void): v
     return { heading, grid, cards };
   });
   addSearch(dialog, groups);
+  addJumps(dialog, groups);
   addArrows(dialog);
 
   const file = byId<HTMLInputElement>("level-file");
@@ -63,8 +73,24 @@ export function addGallery(app: App, openFiles: (brought: Brought[]) => void): v
 }
 
 /** What a search looks through. */
-function textOf({ name, title, group }: SceneEntry): string {
+function textOf(entry: SceneEntry): string {
+  return `${ownTextOf(entry)} ${PARTS[entry.name]?.words ?? ""}`;
+}
+
+/** The same without the words for a part of a panel. */
+function ownTextOf({ name, title, group }: SceneEntry): string {
   return [group, title, ABOUTS[name], name, KEYWORDS[name]].join(" ");
+}
+
+/** The part of a panel that the typed words look for, since the scene has not all of them. */
+function partFor(entry: SceneEntry, words: readonly string[]): (typeof PARTS)[string] | null {
+  const own = ownTextOf(entry).toLowerCase();
+  return words.every((word) => own.includes(word)) ? null : (PARTS[entry.name] ?? null);
+}
+
+/** The words in the search field, in lower case. */
+function typedWords(): string[] {
+  return byId<HTMLInputElement>("scene-search").value.toLowerCase().split(/\s+/).filter(Boolean);
 }
 
 /** The button of a scene, with its picture, title and description. */
@@ -93,7 +119,7 @@ function cardOf(entry: SceneEntry, run: () => void): HTMLButtonElement {
 function addSearch(dialog: HTMLDialogElement, groups: readonly GroupOfCards[]): void {
   const field = byId<HTMLInputElement>("scene-search");
   const filter = () => {
-    const words = field.value.toLowerCase().split(/\s+/).filter(Boolean);
+    const words = typedWords();
     for (const { heading, grid, cards } of groups) {
       for (const { button, text } of cards)
         button.hidden = !words.every((word) => text.includes(word));
@@ -119,6 +145,24 @@ function addSearch(dialog: HTMLDialogElement, groups: readonly GroupOfCards[]): 
     field.value = "";
     filter();
   });
+}
+
+/** Buttons that lead to the groups, in the dialog's head; a search hides those of groups without a
+ * card. */
+function addJumps(dialog: HTMLDialogElement, groups: readonly GroupOfCards[]): void {
+  const buttons = groups.map(({ heading, cards }) => {
+    const button = make("button", {}, heading.textContent!);
+    button.addEventListener("click", () => {
+      heading.scrollIntoView({ block: "start" });
+      cards.find((card) => !card.button.hidden)?.button.focus({ preventScroll: true });
+    });
+    new MutationObserver(() => (button.hidden = heading.hidden)).observe(heading, {
+      attributeFilter: ["hidden"],
+    });
+    return button;
+  });
+  const nav = make("nav", { class: "jumps", "aria-label": "Groups of scenes" }, ...buttons);
+  dialog.querySelector(".head")!.append(nav);
 }
 
 /** Arrow keys move the focus to the neighbouring card on the page, and between the first row and

@@ -7,7 +7,7 @@ export const KEYWORDS: Readonly<Record<string, string>> = {
   broadphases: "plane sweep and prune sap sorted lists insertion sort spatial hash cell size",
   detection:
     "collision detection tunnelling ccd intersection testing bisection capsules extruded circles " +
-    "swept volumes error over time price cost frequency hertz hz 60 960 advice which method to choose",
+    "swept volumes error over time price cost",
   geometry:
     "collision detection normal depth penetration signed distance closest points time of impact " +
     "intersection testing bounding volumes",
@@ -16,17 +16,25 @@ export const KEYWORDS: Readonly<Record<string, string>> = {
   playground: "complex shapes made up of boxes approximation compound",
   sizes: "grid cell size broadphase",
   textured: "terrain foot feet friction uv coordinates weights interpolation",
+  lab_approximate:
+    "complex shapes made up of circles and boxes approximation compound polygon area wasted " +
+    "hausdorff bound error over count",
   lab_bisection: "time of collision halvings halving tunnelling speed time step thickness",
   lab_broadphase:
     "n^2 n² n squared grid cell size plane sweep and prune sap sorted lists insertion sort counted",
   lab_callbacks:
     "callbacks listeners events veto does the pair collide kicker bumper portal velocities one to " +
     "each object",
+  lab_capsule: "swept sphere stadium rounded segment capsule normal depth signed distance closest points",
   lab_latency:
     "network prediction dead reckoning swept prediction rollback lag delay peers extrapolation",
   lab_microscope:
-    "collision microscope resolution four steps overlap response impulse normal depth solver",
+    "collision microscope resolution four steps overlap response impulse contact manifold normal " +
+    "depth penetration solver",
   lab_minkowski: "point against shape configuration space difference capsule rounded extruded",
+  lab_prices:
+    "collision detection overlap bisection swept continuous accuracy efficiency error over time price " +
+    "cost frequency hertz 60 hz 120 hz 240 hz 480 hz 960 hz tolerance which method to choose",
   lab_swept:
     "intersection testing time of impact quadratic roots discriminant parabola trajectory sagitta " +
     "capsule extruded circle ccd continuous",
@@ -36,4 +44,16 @@ export const KEYWORDS: Readonly<Record<string, string>> = {
   lab_volumes:
     "bounding sphere box proxy area wasted false positives complex shapes approximated by circles " +
     "boxes approximation",
+};
+
+/**
+ * By the name of a scene, a part of a panel that answers what these words ask: a search that finds
+ * the scene by them opens it. `id`: of an element of the panel.
+ */
+export const PARTS: Readonly<Record<string, { panel: string; id: string; words: string }>> = {
+  detection: {
+    panel: "trade",
+    id: "measure-heading",
+    words: "advice what does my scene require which setting quality method to choose cheapest",
+  },
 };

@@ -185,6 +185,11 @@ export interface Scene {
    */
   controls?: Control[];
   /**
+   * The panel that opens with the scene in place of Values: Trade, or the part Contacts of Inside.
+   * @example panel: "contacts"
+   */
+  panel?: ScenePanel;
+  /**
    * Messages for the visitor, for example what of a level was left out.
    * @example notes: ["…"]
    */
@@ -205,6 +210,10 @@ export interface Scene {
    */
   close?(): void;
 }
+
+/** The panels that may open with a scene. */
+export const SCENE_PANELS = ["trade", "contacts"] as const;
+export type ScenePanel = (typeof SCENE_PANELS)[number];
 
 export const KEY_NAMES = ["left", "right", "up", "down", "fire", "restart"] as const;
 export type KeyName = (typeof KEY_NAMES)[number];

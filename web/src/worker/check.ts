@@ -4,7 +4,14 @@
  * which field is wrong and what it should look like.
  */
 import type { Control } from "../scene/controls";
-import { KEY_NAMES, type KeyName, type Mark, type Paint, type Scene } from "../scene/scene";
+import {
+  KEY_NAMES,
+  type KeyName,
+  type Mark,
+  type Paint,
+  type Scene,
+  SCENE_PANELS,
+} from "../scene/scene";
 import { SceneError } from "./trouble";
 
 /**
@@ -25,7 +32,7 @@ const NUMBERS: Record<Mark["kind"], readonly string[]> = {
 
 /** Throws a SceneError if a field of the scene is wrong. */
 export function checkScene(scene: Scene): void {
-  const { view, spawn, keys = [], state } = scene;
+  const { view, spawn, keys = [], state, panel } = scene;
   for (const name of FUNCTIONS)
     if (scene[name] !== undefined && typeof scene[name] !== "function")
       wrong(`A scene's ${name} is a function: ${name}() { … }`);
@@ -38,6 +45,8 @@ export function checkScene(scene: Scene): void {
       wrong("A scene's view has finite numbers: view: { x: 0, y: 5, height: 20 }");
   }
   if (spawn !== undefined && !isPlace(spawn)) wrong("A scene's spawn is a place: spawn: [0, 10]");
+  if (panel !== undefined && !SCENE_PANELS.includes(panel))
+    wrong(`A scene's panel is one of ${SCENE_PANELS.join(", ")}.`);
   if (typeof keys !== "object" || !Object.values(keys).every((word) => typeof word === "string"))
     wrong('A scene\'s keys is a list, or tells what each does: keys: { left: "walk" }');
   for (const key of (Array.isArray(keys) ? keys : Object.keys(keys)) as KeyName[])

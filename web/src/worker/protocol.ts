@@ -3,11 +3,12 @@ import type { Broadphase, Detection, Quality, Vec2 } from "thud";
 import type { Control } from "../scene/controls";
 import type { Frame } from "../scene/frame";
 import type { OverlayName } from "../scene/overlays";
-import type { KeyWords, SceneSize, View } from "../scene/scene";
+import type { KeyWords, ScenePanel, SceneSize, View } from "../scene/scene";
 import type { Command } from "./commands";
 import type { BodyReport } from "./inspect";
 import type { Series, SeriesProgress } from "./measure";
 import type { HeavierProgress, Heaviest } from "./measure-heavier";
+import type { PriceProgress, Prices } from "./measure-prices";
 import type { Collision, ContactList, Pair } from "./microscope";
 
 /** What the visitor has chosen for every world; see WorldOptions. */
@@ -68,6 +69,7 @@ export interface RunningScene {
   pointer: boolean;
   notes: readonly string[];
   controls: readonly Control[];
+  panel: ScenePanel | null;
 }
 
 /** What the page shows at present, and which overlays it needs. */
@@ -158,6 +160,8 @@ export interface Questions {
    * it.
    */
   measure: { ask: SceneRequest; answer: Series; progress: SeriesProgress };
+  /** Measures what each detection costs, and its error. */
+  prices: { ask: Record<string, never>; answer: Prices; progress: PriceProgress };
   /** Measures the largest sizes of a scene ("Heavier"), likewise. */
   heavier: {
     ask: { scene: SceneRequest; sizes: SceneSize; hertz: number };

@@ -126,6 +126,7 @@ export function describe(session: Session): RunningScene {
     pointer: scene.pointer ?? false,
     notes: scene.notes ?? [],
     controls: scene.controls ?? [],
+    panel: scene.panel ?? null,
   };
 }
 

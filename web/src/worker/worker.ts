@@ -115,6 +115,11 @@ const answers: Answers = {
     return measure(laboratory, request, withoutBox2D, report);
   },
 
+  async prices(_, report) {
+    const { measurePrices } = await import("./measure-prices");
+    return measurePrices(engine, base, report);
+  },
+
   async heavier({ scene, sizes, hertz }, report) {
     const { findHoldings, prepare } = await import("./measure-all");
     const { laboratory, withoutBox2D } = await prepare(engine, open);

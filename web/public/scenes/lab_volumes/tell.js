@@ -8,6 +8,8 @@ export function tellVolumes(seen, costs) {
   const { shapes, pairs, hits } = seen.crowd;
   const exact = [
     ["A test takes", nanoseconds(costs.exact)],
+    ["Cheapest test", extreme(costs, Math.max)],
+    ["Dearest test", extreme(costs, Math.min)],
     ["Pairs of the crowd", String(pairs)],
     ["Of them overlap", String(hits)],
     ["Shapes", String(shapes.length)],
@@ -39,6 +41,16 @@ function rowsOf({ bounds, crowd }, kind, cost) {
     ["False alarms", String(alarms.length)],
     ["Missed", String(missed.length)],
   ];
+}
+
+const NAMES = { circle: "circle", aabb: "AABB", obb: "OBB", proxy: "proxy", exact: "exact" };
+
+/** The test whose measured rate is the greatest or least of all, once all are measured. */
+function extreme(costs, of) {
+  const names = Object.keys(NAMES);
+  if (names.some((name) => !costs[name])) return "being measured";
+  const rate = of(...names.map((name) => costs[name]));
+  return `${NAMES[names.find((name) => costs[name] === rate)]}, ${nanoseconds(rate)}`;
 }
 
 const nanoseconds = (rate) => (rate ? `${(1000 / rate).toPrecision(3)} ns` : "being measured");

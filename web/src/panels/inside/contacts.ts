@@ -35,6 +35,8 @@ export class ContactsPart {
   readonly #scope = make("div", { id: "microscope" });
   /** The pair in the microscope; null: none. */
   #pair: Met | null = null;
+  /** The next list that comes is of a step in which something met: that comes into the microscope. */
+  #takesNew = false;
   /** The number of the step that is shown, and of the last question; an answer to an older one is
    * dropped. */
   #step = -1;
@@ -99,6 +101,7 @@ export class ContactsPart {
     try {
       const met = await app.client.ask("runToContact", {});
       this.#pair = null;
+      this.#takesNew = met;
       this.#scope.replaceChildren();
       if (!met) say("Nothing met in twenty seconds.");
       app.refresh();
@@ -122,6 +125,9 @@ export class ContactsPart {
       if (number !== this.#asked) return;
       this.#step = list.step;
       this.#showList(list);
+      // The steps ended at a collision: of those that began then, the strongest is taken apart.
+      if (this.#takesNew) this.#pair = list.contacts.find(({ began }) => began) ?? null;
+      this.#takesNew = false;
       if (this.#pair && state.paused) await this.#open(this.#pair, list.step, number);
     } catch (error) {
       if (number === this.#asked) this.#fail(error);
@@ -206,13 +212,13 @@ function microscope(found: Collision): HTMLElement[] {
   return [
     title,
     facts("scope-meeting", meetingRows(found)),
+    make("h4", {}, "The overlap resolved, in four steps, and the swept answer"),
+    resolutionPictures(found),
     make("h4", {}, "Impulse, by the formulas"),
     facts("scope-formula", formulaRows(found)),
     make("h4", {}, "Velocities before and after"),
     velocityTable(found),
     make("p", { class: "quiet" }, aboutGravity(found)),
-    make("h4", {}, "The overlap resolved, in four steps, and the swept answer"),
-    resolutionPictures(found),
     make(
       "p",
       { class: "quiet" },

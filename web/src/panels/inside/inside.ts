@@ -55,6 +55,12 @@ export function createPanel(app: App, stage: Stage): Panel {
     app.refresh();
   }
   show(app.state.claim ? "bits" : "show");
+  /** A scene that is about contacts opens the panel at them. */
+  const begin = () => {
+    if (app.scene?.panel === "contacts") show("contacts");
+  };
+  app.listen({ run: begin });
+  begin();
 
   return {
     element: make("div", { class: "inside" }, bar.element, ...Object.values(elements)),

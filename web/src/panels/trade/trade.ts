@@ -13,11 +13,15 @@ import { createHeavier } from "./heavier";
 import { Laboratory } from "./laboratory";
 import { Plane, type PlanePoint } from "./plane";
 import { type TriedPoint, TriedPoints } from "./points";
+import { createPrices } from "./prices";
 import { createSeries } from "./series";
 import { countText, errorText, plainTime } from "./text";
 
 /** Milliseconds between two drawings of the plot, so that figures can be read. Chosen. */
 const REFRESH = 300;
+
+/** The scene that shows what the section on detections measures. */
+const PRICED = "lab_prices";
 
 const LEAD =
   "Each setting that you try leaves its point. Further left is faster; further down, bodies " +
@@ -86,6 +90,15 @@ export function createPanel(app: App): Panel {
     createSeries(app, laboratory),
     createHeavier(app, laboratory),
   );
+  const prices = createPrices(laboratory);
+  /** The section on detections comes first in the scene that it is of. */
+  const place = () => {
+    if (app.state.scene !== PRICED) return element.append(prices);
+    element.prepend(prices);
+    prices.scrollIntoView();
+  };
+  app.listen({ run: place });
+  place();
   draw();
   return {
     element,
