@@ -1,0 +1,280 @@
+/* packed.c: packs snapshots, alone or against a base (thud_packed.h). Packed bytes are, in the byte
+ * order of the machine, packed_head | the head of the snapshot | its sections, each as columns
+ * (packed_column.h). A section begins with a byte: SECTION_SAME, and nothing follows where it is
+ * that of the base, or SECTION_COLUMNS. Sections without bytes have none. */
+#include "api/snapshot.h"
+#include "sessions/packed_column.h"
+#include "state/handles.h"
+
+#include "thud/thud_packed.h"
+
+#include <string.h>
+
+#define MAGIC "thudpack"
+
+typedef struct packed_head {
+    char magic[8];
+    uint64_t checksum;       /* td_snapshot_checksum of all bytes after this field */
+    uint64_t bytes;          /* of all, with this head */
+    uint64_t snapshot_bytes; /* of what is packed */
+    uint64_t base_bytes;     /* of the base; 0: none */
+    uint64_t base_checksum;  /* its td_snapshot_head.checksum; 0: none */
+} packed_head;
+
+enum { SUMMED_FROM = offsetof(packed_head, checksum) + sizeof(uint64_t) };
+
+/* First bytes of sections. */
+enum { SECTION_SAME, SECTION_COLUMNS };
+
+/* A snapshot, and where its sections are. */
+typedef struct image {
+    uint8_t *bytes; /* null: there is none. Only read when packing */
+    td_snapshot_head head;
+    td_snapshot_section sections[TD_SECTION_COUNT];
+    uint64_t at[TD_SECTION_COUNT]; /* offset of each section */
+} image;
+
+/* Packing and unpacking: of either, `packs` says which. */
+typedef struct passage {
+    td_packed_stream stream;
+    image base, snapshot;
+    bool packs;
+} passage;
+
+/* Finds the sections by the head. False where the head does not fit the bytes. */
+static bool find_sections(thud_world *w, image *i, size_t bytes) {
+    td_snapshot_head own = td_snapshot_head_of(w);
+    const td_snapshot_head *head = &i->head;
+    if (memcmp(head->magic, own.magic, sizeof own.magic) != 0 || head->version != own.version ||
+        head->layout != own.layout || head->bytes != bytes || head->textured > bytes ||
+        !td_snapshot_counts_valid(head)) {
+        return false;
+    }
+    td_snapshot_list_sections(w, head, i->sections);
+    uint64_t at = sizeof *head;
+    for (int k = 0; k < TD_SECTION_COUNT; k++) {
+        i->at[k] = at;
+        at += i->sections[k].bytes;
+    }
+    return at == bytes;
+}
+
+/* Whether the bytes are a whole snapshot of this build. */
+static bool open_image(thud_world *w, image *i, thud_bytes bytes) {
+    union {
+        const void *given;
+        uint8_t *same;
+    } pointer = {bytes.data};
+    i->bytes = pointer.same;
+    if (bytes.count < sizeof i->head) {
+        return false;
+    }
+    memcpy(&i->head, bytes.data, sizeof i->head);
+    return find_sections(w, i, bytes.count) &&
+           i->head.checksum == td_snapshot_checksum(i->bytes + TD_SNAPSHOT_SUMMED_FROM,
+                                                    bytes.count - TD_SNAPSHOT_SUMMED_FROM);
+}
+
+/* ---- sections ---- */
+
+static void pass_column(passage *p, const td_packed_column *column) {
+    if (p->packs) {
+        td_packed_write(&p->stream, column);
+    } else {
+        td_packed_read(&p->stream, column);
+    }
+}
+
+/* Columns of the records of a stride, from `at` on in the snapshot and `base_at` in the base. */
+static void pass_columns(passage *p, td_packed_column column, const uint8_t *base, uint8_t *words) {
+    size_t each = (size_t)column.width * (size_t)column.lanes;
+    for (size_t at = 0; at < column.stride; at += each) {
+        if (column.stride - at < each) {
+            column.lanes = column.width = 1;
+            each = 1;
+        }
+        column.base = base ? base + at : NULL;
+        column.words = words + at;
+        pass_column(p, &column);
+    }
+}
+
+static void pass_section(passage *p, int k) {
+    const td_snapshot_section *section = &p->snapshot.sections[k];
+    uint64_t bytes = section->bytes, base_bytes = p->base.bytes ? p->base.sections[k].bytes : 0;
+    if (bytes == 0 || p->stream.broken) {
+        return;
+    }
+    uint8_t *words = p->snapshot.bytes + p->snapshot.at[k];
+    const uint8_t *base = base_bytes ? p->base.bytes + p->base.at[k] : NULL;
+    uint8_t how = SECTION_COLUMNS;
+    if (p->packs) {
+        bool same = base && base_bytes == bytes && memcmp(words, base, (size_t)bytes) == 0;
+        how = same ? SECTION_SAME : SECTION_COLUMNS;
+        td_packed_put(&p->stream, how);
+    } else {
+        how = td_packed_take(&p->stream);
+        if (how > SECTION_COLUMNS || (how == SECTION_SAME && base_bytes != bytes)) {
+            p->stream.broken = true;
+        } else if (how == SECTION_SAME) {
+            memcpy(words, base, (size_t)bytes);
+        }
+    }
+    if (how == SECTION_COLUMNS && !p->stream.broken) {
+        bool blocks = k >= TD_SECTION_BLOCKS && k < TD_SECTION_PARTS;
+        pass_columns(p,
+                     (td_packed_column){.stride = section->stride,
+                                        .records = (size_t)bytes / section->stride,
+                                        .base_records = (size_t)base_bytes / section->stride,
+                                        .width = section->stride < 4 ? 1 : 4,
+                                        .lanes = blocks ? TD_PACKED_GROUP : 1},
+                     base, words);
+        size_t rest = (size_t)bytes % section->stride, whole = (size_t)bytes - rest;
+        if (rest) {
+            pass_columns(p,
+                         (td_packed_column){.stride = 1, .records = rest, .width = 1, .lanes = 1},
+                         NULL, words + whole);
+        }
+    }
+}
+
+/* The head, word by word. */
+static void pass_head(passage *p) {
+    td_packed_column column = {.stride = 4,
+                               .records = sizeof(td_snapshot_head) / 4,
+                               .width = 4,
+                               .lanes = 1,
+                               .base = p->base.bytes,
+                               .words = p->snapshot.bytes};
+    column.base_records = p->base.bytes ? column.records : 0;
+    pass_column(p, &column);
+}
+
+static void pass_sections(passage *p) {
+    for (int k = 0; k < TD_SECTION_COUNT; k++) {
+        pass_section(p, k);
+    }
+}
+
+/* ---- packing ---- */
+
+/* Checks what both calls are given; `bytes` is the snapshot or what is packed. */
+static thud_result check(const thud_world *w, thud_bytes base, thud_bytes bytes, const void *buffer,
+                         size_t capacity, const size_t *out_bytes) {
+    if (!w || !bytes.data || !out_bytes || (!buffer && capacity > 0) ||
+        (!base.data && base.count > 0)) {
+        return td_refuse(w, THUD_ERROR_NULL, "pack or unpack: world, bytes or out_bytes is null");
+    }
+    return w->locked ? td_refuse(w, THUD_ERROR_LOCKED, "pack or unpack: not inside a callback")
+                     : THUD_OK;
+}
+
+/* The packed size of the snapshot at most. */
+static uint64_t packed_max(uint64_t bytes) {
+    return bytes + bytes / 8 + 2048;
+}
+
+thud_result thud_world_pack(const thud_world *w, thud_bytes base, thud_bytes snapshot, void *buffer,
+                            size_t capacity, size_t *out_bytes) {
+    thud_result result = check(w, base, snapshot, buffer, capacity, out_bytes);
+    if (result != THUD_OK) {
+        return result;
+    }
+    passage p = {.packs = true, .stream = {.at = sizeof(packed_head)}};
+    thud_world *world = td_unconst(w);
+    if ((base.data && !open_image(world, &p.base, base)) ||
+        !open_image(world, &p.snapshot, snapshot)) {
+        return td_refuse(w, THUD_ERROR_INVALID,
+                         "pack: base or snapshot is no whole snapshot of this build of thud");
+    }
+    if (capacity < packed_max(snapshot.count)) { /* count before anything is written */
+        pass_head(&p);
+        pass_sections(&p);
+        if (buffer && p.stream.at > capacity) {
+            return td_refuse(w, THUD_ERROR_INVALID, "pack: the buffer is too small");
+        }
+        *out_bytes = p.stream.at;
+    }
+    if (buffer) {
+        p.stream = (td_packed_stream){.to = buffer, .at = sizeof(packed_head)};
+        pass_head(&p);
+        pass_sections(&p);
+        packed_head head = {.magic = MAGIC,
+                            .bytes = p.stream.at,
+                            .snapshot_bytes = snapshot.count,
+                            .base_bytes = base.count,
+                            .base_checksum = p.base.head.checksum};
+        memcpy(buffer, &head, sizeof head);
+        head.checksum =
+            td_snapshot_checksum((char *)buffer + SUMMED_FROM, p.stream.at - SUMMED_FROM);
+        memcpy(buffer, &head, sizeof head);
+        *out_bytes = p.stream.at;
+    }
+    return THUD_OK;
+}
+
+/* ---- unpacking ---- */
+
+/* Why the bytes cannot be unpacked, or null; copies their head. */
+static const char *fault_of(thud_world *w, passage *p, thud_bytes base, thud_bytes packed,
+                            packed_head *head) {
+    const char *from = packed.data;
+    if (packed.count < sizeof *head) {
+        return "unpack: too short for a packed snapshot";
+    }
+    memcpy(head, from, sizeof *head);
+    if (memcmp(head->magic, MAGIC, sizeof head->magic) != 0) {
+        return "unpack: this is no packed snapshot";
+    }
+    if (head->bytes != packed.count ||
+        head->checksum != td_snapshot_checksum(from + SUMMED_FROM, packed.count - SUMMED_FROM)) {
+        return "unpack: the packed snapshot is damaged or cut short";
+    }
+    if (head->base_bytes != base.count || (base.data && !open_image(w, &p->base, base)) ||
+        head->base_checksum != p->base.head.checksum) {
+        return "unpack: this is not the base with which the snapshot was packed";
+    }
+    return NULL;
+}
+
+/* Unpacks into the buffer. False where the bytes contradict themselves. */
+static bool unpack(thud_world *w, passage *p, uint8_t *buffer, size_t bytes) {
+    p->snapshot.bytes = buffer;
+    pass_head(p);
+    memcpy(&p->snapshot.head, buffer, sizeof p->snapshot.head);
+    if (p->stream.broken || !find_sections(w, &p->snapshot, bytes)) {
+        return false;
+    }
+    pass_sections(p);
+    return !p->stream.broken && p->stream.at == p->stream.end &&
+           p->snapshot.head.checksum == td_snapshot_checksum(buffer + TD_SNAPSHOT_SUMMED_FROM,
+                                                             bytes - TD_SNAPSHOT_SUMMED_FROM);
+}
+
+thud_result thud_world_unpack(const thud_world *w, thud_bytes base, thud_bytes packed, void *buffer,
+                              size_t capacity, size_t *out_bytes) {
+    thud_result result = check(w, base, packed, buffer, capacity, out_bytes);
+    if (result != THUD_OK) {
+        return result;
+    }
+    passage p = {.packs = false};
+    packed_head head;
+    thud_world *world = td_unconst(w);
+    const char *fault = fault_of(world, &p, base, packed, &head);
+    if (fault) {
+        return td_refuse(w, THUD_ERROR_INVALID, fault);
+    }
+    if (buffer && capacity < head.snapshot_bytes) {
+        return td_refuse(w, THUD_ERROR_INVALID, "unpack: the buffer is too small");
+    }
+    size_t bytes = (size_t)head.snapshot_bytes;
+    p.stream = (td_packed_stream){.from = packed.data, .at = sizeof head, .end = packed.count};
+    if (buffer && (bytes != head.snapshot_bytes || bytes < sizeof(td_snapshot_head) ||
+                   !unpack(world, &p, buffer, bytes))) {
+        return td_refuse(w, THUD_ERROR_INVALID,
+                         "unpack: the packed snapshot is of another version or build of thud, or "
+                         "contradicts itself");
+    }
+    *out_bytes = bytes;
+    return THUD_OK;
+}
