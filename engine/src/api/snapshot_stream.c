@@ -255,6 +255,14 @@ void td_snapshot_list_sections(thud_world *w, const td_snapshot_head *head,
     sections[TD_SECTION_TEXTURED] = (td_snapshot_section){head->textured, sizeof(uint32_t)};
 }
 
+size_t td_snapshot_field_at(size_t member) {
+    size_t at = 0;
+    for (int i = 0; FIELDS[i].at != member; i++) {
+        at += FIELDS[i].bytes;
+    }
+    return at;
+}
+
 uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head) {
     td_snapshot_section sections[TD_SECTION_COUNT];
     td_snapshot_list_sections(w, head, sections);

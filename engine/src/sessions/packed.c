@@ -2,7 +2,7 @@
  * order of the machine, packed_head | the head of the snapshot | its sections, each as columns
  * (packed_column.h). A section begins with a byte: SECTION_SAME, and nothing follows where it is
  * that of the base, or SECTION_COLUMNS. Sections without bytes have none. */
-#include "api/snapshot.h"
+#include "sessions/packed.h"
 #include "sessions/packed_column.h"
 #include "state/handles.h"
 
@@ -26,23 +26,15 @@ enum { SUMMED_FROM = offsetof(packed_head, checksum) + sizeof(uint64_t) };
 /* First bytes of sections. */
 enum { SECTION_SAME, SECTION_COLUMNS };
 
-/* A snapshot, and where its sections are. */
-typedef struct image {
-    uint8_t *bytes; /* null: there is none. Only read when packing */
-    td_snapshot_head head;
-    td_snapshot_section sections[TD_SECTION_COUNT];
-    uint64_t at[TD_SECTION_COUNT]; /* offset of each section */
-} image;
-
 /* Packing and unpacking: of either, `packs` says which. */
 typedef struct passage {
     td_packed_stream stream;
-    image base, snapshot;
+    td_packed_pair pair;
     bool packs;
 } passage;
 
 /* Finds the sections by the head. False where the head does not fit the bytes. */
-static bool find_sections(thud_world *w, image *i, size_t bytes) {
+static bool find_sections(thud_world *w, td_packed_image *i, size_t bytes) {
     td_snapshot_head own = td_snapshot_head_of(w);
     const td_snapshot_head *head = &i->head;
     if (memcmp(head->magic, own.magic, sizeof own.magic) != 0 || head->version != own.version ||
@@ -60,7 +52,7 @@ static bool find_sections(thud_world *w, image *i, size_t bytes) {
 }
 
 /* Whether the bytes are a whole snapshot of this build. */
-static bool open_image(thud_world *w, image *i, thud_bytes bytes) {
+static bool open_image(thud_world *w, td_packed_image *i, thud_bytes bytes) {
     union {
         const void *given;
         uint8_t *same;
@@ -85,28 +77,36 @@ static void pass_column(passage *p, const td_packed_column *column) {
     }
 }
 
-/* Columns of the records of a stride, from `at` on in the snapshot and `base_at` in the base. */
-static void pass_columns(passage *p, td_packed_column column, const uint8_t *base, uint8_t *words) {
+/* The columns of a section's records, from `base` and `words` on; those of one pass
+ * (td_packed_pass_of). */
+static void pass_columns(passage *p, int section, int pass, td_packed_column column,
+                         const uint8_t *base, uint8_t *words) {
     size_t each = (size_t)column.width * (size_t)column.lanes;
     for (size_t at = 0; at < column.stride; at += each) {
         if (column.stride - at < each) {
             column.lanes = column.width = 1;
             each = 1;
         }
+        td_packed_field field = {&p->pair, section, at};
         column.base = base ? base + at : NULL;
         column.words = words + at;
-        pass_column(p, &column);
+        column.context = &field;
+        column.known = each > 1 && td_packed_follows(&field) ? td_packed_known : NULL;
+        if (td_packed_pass_of(section, at) == pass) {
+            pass_column(p, &column);
+        }
     }
 }
 
 static void pass_section(passage *p, int k) {
-    const td_snapshot_section *section = &p->snapshot.sections[k];
-    uint64_t bytes = section->bytes, base_bytes = p->base.bytes ? p->base.sections[k].bytes : 0;
+    const td_snapshot_section *section = &p->pair.now.sections[k];
+    uint64_t bytes = section->bytes,
+             base_bytes = p->pair.base.bytes ? p->pair.base.sections[k].bytes : 0;
     if (bytes == 0 || p->stream.broken) {
         return;
     }
-    uint8_t *words = p->snapshot.bytes + p->snapshot.at[k];
-    const uint8_t *base = base_bytes ? p->base.bytes + p->base.at[k] : NULL;
+    uint8_t *words = p->pair.now.bytes + p->pair.now.at[k];
+    const uint8_t *base = base_bytes ? p->pair.base.bytes + p->pair.base.at[k] : NULL;
     uint8_t how = SECTION_COLUMNS;
     if (p->packs) {
         bool same = base && base_bytes == bytes && memcmp(words, base, (size_t)bytes) == 0;
@@ -122,18 +122,22 @@ static void pass_section(passage *p, int k) {
     }
     if (how == SECTION_COLUMNS && !p->stream.broken) {
         bool blocks = k >= TD_SECTION_BLOCKS && k < TD_SECTION_PARTS;
-        pass_columns(p,
-                     (td_packed_column){.stride = section->stride,
-                                        .records = (size_t)bytes / section->stride,
-                                        .base_records = (size_t)base_bytes / section->stride,
-                                        .width = section->stride < 4 ? 1 : 4,
-                                        .lanes = blocks ? TD_PACKED_GROUP : 1},
-                     base, words);
-        size_t rest = (size_t)bytes % section->stride, whole = (size_t)bytes - rest;
+        td_packed_column column = {.stride = section->stride,
+                                   .records = (size_t)bytes / section->stride,
+                                   .base_records = (size_t)base_bytes / section->stride,
+                                   .width = section->stride < 4 ? 1 : 4,
+                                   .lanes = blocks ? TD_PACKED_GROUP : 1};
+        for (int pass = 0; pass < (blocks ? TD_PACKED_PASSES : 1); pass++) {
+            pass_columns(p, k, pass, column, base, words);
+        }
+        size_t rest = (size_t)bytes % section->stride;
         if (rest) {
-            pass_columns(p,
-                         (td_packed_column){.stride = 1, .records = rest, .width = 1, .lanes = 1},
-                         NULL, words + whole);
+            column = (td_packed_column){.stride = 1,
+                                        .records = rest,
+                                        .width = 1,
+                                        .lanes = 1,
+                                        .words = words + (size_t)bytes - rest};
+            pass_column(p, &column);
         }
     }
 }
@@ -144,15 +148,17 @@ static void pass_head(passage *p) {
                                .records = sizeof(td_snapshot_head) / 4,
                                .width = 4,
                                .lanes = 1,
-                               .base = p->base.bytes,
-                               .words = p->snapshot.bytes};
-    column.base_records = p->base.bytes ? column.records : 0;
+                               .base = p->pair.base.bytes,
+                               .words = p->pair.now.bytes};
+    column.base_records = p->pair.base.bytes ? column.records : 0;
     pass_column(p, &column);
 }
 
 static void pass_sections(passage *p) {
+    int order[TD_SECTION_COUNT];
+    td_packed_order(order);
     for (int k = 0; k < TD_SECTION_COUNT; k++) {
-        pass_section(p, k);
+        pass_section(p, order[k]);
     }
 }
 
@@ -182,8 +188,8 @@ thud_result thud_world_pack(const thud_world *w, thud_bytes base, thud_bytes sna
     }
     passage p = {.packs = true, .stream = {.at = sizeof(packed_head)}};
     thud_world *world = td_unconst(w);
-    if ((base.data && !open_image(world, &p.base, base)) ||
-        !open_image(world, &p.snapshot, snapshot)) {
+    if ((base.data && !open_image(world, &p.pair.base, base)) ||
+        !open_image(world, &p.pair.now, snapshot)) {
         return td_refuse(w, THUD_ERROR_INVALID,
                          "pack: base or snapshot is no whole snapshot of this build of thud");
     }
@@ -203,7 +209,7 @@ thud_result thud_world_pack(const thud_world *w, thud_bytes base, thud_bytes sna
                             .bytes = p.stream.at,
                             .snapshot_bytes = snapshot.count,
                             .base_bytes = base.count,
-                            .base_checksum = p.base.head.checksum};
+                            .base_checksum = p.pair.base.head.checksum};
         memcpy(buffer, &head, sizeof head);
         head.checksum =
             td_snapshot_checksum((char *)buffer + SUMMED_FROM, p.stream.at - SUMMED_FROM);
@@ -230,8 +236,8 @@ static const char *fault_of(thud_world *w, passage *p, thud_bytes base, thud_byt
         head->checksum != td_snapshot_checksum(from + SUMMED_FROM, packed.count - SUMMED_FROM)) {
         return "unpack: the packed snapshot is damaged or cut short";
     }
-    if (head->base_bytes != base.count || (base.data && !open_image(w, &p->base, base)) ||
-        head->base_checksum != p->base.head.checksum) {
+    if (head->base_bytes != base.count || (base.data && !open_image(w, &p->pair.base, base)) ||
+        head->base_checksum != p->pair.base.head.checksum) {
         return "unpack: this is not the base with which the snapshot was packed";
     }
     return NULL;
@@ -239,15 +245,15 @@ static const char *fault_of(thud_world *w, passage *p, thud_bytes base, thud_byt
 
 /* Unpacks into the buffer. False where the bytes contradict themselves. */
 static bool unpack(thud_world *w, passage *p, uint8_t *buffer, size_t bytes) {
-    p->snapshot.bytes = buffer;
+    p->pair.now.bytes = buffer;
     pass_head(p);
-    memcpy(&p->snapshot.head, buffer, sizeof p->snapshot.head);
-    if (p->stream.broken || !find_sections(w, &p->snapshot, bytes)) {
+    memcpy(&p->pair.now.head, buffer, sizeof p->pair.now.head);
+    if (p->stream.broken || !find_sections(w, &p->pair.now, bytes)) {
         return false;
     }
     pass_sections(p);
     return !p->stream.broken && p->stream.at == p->stream.end &&
-           p->snapshot.head.checksum == td_snapshot_checksum(buffer + TD_SNAPSHOT_SUMMED_FROM,
+           p->pair.now.head.checksum == td_snapshot_checksum(buffer + TD_SNAPSHOT_SUMMED_FROM,
                                                              bytes - TD_SNAPSHOT_SUMMED_FROM);
 }
 
