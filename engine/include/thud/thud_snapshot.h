@@ -25,6 +25,8 @@
  * as they are; with other callbacks its results may differ. The caller must copy its own state; a
  * thud_mover is a plain struct.
  *
+ * thud_packed.h makes the bytes small, to send or keep them.
+ *
  * A program that uses snapshots links every shape kind, every detection and the island solver,
  * since a snapshot may need them. */
 #ifndef THUD_SNAPSHOT_H
