@@ -43,6 +43,7 @@ static bool find_sections(thud_world *w, td_packed_image *i, size_t bytes) {
         return false;
     }
     td_snapshot_list_sections(w, head, i->sections);
+    i->to_fixed = TD_FIXED_ONE / head->length_scale;
     uint64_t at = sizeof *head;
     for (int k = 0; k < TD_SECTION_COUNT; k++) {
         i->at[k] = at;

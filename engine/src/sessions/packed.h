@@ -11,6 +11,7 @@ typedef struct td_packed_image {
     td_snapshot_head head;
     td_snapshot_section sections[TD_SECTION_COUNT];
     uint64_t at[TD_SECTION_COUNT]; /* offset of each section, bytes */
+    double to_fixed;               /* position quanta in a length: thud_world.to_fixed */
 } td_packed_image;
 
 /* The snapshot that is packed or unpacked, and its base. */
@@ -27,15 +28,15 @@ typedef struct td_packed_field {
 
 /* Whether the column may follow from others, which are read before it: td_packed_known. */
 bool td_packed_follows(const td_packed_field *field);
-/* A prediction of word `word` of the column, a td_known_fn: what it is where it follows from the
- * columns that were read before it. */
-uint32_t td_packed_known(const void *field, size_t word);
+/* Predicts words of the column, a td_known_fn: what they are where they follow from the columns
+ * that were read before it. */
+void td_packed_known(const void *field, size_t first, int count, uint32_t *out);
 
 /* The sections in the order in which they are packed: what others follow from comes first. */
 void td_packed_order(int order[TD_SECTION_COUNT]);
 /* The same for the rows of blocks: the pass, below TD_PACKED_PASSES, in which the row at byte `at`
  * of a block of this section is packed. */
-enum { TD_PACKED_PASSES = 4 };
+enum { TD_PACKED_PASSES = 6 };
 int td_packed_pass_of(int section, size_t at);
 
 #endif

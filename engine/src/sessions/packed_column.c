@@ -9,9 +9,8 @@
 /* First bytes of groups. */
 enum { MASKED = 64, ZEROS = 128, ZEROS_MAX = 128 };
 
-/* Groups that a guess is chosen by, spread over the column. Chosen: of gas, pit and pyramid all
- * groups give no shorter bytes that tell. */
-enum { SAMPLE = 24 };
+/* Groups that a guess is chosen by, spread over the column. Chosen; not tuned. */
+enum { SAMPLE = 12 };
 
 void td_packed_put(td_packed_stream *t, uint8_t byte) {
     if (t->to) {
@@ -30,71 +29,91 @@ uint8_t td_packed_take(td_packed_stream *t) {
 
 /* ---- words ---- */
 
-/* Where a column is being read or written: what the words after it are predicted by. */
+/* A group's words, and those of the base. */
+typedef struct words {
+    int count; /* TD_PACKED_GROUP, or less in the last group */
+    uint32_t word[TD_PACKED_GROUP];
+    uint32_t base[TD_PACKED_GROUP];
+    int in_base; /* words that the base has, the first ones */
+} words;
+
+/* What the words after a group are predicted by. */
 typedef struct place {
     uint32_t last, before; /* the word before the present one, and the one before that */
     uint32_t base_last;    /* the base's word at the place of `last` */
 } place;
-
-static uint32_t load(const uint8_t *from, int width) {
-    uint32_t word = 0;
-    if (width == (int)sizeof word) {
-        memcpy(&word, from, sizeof word);
-    } else {
-        word = *from;
-    }
-    return word;
-}
-
-static void store(uint8_t *to, int width, uint32_t word) {
-    if (width == (int)sizeof word) {
-        memcpy(to, &word, sizeof word);
-    } else {
-        *to = (uint8_t)word;
-    }
-}
 
 /* The number of words. */
 static size_t words_of(const td_packed_column *c) {
     return c->records * (size_t)c->lanes;
 }
 
-/* The offset of a word from the first one. */
-static size_t offset_of(const td_packed_column *c, size_t word) {
-    return c->lanes == 1
-               ? word * c->stride
-               : word / TD_PACKED_GROUP * c->stride + word % TD_PACKED_GROUP * sizeof(uint32_t);
+/* Loads `count` words from word `first` on, which begins a group, of the column at `from`. */
+static void load(const td_packed_column *c, const uint8_t *from, size_t first, int count,
+                 uint32_t out[TD_PACKED_GROUP]) {
+    size_t stride = c->stride;
+    if (c->lanes == TD_PACKED_GROUP) {
+        memcpy(out, from + first / TD_PACKED_GROUP * stride, TD_PACKED_GROUP * sizeof *out);
+    } else if (c->width == 1) {
+        for (int i = 0; i < count; i++) {
+            out[i] = from[(first + (size_t)i) * stride];
+        }
+    } else {
+        for (int i = 0; i < count; i++) {
+            memcpy(&out[i], from + (first + (size_t)i) * stride, sizeof *out);
+        }
+    }
 }
 
-/* Whether the base has the word. */
-static bool is_in_base(const td_packed_column *c, size_t word) {
-    return c->base && (c->lanes == 1 ? word : word / TD_PACKED_GROUP) < c->base_records;
+static void store(const td_packed_column *c, size_t first, const words *w) {
+    if (c->lanes == TD_PACKED_GROUP) {
+        memcpy(c->words + first / TD_PACKED_GROUP * c->stride, w->word, sizeof w->word);
+        return;
+    }
+    for (int i = 0; i < w->count; i++) {
+        uint8_t *to = c->words + (first + (size_t)i) * c->stride;
+        if (c->width == 1) {
+            *to = (uint8_t)w->word[i];
+        } else {
+            memcpy(to, &w->word[i], sizeof w->word[i]);
+        }
+    }
 }
 
-/* The prediction of a word. *base gets the base's word, or the word before where there is none. */
-static uint32_t guess_of(const td_packed_column *c, td_guess guess, size_t word, const place *p,
-                         uint32_t *base) {
-    bool known = is_in_base(c, word);
-    *base = known ? load(c->base + offset_of(c, word), c->width) : p->last;
+/* The group of words from `first` on, without the words themselves. */
+static words base_words(const td_packed_column *c, size_t first) {
+    size_t left = words_of(c) - first;
+    words w = {.count = left < TD_PACKED_GROUP ? (int)left : TD_PACKED_GROUP};
+    size_t in_base = c->base ? c->base_records * (size_t)c->lanes : 0;
+    if (first < in_base) {
+        w.in_base = in_base - first < (size_t)w.count ? (int)(in_base - first) : w.count;
+        load(c, c->base, first, w.in_base, w.base);
+    }
+    return w;
+}
+
+/* The prediction of word i of a group, by words before it and the base. */
+static uint32_t guess_of(td_guess guess, const words *w, int i, const place *p) {
     switch (guess) {
     case TD_GUESS_LINE:
         return 2 * p->last - p->before;
     case TD_GUESS_STEP:
-        return known ? *base + p->last - p->base_last : p->last;
-    case TD_GUESS_KNOWN:
-        return c->known(c->context, word);
-    case TD_GUESS_PREVIOUS:
-        return p->last;
-    case TD_GUESS_SAME:
+        return i < w->in_base ? w->base[i] + p->last - p->base_last : p->last;
     case TD_GUESS_BASE:
+    case TD_GUESS_SAME:
+        return i < w->in_base ? w->base[i] : p->last;
+    case TD_GUESS_PREVIOUS:
+    case TD_GUESS_KNOWN:
     case TD_GUESS_COUNT:
         break;
     }
-    return *base;
+    return p->last;
 }
 
-static void pass_word(place *p, uint32_t word, uint32_t base) {
-    *p = (place){.last = word, .before = p->last, .base_last = base};
+/* Goes on by one word of a group. */
+static void pass_word(place *p, const words *w, int i) {
+    uint32_t base = i < w->in_base ? w->base[i] : p->last;
+    *p = (place){.last = w->word[i], .before = p->last, .base_last = base};
 }
 
 /* The difference of words of a width, as a number that is small where they are close. */
@@ -133,25 +152,50 @@ static size_t cost_of(const group *g) {
     return 1 + (size_t)(is_masked(g) ? 1 + bytes_of(g->nonzero, g->bits) : g->bits);
 }
 
+/* Sets numbers from differences of words. */
+static group group_of(const uint32_t difference[TD_PACKED_GROUP], int count, int width) {
+    group g = {.bits = 0};
+    uint32_t all = 0;
+    for (int i = 0; i < count; i++) {
+        all |= difference[i];
+    }
+    if (all == 0) {
+        return g;
+    }
+    all = 0;
+    for (int i = 0; i < count; i++) {
+        uint32_t number = to_zigzag(difference[i], width);
+        g.number[i] = number;
+        g.nonzero += number != 0;
+        g.set |= (number != 0 ? 1u : 0u) << i;
+        all |= number;
+    }
+    g.bits = all ? 32 - __builtin_clz(all) : 0;
+    return g;
+}
+
 /* The numbers of the words from `first` on; *p passes over these words. */
 static group take_group(const td_packed_column *c, td_guess guess, size_t first, place *p) {
-    group g = {.bits = 0};
-    size_t end = first + TD_PACKED_GROUP, count = words_of(c);
-    uint32_t all = 0;
-    for (size_t i = first; i < end && i < count; i++) {
-        uint32_t base, predicted = guess_of(c, guess, i, p, &base);
-        uint32_t word = load(c->words + offset_of(c, i), c->width);
-        uint32_t number = to_zigzag(word - predicted, c->width);
-        g.number[i - first] = number;
-        g.nonzero += number != 0;
-        g.set |= (number != 0 ? 1u : 0u) << (i - first);
-        all |= number;
-        pass_word(p, word, base);
+    words w = base_words(c, first);
+    load(c, c->words, first, w.count, w.word);
+    uint32_t difference[TD_PACKED_GROUP];
+    if (guess == TD_GUESS_KNOWN) {
+        c->known(c->context, first, w.count, difference);
+        for (int i = 0; i < w.count; i++) {
+            difference[i] = w.word[i] - difference[i];
+        }
+    } else if (guess == TD_GUESS_BASE && w.in_base == w.count) {
+        for (int i = 0; i < w.count; i++) {
+            difference[i] = w.word[i] - w.base[i];
+        }
+        p->last = w.word[w.count - 1];
+    } else {
+        for (int i = 0; i < w.count; i++) {
+            difference[i] = w.word[i] - guess_of(guess, &w, i, p);
+            pass_word(p, &w, i);
+        }
     }
-    while (all >> g.bits && g.bits < 32) {
-        g.bits++;
-    }
-    return g;
+    return group_of(difference, w.count, c->width);
 }
 
 static void put_numbers(td_packed_stream *t, const group *g, bool masked) {
@@ -215,26 +259,33 @@ static bool is_same(const td_packed_column *c) {
     if (!c->base || c->base_records < c->records) {
         return false;
     }
-    size_t bytes = (size_t)c->width * (size_t)c->lanes;
-    for (size_t r = 0; r < c->records; r++) {
-        if (memcmp(c->words + r * c->stride, c->base + r * c->stride, bytes) != 0) {
+    for (size_t i = 0; i < words_of(c); i += TD_PACKED_GROUP) {
+        words w = base_words(c, i);
+        load(c, c->words, i, w.count, w.word);
+        uint32_t changed = 0;
+        for (int k = 0; k < w.count; k++) {
+            changed |= w.word[k] ^ w.base[k];
+        }
+        if (changed) {
             return false;
         }
     }
     return true;
 }
 
-/* Bytes that a sample of the groups takes by a guess. */
+/* Bytes that a sample of the groups takes by a guess; each is taken as if it began the column, but
+ * for the two words before it. */
 static size_t sample_cost(const td_packed_column *c, td_guess guess) {
     size_t groups = (words_of(c) + TD_PACKED_GROUP - 1) / TD_PACKED_GROUP, cost = 0;
     size_t every = groups / SAMPLE + 1;
     for (size_t k = 0; k < groups; k += every) {
         size_t first = k * TD_PACKED_GROUP;
         place p = {0, 0, 0};
-        for (size_t i = first < 2 ? 0 : first - 2; i < first; i++) { /* the two words before */
-            uint32_t base;
-            guess_of(c, TD_GUESS_BASE, i, &p, &base);
-            pass_word(&p, load(c->words + offset_of(c, i), c->width), base);
+        if (first > 0) {
+            words w = base_words(c, first - TD_PACKED_GROUP);
+            load(c, c->words, first - TD_PACKED_GROUP, w.count, w.word);
+            pass_word(&p, &w, TD_PACKED_GROUP - 2);
+            pass_word(&p, &w, TD_PACKED_GROUP - 1);
         }
         group g = take_group(c, guess, first, &p);
         cost += g.bits ? cost_of(&g) : 0;
@@ -242,17 +293,20 @@ static size_t sample_cost(const td_packed_column *c, td_guess guess) {
     return cost;
 }
 
+/* The guess by which a sample takes the fewest bytes. */
 static td_guess choose(const td_packed_column *c) {
+    static const td_guess guesses[] = {TD_GUESS_KNOWN, TD_GUESS_BASE, TD_GUESS_PREVIOUS,
+                                       TD_GUESS_STEP, TD_GUESS_LINE};
     td_guess best = TD_GUESS_PREVIOUS;
     size_t least = SIZE_MAX;
-    for (int guess = TD_GUESS_BASE; guess < TD_GUESS_COUNT; guess++) {
-        bool possible = guess == TD_GUESS_KNOWN
-                            ? c->known != NULL
-                            : c->base || (guess != TD_GUESS_BASE && guess != TD_GUESS_STEP);
-        size_t cost = possible ? sample_cost(c, (td_guess)guess) : SIZE_MAX;
+    for (size_t i = 0; i < sizeof guesses / sizeof *guesses && least > 0; i++) {
+        td_guess guess = guesses[i];
+        bool based = guess == TD_GUESS_BASE || guess == TD_GUESS_STEP;
+        bool possible = guess == TD_GUESS_KNOWN ? c->known != NULL : c->base || !based;
+        size_t cost = possible ? sample_cost(c, guess) : SIZE_MAX;
         if (cost < least) {
             least = cost;
-            best = (td_guess)guess;
+            best = guess;
         }
     }
     return best;
@@ -279,6 +333,22 @@ void td_packed_write(td_packed_stream *t, const td_packed_column *c) {
     put_zeros(t, zeros);
 }
 
+/* The words of a group, by the numbers that were read. */
+static void restore_group(const td_packed_column *c, td_guess guess, size_t first,
+                          const uint32_t number[TD_PACKED_GROUP], place *p) {
+    words w = base_words(c, first);
+    if (guess == TD_GUESS_KNOWN) {
+        c->known(c->context, first, w.count, w.word);
+    }
+    for (int i = 0; i < w.count; i++) {
+        uint32_t predicted = guess == TD_GUESS_KNOWN ? w.word[i] : guess_of(guess, &w, i, p);
+        uint32_t word = predicted + from_zigzag(number[i]);
+        w.word[i] = c->width == 1 ? (uint8_t)word : word;
+        pass_word(p, &w, i);
+    }
+    store(c, first, &w);
+}
+
 void td_packed_read(td_packed_stream *t, const td_packed_column *c) {
     td_guess guess = (td_guess)td_packed_take(t);
     bool based = guess == TD_GUESS_SAME || guess == TD_GUESS_BASE || guess == TD_GUESS_STEP;
@@ -298,10 +368,6 @@ void td_packed_read(td_packed_stream *t, const td_packed_column *c) {
             }
         }
         zeros -= zeros > 0;
-        for (size_t k = i; k < i + TD_PACKED_GROUP && k < words_of(c); k++) {
-            uint32_t base, word = guess_of(c, guess, k, &p, &base) + from_zigzag(number[k - i]);
-            store(c->words + offset_of(c, k), c->width, word);
-            pass_word(&p, c->width == 1 ? (uint8_t)word : word, base);
-        }
+        restore_group(c, guess, i, number, &p);
     }
 }

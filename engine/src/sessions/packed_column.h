@@ -46,8 +46,10 @@ typedef struct td_packed_stream {
 
 typedef struct td_packed_column td_packed_column;
 
-/* The prediction of the word of record `record`, from words that are known before the column. */
-typedef uint32_t td_known_fn(const void *context, size_t record);
+/* Writes predictions of `count` words from word `first` on, of one group, from words that are known
+ * before the column. */
+typedef void td_known_fn(const void *context, size_t first, int count,
+                         uint32_t out[TD_PACKED_GROUP]);
 
 /* A column of `records` records. Words need no alignment. */
 struct td_packed_column {

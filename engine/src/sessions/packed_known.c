@@ -100,7 +100,7 @@ static uint64_t quanta_of(double quanta) {
 }
 
 static uint64_t length_quanta(const image *i, float length) {
-    return quanta_of((double)length * (TD_FIXED_ONE / i->head.length_scale));
+    return quanta_of((double)length * i->to_fixed);
 }
 
 static uint32_t angle_quanta(float radians) {
@@ -278,51 +278,65 @@ static uint32_t constraint_word(const field *f, int32_t constraint) {
     return (uint32_t)SHAPE(now, int_at(now, f->section, constraint, shape), body);
 }
 
-/* A lane of a block. */
-typedef struct lane {
-    const image *now;
+/* Eight lanes of a block. */
+typedef struct lanes {
+    const image *now, *base;
+    const uint8_t *block; /* its first byte in the snapshot */
     int section;
-    int32_t block;
-    size_t number; /* the lane's */
-} lane;
+    int32_t shape[2][TD_LANES]; /* rows shape_a and shape_b */
+    int32_t slot[2][TD_LANES];  /* rows a and b, as awake slots; 0: static */
+} lanes;
 
-/* The lane's word in the row at byte `at` of its block. */
-static int32_t row_int(const lane *l, size_t at) {
-    return int_at(l->now, l->section, l->block, at + l->number * sizeof(int32_t));
+static void read_row(const lanes *l, size_t at, void *row) {
+    memcpy(row, l->block + at, TD_LANES * sizeof(uint32_t));
 }
 
-static float row_float(const lane *l, size_t at) {
-    return float_at(l->now, l->section, l->block, at + l->number * sizeof(float));
-}
-
-#define ROW(l, name) row_float(l, offsetof(td_block, name))
-
-/* A side of a contact at the start of the step, when its manifold was computed. */
-typedef struct side {
-    td_position center; /* of the shape */
-    float c, s, half_x;
-    float velocity[3], inv_mass, inv_inertia; /* the velocity is that of the base */
-    float motion[3];                          /* since then */
-} side;
-
-static side side_of(const field *f, int32_t shape) {
-    const image *now = &f->pair->now;
-    int32_t body = SHAPE(now, shape, body), slot = BODY(now, body, awake);
-    td_shape_proxy p;
-    memset(&p, 0, sizeof p);
-    read(now, PART(PROXY), shape, 0, &p, sizeof p);
-    side found = {.center = p.center, .c = p.c, .s = p.s, .half_x = p.half_x};
-    motion_of(now, body, found.motion);
-    found.center.x = (int64_t)((uint64_t)p.center.x - length_quanta(now, found.motion[0]));
-    found.center.y = (int64_t)((uint64_t)p.center.y - length_quanta(now, found.motion[1]));
-    if (shape_turns(now, shape)) {
-        uint32_t angle = word_at(now, PART(POSE), body, offsetof(td_pose, angle));
-        td_angle_turn(angle - angle_quanta(found.motion[2]), &found.c, &found.s);
+static lanes lanes_of(const field *f, size_t first) {
+    const td_snapshot_section *section = &f->pair->now.sections[f->section];
+    lanes l = {&f->pair->now, &f->pair->base, NULL, f->section, {{0}}, {{0}}};
+    l.block = l.now->bytes + l.now->at[f->section] + first / TD_LANES * section->stride;
+    read_row(&l, offsetof(td_block, shape_a), l.shape[0]);
+    read_row(&l, offsetof(td_block, shape_b), l.shape[1]);
+    uint32_t sides[2][TD_LANES];
+    read_row(&l, offsetof(td_block, a), sides[0]);
+    read_row(&l, offsetof(td_block, b), sides[1]);
+    for (int k = 0; k < 2; k++) {
+        for (int i = 0; i < TD_LANES; i++) {
+            l.slot[k][i] = td_slot_of_side(sides[k][i]).at;
+        }
     }
-    if (slot > 0) {
-        read(&f->pair->base, AWAKE(velocity), slot, 0, found.velocity, sizeof found.velocity);
-        found.inv_mass = BODY_FLOAT(now, body, inv_mass);
-        found.inv_inertia = BODY_FLOAT(now, body, inv_inertia);
+    return l;
+}
+
+/* What the motion of the step was, of a side of a lane: x, y, angle. */
+static void motion_at(const lanes *l, int side, int lane, float motion[3]) {
+    memset(motion, 0, 3 * sizeof *motion);
+    if (l->slot[side][lane] > 0) {
+        read(l->now, AWAKE(delta), l->slot[side][lane], 0, motion, 3 * sizeof *motion);
+    }
+}
+
+/* The centre of a shape, cosine and sine, when the step began and the manifold was computed. */
+typedef struct start {
+    int64_t x, y;
+    float c, s, half_x;
+} start;
+
+static start start_of(const lanes *l, int side, int lane) {
+    int32_t shape = l->shape[side][lane];
+    float motion[3];
+    td_shape_proxy p;
+    motion_at(l, side, lane, motion);
+    read(l->now, PART(PROXY), shape, 0, &p, offsetof(td_shape_proxy, half_y));
+    start found = {.x = (int64_t)((uint64_t)p.center.x - length_quanta(l->now, motion[0])),
+                   .y = (int64_t)((uint64_t)p.center.y - length_quanta(l->now, motion[1])),
+                   .c = p.c,
+                   .s = p.s,
+                   .half_x = p.half_x};
+    if (l->section != TD_SECTION_BLOCKS + TD_FORM_ONE && shape_turns(l->now, shape)) {
+        int32_t body = SHAPE(l->now, shape, body);
+        uint32_t angle = word_at(l->now, PART(POSE), body, offsetof(td_pose, angle));
+        td_angle_turn(angle - angle_quanta(motion[2]), &found.c, &found.s);
     }
     return found;
 }
@@ -333,118 +347,194 @@ static float distance_of(const image *now, int64_t a, int64_t b) {
     return (float)(now->head.length_scale / TD_FIXED_ONE) * (float)(double)quanta;
 }
 
-/* The separation of a kept manifold: td_cached_lanes. */
-static float kept_separation(const lane *l, int points, int k, const side *a, const side *b,
-                             float dx, float dy) {
+/* The separations of kept manifolds at point k: td_cached_lanes. */
+static void kept_separations(const lanes *l, int k, float out[TD_LANES]) {
+    int points = td_form_points((td_block_form)(l->section - TD_SECTION_BLOCKS));
+    size_t point = offsetof(td_block, point) + (size_t)k * sizeof(td_point);
     size_t kept = offsetof(td_block, point) +
                   (size_t)points * (sizeof(td_point) + sizeof(td_point_history)) +
                   sizeof(td_surface);
-    size_t point = offsetof(td_block, point) + (size_t)k * sizeof(td_point);
-#define KEPT(name) row_float(l, kept + offsetof(td_manifold_cache, name))
-    float turn_a = a->s * KEPT(ac) - a->c * KEPT(as), turn_b = b->s * KEPT(bc) - b->c * KEPT(bs);
-    float along = (dx - KEPT(dx)) * ROW(l, nx) + (dy - KEPT(dy)) * ROW(l, ny);
-    float separation = row_float(l, kept + offsetof(td_manifold_cache, separation) +
-                                        (size_t)k * TD_LANES * sizeof(float));
-#undef KEPT
-    return separation + along + turn_b * row_float(l, point + offsetof(td_point, cross_b)) -
-           turn_a * row_float(l, point + offsetof(td_point, cross_a));
+    td_manifold_cache cache;
+    memcpy(&cache, l->block + kept, sizeof cache);
+    float nx[TD_LANES], ny[TD_LANES], cross_a[TD_LANES], cross_b[TD_LANES];
+    read_row(l, offsetof(td_block, nx), nx);
+    read_row(l, offsetof(td_block, ny), ny);
+    read_row(l, point + offsetof(td_point, cross_a), cross_a);
+    read_row(l, point + offsetof(td_point, cross_b), cross_b);
+    for (int i = 0; i < TD_LANES; i++) {
+        start a = start_of(l, 0, i), b = start_of(l, 1, i);
+        float dx = distance_of(l->now, a.x, b.x), dy = distance_of(l->now, a.y, b.y);
+        float turn_a = a.s * cache.ac[i] - a.c * cache.as[i];
+        float turn_b = b.s * cache.bc[i] - b.c * cache.bs[i];
+        float along = (dx - cache.dx[i]) * nx[i] + (dy - cache.dy[i]) * ny[i];
+        out[i] = cache.separation[k][i] + along + turn_b * cross_b[i] - turn_a * cross_a[i];
+    }
 }
 
-/* The manifold of two circles, in the block's rows: circle_circle, td_write_points. */
-static uint32_t circle_word(const image *now, size_t at, const side *a, const side *b, float dx,
-                            float dy) {
-    float length = sqrtf(dx * dx + dy * dy), separation = length - a->half_x - b->half_x;
-    float nx = length > 1e-18f ? dx / length : 0.0f, ny = length > 1e-18f ? dy / length : 1.0f;
-    float ra = a->half_x + 0.5f * separation, rb = -(b->half_x + 0.5f * separation);
-    float rax = nx * ra, ray = ny * ra, rbx = nx * rb, rby = ny * rb;
-    float tangent_a = -(rax * nx + ray * ny), tangent_b = -(rbx * nx + rby * ny);
-    float cross_a = rax * ny - ray * nx, cross_b = rbx * ny - rby * nx;
-    float inv_mass = a->inv_mass + b->inv_mass, ia = a->inv_inertia, ib = b->inv_inertia;
-    float normal_velocity =
-        (b->velocity[0] - a->velocity[0]) * nx + (b->velocity[1] - a->velocity[1]) * ny;
+/* Normals and start separations of circles: circle_circle. */
+static void circle_normals(const lanes *l, size_t at, float out[TD_LANES]) {
     float skin;
-    read(now, TD_SECTION_FIELDS, 0, td_snapshot_field_at(offsetof(thud_world, skin)), &skin,
+    read(l->now, TD_SECTION_FIELDS, 0, td_snapshot_field_at(offsetof(thud_world, skin)), &skin,
          sizeof skin);
+    for (int i = 0; i < TD_LANES; i++) {
+        start a = start_of(l, 0, i), b = start_of(l, 1, i);
+        float dx = distance_of(l->now, a.x, b.x), dy = distance_of(l->now, a.y, b.y);
+        float length = sqrtf(dx * dx + dy * dy);
+        bool apart = length > 1e-18f;
+        float nx = apart ? dx / length : 0.0f, ny = apart ? dy / length : 1.0f;
+        out[i] = at == offsetof(td_block, nx)   ? nx
+                 : at == offsetof(td_block, ny) ? ny
+                                                : length - a.half_x - b.half_x - skin;
+    }
+}
+
+/* What follows from normals and separations of circles: td_write_points. */
+static void circle_rows(const lanes *l, size_t at, float out[TD_LANES]) {
     const size_t point = offsetof(td_block, point);
-    const struct {
-        size_t at;
-        float value;
-    } rows[] = {
-        {offsetof(td_block, nx), nx},
-        {offsetof(td_block, ny), ny},
-        {offsetof(td_block, tangent_cross_a), tangent_a},
-        {offsetof(td_block, tangent_cross_b), tangent_b},
-        {offsetof(td_block, tangent_mass),
-         inverse_of(inv_mass + ia * tangent_a * tangent_a + ib * tangent_b * tangent_b)},
-        {point + offsetof(td_point, cross_a), cross_a},
-        {point + offsetof(td_point, cross_b), cross_b},
-        {point + offsetof(td_point, normal_mass),
-         inverse_of(inv_mass + ia * cross_a * cross_a + ib * cross_b * cross_b)},
-        {point + offsetof(td_point, start_separation), separation - skin},
-        {point + sizeof(td_point) + offsetof(td_point_history, normal_velocity),
-         normal_velocity + b->velocity[2] * cross_b - a->velocity[2] * cross_a},
-    };
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        if (rows[i].at == at) {
-            return bits_of(rows[i].value);
+    float nx[TD_LANES], ny[TD_LANES], separation[TD_LANES], inv_inertia[2][TD_LANES];
+    float cross[2][TD_LANES], tangent_cross[2][TD_LANES];
+    read_row(l, offsetof(td_block, nx), nx);
+    read_row(l, offsetof(td_block, ny), ny);
+    read_row(l, offsetof(td_block, inv_inertia_a), inv_inertia[0]);
+    read_row(l, offsetof(td_block, inv_inertia_b), inv_inertia[1]);
+    read_row(l, point + offsetof(td_point, start_separation), separation);
+    for (int k = 0; k < 2; k++) {
+        for (int i = 0; i < TD_LANES; i++) {
+            float r =
+                float_at(l->now, PART(PROXY), l->shape[k][i], offsetof(td_shape_proxy, half_x)) +
+                0.5f * separation[i];
+            float x = nx[i] * (k ? -r : r), y = ny[i] * (k ? -r : r);
+            cross[k][i] = x * ny[i] - y * nx[i];
+            tangent_cross[k][i] = -(x * nx[i] + y * ny[i]);
         }
     }
-    return 0;
+    int side =
+        at == offsetof(td_block, tangent_cross_b) || at == point + offsetof(td_point, cross_b);
+    if (at == offsetof(td_block, tangent_cross_a) || at == offsetof(td_block, tangent_cross_b)) {
+        memcpy(out, tangent_cross[side], sizeof tangent_cross[side]);
+    } else if (at == point + offsetof(td_point, cross_a) ||
+               at == point + offsetof(td_point, cross_b)) {
+        memcpy(out, cross[side], sizeof cross[side]);
+    } else {
+        const float *a = at == offsetof(td_block, tangent_mass) ? tangent_cross[0] : cross[0];
+        const float *b = at == offsetof(td_block, tangent_mass) ? tangent_cross[1] : cross[1];
+        for (int i = 0; i < TD_LANES; i++) {
+            float inv_mass = 0.0f;
+            for (int k = 0; k < 2; k++) {
+                inv_mass += float_at(l->now, AWAKE(velocity), l->slot[k][i], 3 * sizeof(float));
+            }
+            out[i] = inverse_of(inv_mass + inv_inertia[0][i] * a[i] * a[i] +
+                                inv_inertia[1][i] * b[i] * b[i]);
+        }
+    }
 }
 
-/* The separation after the motion of the step: relax_blocks. */
-static float moved_separation(const lane *l, size_t point, const side *a, const side *b) {
-    float opened =
-        (b->motion[0] - a->motion[0]) * ROW(l, nx) + (b->motion[1] - a->motion[1]) * ROW(l, ny);
-    if (l->section != TD_SECTION_BLOCKS + TD_FORM_ONE) {
-        opened = opened + b->motion[2] * row_float(l, point + offsetof(td_point, cross_b)) -
-                 a->motion[2] * row_float(l, point + offsetof(td_point, cross_a));
+/* The speed of b's centre along the normal from a's, with that of the rotations at a point, of
+ * records by awake slot: velocities, or motions. */
+static void speeds_of(const lanes *l, const image *from, int section, size_t point, bool turns,
+                      float out[TD_LANES]) {
+    float nx[TD_LANES], ny[TD_LANES], cross_a[TD_LANES], cross_b[TD_LANES];
+    read_row(l, offsetof(td_block, nx), nx);
+    read_row(l, offsetof(td_block, ny), ny);
+    read_row(l, point + offsetof(td_point, cross_a), cross_a);
+    read_row(l, point + offsetof(td_point, cross_b), cross_b);
+    for (int i = 0; i < TD_LANES; i++) {
+        float v[2][3] = {{0.0f}};
+        for (int k = 0; k < 2; k++) {
+            if (l->slot[k][i] > 0) {
+                read(from, section, l->slot[k][i], 0, v[k], sizeof v[k]);
+            }
+        }
+        out[i] = (v[1][0] - v[0][0]) * nx[i] + (v[1][1] - v[0][1]) * ny[i];
+        if (turns) {
+            out[i] = out[i] + v[1][2] * cross_b[i] - v[0][2] * cross_a[i];
+        }
     }
-    return row_float(l, point + offsetof(td_point, start_separation)) + opened;
 }
 
-static uint32_t block_word(const field *f, size_t word) {
-    lane l = {&f->pair->now, f->section, (int32_t)(word / TD_LANES), word % TD_LANES};
-    int32_t constraint = row_int(&l, offsetof(td_block, constraint));
-    if (constraint < 0) {
-        return 0;
+/* Separations after the motion of the step: relax_blocks. Normals of circles go through the centres
+ * of mass. */
+static void moved_separations(const lanes *l, size_t point, float out[TD_LANES]) {
+    float from[TD_LANES];
+    read_row(l, point + offsetof(td_point, start_separation), from);
+    speeds_of(l, l->now, AWAKE(delta), point, l->section != TD_SECTION_BLOCKS + TD_FORM_ONE, out);
+    for (int i = 0; i < TD_LANES; i++) {
+        out[i] = from[i] + out[i];
     }
-    int32_t shape_a =
-        int_at(l.now, TD_SECTION_CONSTRAINTS, constraint, offsetof(td_constraint, shape_a));
-    int32_t shape_b =
-        int_at(l.now, TD_SECTION_CONSTRAINTS, constraint, offsetof(td_constraint, shape_b));
-    switch (f->at) {
-    case offsetof(td_block, shape_a):
-        return (uint32_t)shape_a;
-    case offsetof(td_block, shape_b):
-        return (uint32_t)shape_b;
-    case offsetof(td_block, a):
-    case offsetof(td_block, b): {
-        int32_t body = SHAPE(l.now, f->at == offsetof(td_block, a) ? shape_a : shape_b, body);
-        return td_side_of_slot((td_awake_slot){BODY(l.now, body, awake)});
+}
+
+/* Rows of shapes and awake slots, by the row of constraints. */
+static void block_indices(const lanes *l, size_t at, uint32_t *out) {
+    int32_t constraint[TD_LANES];
+    read_row(l, offsetof(td_block, constraint), constraint);
+    for (int i = 0; i < TD_LANES; i++) {
+        if (constraint[i] < 0) {
+            out[i] = 0;
+        } else if (at == offsetof(td_block, shape_a) || at == offsetof(td_block, shape_b)) {
+            size_t shape = at == offsetof(td_block, shape_a) ? offsetof(td_constraint, shape_a)
+                                                             : offsetof(td_constraint, shape_b);
+            out[i] = word_at(l->now, TD_SECTION_CONSTRAINTS, constraint[i], shape);
+        } else {
+            int32_t shape = l->shape[at == offsetof(td_block, b)][i];
+            int32_t body = SHAPE(l->now, shape, body);
+            out[i] = td_side_of_slot((td_awake_slot){BODY(l->now, body, awake)});
+        }
     }
-    default:
-        break;
+}
+
+static void block_words(const field *f, size_t first, uint32_t *out) {
+    lanes l = lanes_of(f, first);
+    const size_t points = offsetof(td_block, point);
+    size_t k = f->at < points + sizeof(td_point) ? 0 : 1, point = points + k * sizeof(td_point);
+    bool circle = f->section == TD_SECTION_BLOCKS + TD_FORM_ONE;
+    float values[TD_LANES];
+    if (f->at == offsetof(td_block, shape_a) || f->at == offsetof(td_block, shape_b) ||
+        f->at == offsetof(td_block, a) || f->at == offsetof(td_block, b)) {
+        block_indices(&l, f->at, out);
+        return;
     }
-    side a = side_of(f, shape_a), b = side_of(f, shape_b);
     if (f->at == offsetof(td_block, inv_inertia_a) || f->at == offsetof(td_block, inv_inertia_b)) {
-        return bits_of(f->at == offsetof(td_block, inv_inertia_a) ? a.inv_inertia : b.inv_inertia);
+        int side = f->at == offsetof(td_block, inv_inertia_b);
+        for (int i = 0; i < TD_LANES; i++) {
+            int32_t slot = l.slot[side][i], body = int_at(l.now, AWAKE(body_of), slot, 0);
+            values[i] = slot > 0 ? BODY_FLOAT(l.now, body, inv_inertia) : 0.0f;
+        }
+    } else if (f->at == point + offsetof(td_point, separation)) {
+        moved_separations(&l, point, values);
+    } else if (!circle) {
+        kept_separations(&l, (int)k, values);
+    } else if (f->at == points + sizeof(td_point)) { /* the first row of td_point_history */
+        speeds_of(&l, l.base, AWAKE(velocity), points, true, values);
+    } else if (f->at == offsetof(td_block, nx) || f->at == offsetof(td_block, ny) ||
+               f->at == points + offsetof(td_point, start_separation)) {
+        circle_normals(&l, f->at, values);
+    } else {
+        circle_rows(&l, f->at, values);
     }
-    size_t k = f->at < offsetof(td_block, point) + sizeof(td_point) ? 0 : 1;
-    size_t point = offsetof(td_block, point) + k * sizeof(td_point);
-    if (f->at == point + offsetof(td_point, separation)) {
-        return bits_of(moved_separation(&l, point, &a, &b));
+    for (int i = 0; i < TD_LANES; i++) {
+        out[i] = bits_of(values[i]);
     }
-    float dx = distance_of(l.now, a.center.x, b.center.x);
-    float dy = distance_of(l.now, a.center.y, b.center.y);
-    if (f->section == TD_SECTION_BLOCKS + TD_FORM_ONE) {
-        return circle_word(l.now, f->at, &a, &b, dx, dy);
-    }
-    int points = td_form_points((td_block_form)(f->section - TD_SECTION_BLOCKS));
-    return bits_of(kept_separation(&l, points, (int)k, &a, &b, dx, dy));
 }
 
 /* ---- which column, and when ---- */
+
+/* Which separation of a point the row of a block has: that at the start of the step, or at its end.
+ */
+typedef enum separation { NO_SEPARATION, AT_START, AT_END } separation;
+
+static separation separation_of(int section, size_t at) {
+    int points = td_form_points((td_block_form)(section - TD_SECTION_BLOCKS));
+    for (int k = 0; k < points; k++) {
+        size_t point = offsetof(td_block, point) + (size_t)k * sizeof(td_point);
+        if (at == point + offsetof(td_point, start_separation)) {
+            return AT_START;
+        }
+        if (at == point + offsetof(td_point, separation)) {
+            return AT_END;
+        }
+    }
+    return NO_SEPARATION;
+}
 
 /* Whether the row of a block of contacts may follow from others. */
 static bool row_follows(int section, size_t at) {
@@ -467,7 +557,7 @@ static bool row_follows(int section, size_t at) {
         return at < point + sizeof(td_point) + sizeof(f8) &&
                at != point + offsetof(td_point, normal_impulse);
     }
-    return td_packed_pass_of(section, at) > 1;
+    return separation_of(section, at) != NO_SEPARATION;
 }
 
 bool td_packed_follows(const td_packed_field *f) {
@@ -503,18 +593,24 @@ bool td_packed_follows(const td_packed_field *f) {
            (section == AWAKE(delta) && f->at < 3 * sizeof(float));
 }
 
-uint32_t td_packed_known(const void *context, size_t word) {
+void td_packed_known(const void *context, size_t first, int count, uint32_t *out) {
     const field *f = context;
-    int32_t record = (int32_t)word;
     int section = f->section;
-    return section == TD_SECTION_BODIES        ? body_word(f, record)
-           : section == TD_SECTION_CONSTRAINTS ? constraint_word(f, record)
-           : section < TD_SECTION_PARTS        ? block_word(f, word)
-           : section == PART(POSE)             ? pose_word(f, record)
-           : section == PART(PROXY)            ? proxy_word(f, record)
-           : section == PART(PREVIOUS_FAT)     ? previous_fat_word(f, record)
-           : section < PART(MOVED)             ? awake_word(f, record)
-                                               : proxy_set_word(f, record);
+    if (section >= TD_SECTION_BLOCKS && section < TD_SECTION_PARTS) {
+        block_words(f, first, out);
+        return;
+    }
+    uint32_t (*word_of)(const field *f, int32_t record) =
+        section == TD_SECTION_BODIES        ? body_word
+        : section == TD_SECTION_CONSTRAINTS ? constraint_word
+        : section == PART(POSE)             ? pose_word
+        : section == PART(PROXY)            ? proxy_word
+        : section == PART(PREVIOUS_FAT)     ? previous_fat_word
+        : section < PART(MOVED)             ? awake_word
+                                            : proxy_set_word;
+    for (int i = 0; i < count; i++) {
+        out[i] = word_of(f, (int32_t)first + i);
+    }
 }
 
 void td_packed_order(int order[TD_SECTION_COUNT]) {
@@ -544,18 +640,19 @@ void td_packed_order(int order[TD_SECTION_COUNT]) {
 }
 
 int td_packed_pass_of(int section, size_t at) {
+    enum { CONSTRAINTS, HEAD, START_OF_CIRCLES, REST, START, END };
     if (section < TD_SECTION_BLOCKS || section >= TD_SECTION_PARTS) {
         return 0;
     }
-    int points = td_form_points((td_block_form)(section - TD_SECTION_BLOCKS));
-    for (int k = 0; k < points; k++) {
-        size_t point = offsetof(td_block, point) + (size_t)k * sizeof(td_point);
-        if (at == point + offsetof(td_point, start_separation)) {
-            return 2;
-        }
-        if (at == point + offsetof(td_point, separation)) {
-            return 3;
-        }
+    switch (separation_of(section, at)) {
+    case AT_START:
+        return section == TD_SECTION_BLOCKS + TD_FORM_ONE ? START_OF_CIRCLES : START;
+    case AT_END:
+        return END;
+    case NO_SEPARATION:
+        break;
     }
-    return at == offsetof(td_block, constraint) ? 0 : 1;
+    return at == offsetof(td_block, constraint)    ? CONSTRAINTS
+           : at < offsetof(td_block, tangent_mass) ? HEAD
+                                                   : REST;
 }
