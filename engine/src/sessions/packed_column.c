@@ -189,6 +189,12 @@ static group take_group(const td_packed_column *c, td_guess guess, size_t first,
             difference[i] = w.word[i] - w.base[i];
         }
         p->last = w.word[w.count - 1];
+    } else if (guess == TD_GUESS_PREVIOUS) {
+        difference[0] = w.word[0] - p->last;
+        for (int i = 1; i < w.count; i++) {
+            difference[i] = w.word[i] - w.word[i - 1];
+        }
+        p->last = w.word[w.count - 1];
     } else {
         for (int i = 0; i < w.count; i++) {
             difference[i] = w.word[i] - guess_of(guess, &w, i, p);
@@ -337,27 +343,50 @@ void td_packed_write(td_packed_stream *t, const td_packed_column *c) {
 static void restore_group(const td_packed_column *c, td_guess guess, size_t first,
                           const uint32_t number[TD_PACKED_GROUP], place *p) {
     words w = base_words(c, first);
-    if (guess == TD_GUESS_KNOWN) {
-        c->known(c->context, first, w.count, w.word);
-    }
-    for (int i = 0; i < w.count; i++) {
-        uint32_t predicted = guess == TD_GUESS_KNOWN ? w.word[i] : guess_of(guess, &w, i, p);
-        uint32_t word = predicted + from_zigzag(number[i]);
-        w.word[i] = c->width == 1 ? (uint8_t)word : word;
-        pass_word(p, &w, i);
+    uint32_t mask = c->width == 1 ? UINT8_MAX : UINT32_MAX;
+    if (guess == TD_GUESS_KNOWN || (guess == TD_GUESS_BASE && w.in_base == w.count)) {
+        if (guess == TD_GUESS_KNOWN) {
+            c->known(c->context, first, w.count, w.base);
+        }
+        for (int i = 0; i < w.count; i++) {
+            w.word[i] = (w.base[i] + from_zigzag(number[i])) & mask;
+        }
+        p->last = w.word[w.count - 1];
+    } else {
+        for (int i = 0; i < w.count; i++) {
+            w.word[i] = (guess_of(guess, &w, i, p) + from_zigzag(number[i])) & mask;
+            pass_word(p, &w, i);
+        }
     }
     store(c, first, &w);
 }
 
+/* The words of the base. */
+static void read_same(td_packed_stream *t, const td_packed_column *c) {
+    if (!c->base || c->base_records < c->records) {
+        t->broken = true;
+        return;
+    }
+    for (size_t i = 0; i < words_of(c); i += TD_PACKED_GROUP) {
+        words w = base_words(c, i);
+        memcpy(w.word, w.base, sizeof w.word);
+        store(c, i, &w);
+    }
+}
+
 void td_packed_read(td_packed_stream *t, const td_packed_column *c) {
     td_guess guess = (td_guess)td_packed_take(t);
-    bool based = guess == TD_GUESS_SAME || guess == TD_GUESS_BASE || guess == TD_GUESS_STEP;
+    if (guess == TD_GUESS_SAME) {
+        read_same(t, c);
+        return;
+    }
+    bool based = guess == TD_GUESS_BASE || guess == TD_GUESS_STEP;
     if (guess >= TD_GUESS_COUNT || (based && !c->base) || (guess == TD_GUESS_KNOWN && !c->known)) {
         t->broken = true;
         return;
     }
     place p = {0, 0, 0};
-    size_t zeros = guess == TD_GUESS_SAME ? SIZE_MAX : 0;
+    size_t zeros = 0;
     for (size_t i = 0; i < words_of(c) && !t->broken; i += TD_PACKED_GROUP) {
         uint32_t number[TD_PACKED_GROUP] = {0};
         if (zeros == 0) {

@@ -226,9 +226,11 @@ static uint32_t proxy_set_word(const field *f, int32_t record) {
     if (part == TD_SNAPSHOT_PLACES_MOVED) {
         return has_moved(now, shape) ? UINT32_MAX : 0;
     }
-    return word_at(now, PART(PROXY), shape,
-                   offsetof(td_shape_proxy, fat) +
-                       (size_t)(part - TD_SNAPSHOT_MIN_X) * sizeof(int32_t));
+    /* The set was filled before the shapes moved. */
+    size_t at = (size_t)(part - TD_SNAPSHOT_MIN_X) * sizeof(int32_t);
+    return has_moved(now, shape)
+               ? word_at(now, PART(PREVIOUS_FAT), shape, at)
+               : word_at(now, PART(PROXY), shape, offsetof(td_shape_proxy, fat) + at);
 }
 
 /* ---- bodies, and arrays by awake slot ---- */
@@ -485,8 +487,9 @@ static void block_indices(const lanes *l, size_t at, uint32_t *out) {
 static void block_words(const field *f, size_t first, uint32_t *out) {
     lanes l = lanes_of(f, first);
     const size_t points = offsetof(td_block, point);
-    size_t k = f->at < points + sizeof(td_point) ? 0 : 1, point = points + k * sizeof(td_point);
     bool circle = f->section == TD_SECTION_BLOCKS + TD_FORM_ONE;
+    size_t k = circle || f->at < points + sizeof(td_point) ? 0 : 1;
+    size_t point = points + k * sizeof(td_point);
     float values[TD_LANES];
     if (f->at == offsetof(td_block, shape_a) || f->at == offsetof(td_block, shape_b) ||
         f->at == offsetof(td_block, a) || f->at == offsetof(td_block, b)) {
