@@ -1,7 +1,8 @@
 /* packed.c: packs snapshots, alone or against a base (thud_packed.h). Packed bytes are, in the byte
- * order of the machine, packed_head | the head of the snapshot | its sections, each as columns
- * (packed_column.h). A section begins with a byte: SECTION_SAME, and nothing follows where it is
- * that of the base, or SECTION_COLUMNS. Sections without bytes have none. */
+ * order of the machine, packed_head | the head of the snapshot | its sections in the order of
+ * td_packed_order. A section is packed in chunks of some hundred records. A chunk begins with a
+ * byte: CHUNK_SAME, and nothing follows where it is that of the base, or CHUNK_COLUMNS, and the
+ * columns of its records follow (packed_column.h). */
 #include "sessions/packed.h"
 #include "sessions/packed_column.h"
 #include "state/handles.h"
@@ -12,9 +13,14 @@
 
 #define MAGIC "thudpack"
 
+/* To be raised whenever the packed bytes of the same snapshots change: with the format, and with
+ * what packed_known.c predicts. */
+enum { PACKED_VERSION = 1 };
+
 typedef struct packed_head {
     char magic[8];
     uint64_t checksum;       /* td_snapshot_checksum of all bytes after this field */
+    uint64_t version;        /* PACKED_VERSION */
     uint64_t bytes;          /* of all, with this head */
     uint64_t snapshot_bytes; /* of what is packed */
     uint64_t base_bytes;     /* of the base; 0: none */
@@ -23,8 +29,12 @@ typedef struct packed_head {
 
 enum { SUMMED_FROM = offsetof(packed_head, checksum) + sizeof(uint64_t) };
 
-/* First bytes of sections. */
-enum { SECTION_SAME, SECTION_COLUMNS };
+/* First bytes of chunks. */
+enum { CHUNK_SAME, CHUNK_COLUMNS };
+
+/* Words of a column in a chunk: so many that the records, which each column passes over once more,
+ * stay in the cache. A multiple of TD_PACKED_GROUP squared. Chosen. */
+enum { CHUNK_WORDS = 1024 };
 
 /* Packing and unpacking: of either, `packs` says which. */
 typedef struct passage {
@@ -99,59 +109,68 @@ static void pass_columns(passage *p, int section, int pass, td_packed_column col
     }
 }
 
+/* Whether the chunk at `words` is that at `base`, which may be null: when packing, this is found
+ * out and written; when unpacking, it is read, and the chunk copied. */
+static bool pass_same(passage *p, uint8_t *words, const uint8_t *base, size_t bytes) {
+    uint8_t how = base && p->packs && memcmp(words, base, bytes) == 0 ? CHUNK_SAME : CHUNK_COLUMNS;
+    if (p->packs) {
+        td_packed_put(&p->stream, how);
+        return how == CHUNK_SAME;
+    }
+    how = td_packed_take(&p->stream);
+    if (how > CHUNK_COLUMNS || (how == CHUNK_SAME && !base)) {
+        p->stream.broken = true;
+    } else if (how == CHUNK_SAME) {
+        memcpy(words, base, bytes);
+    }
+    return how == CHUNK_SAME;
+}
+
 static void pass_section(passage *p, int k) {
+    const td_packed_image *base = &p->pair.base;
     const td_snapshot_section *section = &p->pair.now.sections[k];
-    uint64_t bytes = section->bytes,
-             base_bytes = p->pair.base.bytes ? p->pair.base.sections[k].bytes : 0;
-    if (bytes == 0 || p->stream.broken) {
+    size_t stride = section->stride, bytes = (size_t)section->bytes;
+    size_t base_bytes = base->bytes ? (size_t)base->sections[k].bytes : 0;
+    if (bytes == 0) {
         return;
     }
     uint8_t *words = p->pair.now.bytes + p->pair.now.at[k];
-    const uint8_t *base = base_bytes ? p->pair.base.bytes + p->pair.base.at[k] : NULL;
-    uint8_t how = SECTION_COLUMNS;
-    if (p->packs) {
-        bool same = base && base_bytes == bytes && memcmp(words, base, (size_t)bytes) == 0;
-        how = same ? SECTION_SAME : SECTION_COLUMNS;
-        td_packed_put(&p->stream, how);
-    } else {
-        how = td_packed_take(&p->stream);
-        if (how > SECTION_COLUMNS || (how == SECTION_SAME && base_bytes != bytes)) {
-            p->stream.broken = true;
-        } else if (how == SECTION_SAME) {
-            memcpy(words, base, (size_t)bytes);
+    const uint8_t *base_words = base_bytes ? base->bytes + base->at[k] : NULL;
+    bool blocks = k >= TD_SECTION_BLOCKS && k < TD_SECTION_PARTS;
+    size_t records = bytes / stride, base_records = base_bytes / stride;
+    td_packed_column column = {.stride = stride,
+                               .base_records = base_records,
+                               .width = stride < sizeof(uint32_t) ? 1 : (int)sizeof(uint32_t),
+                               .lanes = blocks ? TD_PACKED_GROUP : 1};
+    size_t chunk = CHUNK_WORDS / (size_t)column.lanes;
+    for (size_t first = 0; first < records && !p->stream.broken; first = column.end) {
+        column.first = first;
+        column.end = records - first < chunk ? records : first + chunk;
+        bool whole = column.end <= base_records;
+        if (!pass_same(p, words + first * stride, whole ? base_words + first * stride : NULL,
+                       (column.end - first) * stride)) {
+            for (int pass = 0; pass < (blocks ? TD_PACKED_PASSES : 1); pass++) {
+                pass_columns(p, k, pass, column, base_words, words);
+            }
         }
     }
-    if (how == SECTION_COLUMNS && !p->stream.broken) {
-        bool blocks = k >= TD_SECTION_BLOCKS && k < TD_SECTION_PARTS;
-        td_packed_column column = {.stride = section->stride,
-                                   .records = (size_t)bytes / section->stride,
-                                   .base_records = (size_t)base_bytes / section->stride,
-                                   .width = section->stride < 4 ? 1 : 4,
-                                   .lanes = blocks ? TD_PACKED_GROUP : 1};
-        for (int pass = 0; pass < (blocks ? TD_PACKED_PASSES : 1); pass++) {
-            pass_columns(p, k, pass, column, base, words);
-        }
-        size_t rest = (size_t)bytes % section->stride;
-        if (rest) {
-            column = (td_packed_column){.stride = 1,
-                                        .records = rest,
-                                        .width = 1,
-                                        .lanes = 1,
-                                        .words = words + (size_t)bytes - rest};
-            pass_column(p, &column);
-        }
+    size_t rest = bytes % stride;
+    if (rest) {
+        column = (td_packed_column){
+            .stride = 1, .end = rest, .width = 1, .lanes = 1, .words = words + bytes - rest};
+        pass_column(p, &column);
     }
 }
 
 /* The head, word by word. */
 static void pass_head(passage *p) {
     td_packed_column column = {.stride = 4,
-                               .records = sizeof(td_snapshot_head) / 4,
+                               .end = sizeof(td_snapshot_head) / 4,
                                .width = 4,
                                .lanes = 1,
                                .base = p->pair.base.bytes,
                                .words = p->pair.now.bytes};
-    column.base_records = p->pair.base.bytes ? column.records : 0;
+    column.base_records = p->pair.base.bytes ? column.end : 0;
     pass_column(p, &column);
 }
 
@@ -207,6 +226,7 @@ thud_result thud_world_pack(const thud_world *w, thud_bytes base, thud_bytes sna
         pass_head(&p);
         pass_sections(&p);
         packed_head head = {.magic = MAGIC,
+                            .version = PACKED_VERSION,
                             .bytes = p.stream.at,
                             .snapshot_bytes = snapshot.count,
                             .base_bytes = base.count,
@@ -236,6 +256,9 @@ static const char *fault_of(thud_world *w, passage *p, thud_bytes base, thud_byt
     if (head->bytes != packed.count ||
         head->checksum != td_snapshot_checksum(from + SUMMED_FROM, packed.count - SUMMED_FROM)) {
         return "unpack: the packed snapshot is damaged or cut short";
+    }
+    if (head->version != PACKED_VERSION) {
+        return "unpack: the packed snapshot is of another version of thud";
     }
     if (head->base_bytes != base.count || (base.data && !open_image(w, &p->pair.base, base)) ||
         head->base_checksum != p->pair.base.head.checksum) {

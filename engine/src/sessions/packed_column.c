@@ -43,9 +43,13 @@ typedef struct place {
     uint32_t base_last;    /* the base's word at the place of `last` */
 } place;
 
-/* The number of words. */
-static size_t words_of(const td_packed_column *c) {
-    return c->records * (size_t)c->lanes;
+/* The numbers of the first word, and of the one after the last. */
+static size_t first_word(const td_packed_column *c) {
+    return c->first * (size_t)c->lanes;
+}
+
+static size_t end_word(const td_packed_column *c) {
+    return c->end * (size_t)c->lanes;
 }
 
 /* Loads `count` words from word `first` on, which begins a group, of the column at `from`. */
@@ -54,27 +58,33 @@ static void load(const td_packed_column *c, const uint8_t *from, size_t first, i
     size_t stride = c->stride;
     if (c->lanes == TD_PACKED_GROUP) {
         memcpy(out, from + first / TD_PACKED_GROUP * stride, TD_PACKED_GROUP * sizeof *out);
-    } else if (c->width == 1) {
-        for (int i = 0; i < count; i++) {
-            out[i] = from[(first + (size_t)i) * stride];
+        return;
+    }
+    from += first * stride;
+    if (c->width == 1) {
+        for (int i = 0; i < count; i++, from += stride) {
+            out[i] = *from;
         }
     } else {
-        for (int i = 0; i < count; i++) {
-            memcpy(&out[i], from + (first + (size_t)i) * stride, sizeof *out);
+        for (int i = 0; i < count; i++, from += stride) {
+            memcpy(&out[i], from, sizeof *out);
         }
     }
 }
 
 static void store(const td_packed_column *c, size_t first, const words *w) {
+    size_t stride = c->stride;
     if (c->lanes == TD_PACKED_GROUP) {
-        memcpy(c->words + first / TD_PACKED_GROUP * c->stride, w->word, sizeof w->word);
+        memcpy(c->words + first / TD_PACKED_GROUP * stride, w->word, sizeof w->word);
         return;
     }
-    for (int i = 0; i < w->count; i++) {
-        uint8_t *to = c->words + (first + (size_t)i) * c->stride;
-        if (c->width == 1) {
+    uint8_t *to = c->words + first * stride;
+    if (c->width == 1) {
+        for (int i = 0; i < w->count; i++, to += stride) {
             *to = (uint8_t)w->word[i];
-        } else {
+        }
+    } else {
+        for (int i = 0; i < w->count; i++, to += stride) {
             memcpy(to, &w->word[i], sizeof w->word[i]);
         }
     }
@@ -82,8 +92,10 @@ static void store(const td_packed_column *c, size_t first, const words *w) {
 
 /* The group of words from `first` on, without the words themselves. */
 static words base_words(const td_packed_column *c, size_t first) {
-    size_t left = words_of(c) - first;
-    words w = {.count = left < TD_PACKED_GROUP ? (int)left : TD_PACKED_GROUP};
+    size_t left = end_word(c) - first;
+    words w;
+    w.count = left < TD_PACKED_GROUP ? (int)left : TD_PACKED_GROUP;
+    w.in_base = 0;
     size_t in_base = c->base ? c->base_records * (size_t)c->lanes : 0;
     if (first < in_base) {
         w.in_base = in_base - first < (size_t)w.count ? (int)(in_base - first) : w.count;
@@ -262,10 +274,10 @@ static void read_numbers(td_packed_stream *t, int head, uint32_t number[TD_PACKE
 
 /* Whether all words are those of the base. */
 static bool is_same(const td_packed_column *c) {
-    if (!c->base || c->base_records < c->records) {
+    if (!c->base || c->base_records < c->end) {
         return false;
     }
-    for (size_t i = 0; i < words_of(c); i += TD_PACKED_GROUP) {
+    for (size_t i = first_word(c); i < end_word(c); i += TD_PACKED_GROUP) {
         words w = base_words(c, i);
         load(c, c->words, i, w.count, w.word);
         uint32_t changed = 0;
@@ -279,20 +291,25 @@ static bool is_same(const td_packed_column *c) {
     return true;
 }
 
-/* Bytes that a sample of the groups takes by a guess; each is taken as if it began the column, but
- * for the two words before it. */
+/* The words before word `first`, which begins a group. */
+static place before(const td_packed_column *c, size_t first) {
+    place p = {0, 0, 0};
+    if (first > 0) {
+        words w = base_words(c, first - TD_PACKED_GROUP);
+        load(c, c->words, first - TD_PACKED_GROUP, w.count, w.word);
+        pass_word(&p, &w, TD_PACKED_GROUP - 2);
+        pass_word(&p, &w, TD_PACKED_GROUP - 1);
+    }
+    return p;
+}
+
+/* Bytes that a sample of the groups takes by a guess. */
 static size_t sample_cost(const td_packed_column *c, td_guess guess) {
-    size_t groups = (words_of(c) + TD_PACKED_GROUP - 1) / TD_PACKED_GROUP, cost = 0;
+    size_t groups = (end_word(c) - first_word(c) + TD_PACKED_GROUP - 1) / TD_PACKED_GROUP, cost = 0;
     size_t every = groups / SAMPLE + 1;
     for (size_t k = 0; k < groups; k += every) {
-        size_t first = k * TD_PACKED_GROUP;
-        place p = {0, 0, 0};
-        if (first > 0) {
-            words w = base_words(c, first - TD_PACKED_GROUP);
-            load(c, c->words, first - TD_PACKED_GROUP, w.count, w.word);
-            pass_word(&p, &w, TD_PACKED_GROUP - 2);
-            pass_word(&p, &w, TD_PACKED_GROUP - 1);
-        }
+        size_t first = first_word(c) + k * TD_PACKED_GROUP;
+        place p = before(c, first);
         group g = take_group(c, guess, first, &p);
         cost += g.bits ? cost_of(&g) : 0;
     }
@@ -324,9 +341,9 @@ void td_packed_write(td_packed_stream *t, const td_packed_column *c) {
     if (guess == TD_GUESS_SAME) {
         return;
     }
-    place p = {0, 0, 0};
+    place p = before(c, first_word(c));
     size_t zeros = 0;
-    for (size_t i = 0; i < words_of(c); i += TD_PACKED_GROUP) {
+    for (size_t i = first_word(c); i < end_word(c); i += TD_PACKED_GROUP) {
         group g = take_group(c, guess, i, &p);
         if (g.bits == 0) {
             zeros++;
@@ -363,11 +380,11 @@ static void restore_group(const td_packed_column *c, td_guess guess, size_t firs
 
 /* The words of the base. */
 static void read_same(td_packed_stream *t, const td_packed_column *c) {
-    if (!c->base || c->base_records < c->records) {
+    if (!c->base || c->base_records < c->end) {
         t->broken = true;
         return;
     }
-    for (size_t i = 0; i < words_of(c); i += TD_PACKED_GROUP) {
+    for (size_t i = first_word(c); i < end_word(c); i += TD_PACKED_GROUP) {
         words w = base_words(c, i);
         memcpy(w.word, w.base, sizeof w.word);
         store(c, i, &w);
@@ -385,9 +402,9 @@ void td_packed_read(td_packed_stream *t, const td_packed_column *c) {
         t->broken = true;
         return;
     }
-    place p = {0, 0, 0};
+    place p = before(c, first_word(c));
     size_t zeros = 0;
-    for (size_t i = 0; i < words_of(c) && !t->broken; i += TD_PACKED_GROUP) {
+    for (size_t i = first_word(c); i < end_word(c) && !t->broken; i += TD_PACKED_GROUP) {
         uint32_t number[TD_PACKED_GROUP] = {0};
         if (zeros == 0) {
             int head = td_packed_take(t);

@@ -29,7 +29,7 @@ enum { TD_PACKED_GROUP = 8 }; /* words of a group */
 typedef enum td_guess {
     TD_GUESS_SAME,     /* the word of the base; no word differs from it */
     TD_GUESS_BASE,     /* the word of the base */
-    TD_GUESS_PREVIOUS, /* the word before it in the column; 0 before the first */
+    TD_GUESS_PREVIOUS, /* the word before it; 0 before that of record 0 */
     TD_GUESS_LINE,     /* on the line through the two words before it */
     TD_GUESS_STEP,     /* the word of the base, and the change of the word before it since then */
     TD_GUESS_KNOWN,    /* by td_packed_column.known */
@@ -51,12 +51,13 @@ typedef struct td_packed_column td_packed_column;
 typedef void td_known_fn(const void *context, size_t first, int count,
                          uint32_t out[TD_PACKED_GROUP]);
 
-/* A column of `records` records. Words need no alignment. */
+/* A column. `first` times `lanes` is a multiple of TD_PACKED_GROUP. Words need no alignment. */
 struct td_packed_column {
-    const uint8_t *base; /* the first word in the base; null: the base has none of the records */
-    uint8_t *words;      /* the first word; only read when packing */
-    size_t stride;       /* bytes from record to record, in both */
-    size_t records;
+    const uint8_t
+        *base;      /* the word of record 0 in the base; null: the base has none of the records */
+    uint8_t *words; /* that of record 0; only read when packing */
+    size_t stride;  /* bytes from record to record, in both */
+    size_t first, end;   /* the column is of records first to end - 1; those before are known. */
     size_t base_records; /* those that the base has, the first ones */
     int width;           /* bytes of a word: 4, or 1 */
     int lanes;           /* words of a record side by side: 1, or TD_PACKED_GROUP */

@@ -268,7 +268,7 @@ static void every_damage_is_refused_and_nothing_written(void **state) {
     }
     for (size_t size = 0; size < r.packed.size; size += 11) {
         unpack_says(&r, base, (thud_bytes){r.packed.bytes, size}, room,
-                    size < 48 ? "too short" : "cut short");
+                    size < 56 ? "too short" : "cut short");
     }
     unpack_says(&r, none, packed, room, "not the base");
     unpack_says(&r, as_bytes(r.snapshot), packed, room, "not the base");
@@ -278,6 +278,18 @@ static void every_damage_is_refused_and_nothing_written(void **state) {
     pack_says(&r, base, packed, room, "no whole snapshot");
     pack_says(&r, base, (thud_bytes){r.snapshot.bytes, 9}, room, "no whole snapshot");
     unpacks(r.y.world, base, r.packed, r.snapshot); /* what was refused did no harm */
+    end(&r);
+}
+
+/* Packed bytes of another version, with a correct checksum. */
+static void another_version_is_refused(void **state) {
+    (void)state;
+    ready r = make_ready();
+    enum { VERSION_AT = 16 };
+    r.packed.bytes[VERSION_AT]++;
+    uint64_t sum = td_snapshot_checksum(r.packed.bytes + VERSION_AT, r.packed.size - VERSION_AT);
+    memcpy(r.packed.bytes + VERSION_AT - sizeof sum, &sum, sizeof sum);
+    unpack_says(&r, as_bytes(r.base), as_bytes(r.packed), r.snapshot.size, "another version");
     end(&r);
 }
 
@@ -329,7 +341,7 @@ static void forged_bytes_do_no_harm(void **state) {
     saved alone = pack(r.y.world, none, r.snapshot);
     uint64_t seed = 3;
     int refusals = 0;
-    enum { ROUNDS = 3000, SUMMED_FROM = 16, HEAD = 48 };
+    enum { ROUNDS = 3000, SUMMED_FROM = 16, HEAD = 56 };
     for (int round = 0; round < ROUNDS; round++) {
         saved from = round % 2 ? alone : r.packed;
         thud_bytes base = round % 2 ? none : as_bytes(r.base);
@@ -342,7 +354,7 @@ static void forged_bytes_do_no_harm(void **state) {
                 (char)(unsigned char)random_in(&seed, 0, 255);
         }
         uint64_t count = size, sum;
-        memcpy(forged + SUMMED_FROM, &count, sizeof count);
+        memcpy(forged + SUMMED_FROM + sizeof count, &count, sizeof count); /* after the version */
         sum = td_snapshot_checksum(forged + SUMMED_FROM, size - SUMMED_FROM);
         memcpy(forged + SUMMED_FROM - sizeof sum, &sum, sizeof sum);
         size_t bytes;
@@ -372,6 +384,7 @@ int main(void) {
         cmocka_unit_test(unpacked_bytes_are_those_that_were_packed),
         cmocka_unit_test(snapshot_with_wild_numbers_unpacks),
         cmocka_unit_test(every_damage_is_refused_and_nothing_written),
+        cmocka_unit_test(another_version_is_refused),
         cmocka_unit_test(null_arguments_are_refused),
         cmocka_unit_test(calls_inside_callbacks_are_refused),
         cmocka_unit_test(forged_bytes_do_no_harm),
