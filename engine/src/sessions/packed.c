@@ -36,6 +36,15 @@ enum { CHUNK_SAME, CHUNK_COLUMNS };
  * stay in the cache. A multiple of TD_PACKED_GROUP squared. Chosen. */
 enum { CHUNK_WORDS = 1024 };
 
+/* More words than the longest record has, a block with the rows of a joint. */
+enum { RECORD_WORDS_MAX = 1024 };
+#define LONGEST_BLOCK                                                                            \
+    (sizeof(td_block) + 2 * (sizeof(td_point) + sizeof(td_point_history)) + sizeof(td_surface) + \
+     sizeof(td_lock_rows) + sizeof(td_drive_rows) + sizeof(td_gear_rows))
+_Static_assert(LONGEST_BLOCK <= RECORD_WORDS_MAX * sizeof(uint32_t) &&
+                   sizeof(td_joint) <= RECORD_WORDS_MAX * sizeof(uint32_t),
+               "no record has more words");
+
 /* Packing and unpacking: of either, `packs` says which. */
 typedef struct passage {
     td_packed_stream stream;
@@ -88,42 +97,97 @@ static void pass_column(passage *p, const td_packed_column *column) {
     }
 }
 
-/* The columns of a section's records, from `base` and `words` on; those of one pass
- * (td_packed_pass_of). */
-static void pass_columns(passage *p, int section, int pass, td_packed_column column,
-                         const uint8_t *base, uint8_t *words) {
+/* A chunk of a section: its records are the column's first to end - 1. */
+typedef struct chunk {
+    int section;
+    td_packed_column column; /* what all of its columns have in common */
+    const uint8_t *base;     /* record 0 in the base; null: it has none */
+    uint8_t *words;          /* record 0 */
+    /* By word of a record: the bits in which a record differs from the base's. When packing; not
+     * valid where the base does not have all records. */
+    uint32_t changed[RECORD_WORDS_MAX];
+} chunk;
+
+/* Whether all records are in the base. */
+static bool is_in_base(const chunk *c) {
+    return c->base && c->column.end <= c->column.base_records;
+}
+
+/* Sets `changed`, in one pass over the records. */
+static void find_changes(chunk *c) {
+    size_t stride = c->column.stride, words = stride / sizeof(uint32_t);
+    memset(c->changed, 0, words * sizeof *c->changed);
+    for (size_t r = c->column.first; r < c->column.end; r++) {
+        const uint8_t *now = c->words + r * stride, *was = c->base + r * stride;
+        for (size_t i = 0; i < words; i++) {
+            uint32_t a, b;
+            memcpy(&a, now + i * sizeof a, sizeof a);
+            memcpy(&b, was + i * sizeof b, sizeof b);
+            c->changed[i] |= a ^ b;
+        }
+    }
+}
+
+/* Whether the column at byte `at` of the records has the base's words; found when packing. */
+static bool is_same(const chunk *c, const td_packed_column *column, size_t at) {
+    uint32_t changed = 0;
+    if (!is_in_base(c)) {
+        return false;
+    }
+    for (size_t r = column->first; column->width == 1 && r < column->end; r++) {
+        changed |= c->words[r * column->stride + at] ^ c->base[r * column->stride + at];
+    }
+    for (int i = 0; column->width != 1 && i < column->lanes; i++) {
+        changed |= c->changed[at / sizeof(uint32_t) + (size_t)i];
+    }
+    return changed == 0;
+}
+
+/* The columns of one pass (td_packed_pass_of). */
+static void pass_columns(passage *p, const chunk *c, int pass) {
+    td_packed_column column = c->column;
     size_t each = (size_t)column.width * (size_t)column.lanes;
     for (size_t at = 0; at < column.stride; at += each) {
         if (column.stride - at < each) {
             column.lanes = column.width = 1;
             each = 1;
         }
-        td_packed_field field = {&p->pair, section, at};
-        column.base = base ? base + at : NULL;
-        column.words = words + at;
+        td_packed_field field = {&p->pair, c->section, at};
+        column.base = c->base ? c->base + at : NULL;
+        column.words = c->words + at;
         column.context = &field;
         column.known = each > 1 && td_packed_follows(&field) ? td_packed_known : NULL;
-        if (td_packed_pass_of(section, at) == pass) {
+        if (td_packed_pass_of(c->section, at) == pass) {
+            column.same = p->packs && is_same(c, &column, at);
             pass_column(p, &column);
         }
     }
 }
 
-/* Whether the chunk at `words` is that at `base`, which may be null: when packing, this is found
- * out and written; when unpacking, it is read, and the chunk copied. */
-static bool pass_same(passage *p, uint8_t *words, const uint8_t *base, size_t bytes) {
-    uint8_t how = base && p->packs && memcmp(words, base, bytes) == 0 ? CHUNK_SAME : CHUNK_COLUMNS;
+static void pass_chunk(passage *p, chunk *c) {
+    bool in_base = is_in_base(c), blocks = c->column.lanes > 1;
+    size_t stride = c->column.stride, at = c->column.first * stride;
+    size_t bytes = (c->column.end - c->column.first) * stride;
+    uint8_t how = CHUNK_COLUMNS;
     if (p->packs) {
+        if (in_base && memcmp(c->words + at, c->base + at, bytes) == 0) {
+            how = CHUNK_SAME;
+        } else if (in_base) {
+            find_changes(c);
+        }
         td_packed_put(&p->stream, how);
-        return how == CHUNK_SAME;
+    } else {
+        how = td_packed_take(&p->stream);
+        if (how > CHUNK_COLUMNS || (how == CHUNK_SAME && !in_base)) {
+            p->stream.broken = true;
+        } else if (in_base) {
+            memcpy(c->words + at, c->base + at, bytes);
+        }
     }
-    how = td_packed_take(&p->stream);
-    if (how > CHUNK_COLUMNS || (how == CHUNK_SAME && !base)) {
-        p->stream.broken = true;
-    } else if (how == CHUNK_SAME) {
-        memcpy(words, base, bytes);
+    c->column.copied = in_base;
+    for (int pass = 0; how == CHUNK_COLUMNS && pass < (blocks ? TD_PACKED_PASSES : 1); pass++) {
+        pass_columns(p, c, pass);
     }
-    return how == CHUNK_SAME;
 }
 
 static void pass_section(passage *p, int k) {
@@ -134,30 +198,26 @@ static void pass_section(passage *p, int k) {
     if (bytes == 0) {
         return;
     }
-    uint8_t *words = p->pair.now.bytes + p->pair.now.at[k];
-    const uint8_t *base_words = base_bytes ? base->bytes + base->at[k] : NULL;
     bool blocks = k >= TD_SECTION_BLOCKS && k < TD_SECTION_PARTS;
-    size_t records = bytes / stride, base_records = base_bytes / stride;
-    td_packed_column column = {.stride = stride,
-                               .base_records = base_records,
-                               .width = stride < sizeof(uint32_t) ? 1 : (int)sizeof(uint32_t),
-                               .lanes = blocks ? TD_PACKED_GROUP : 1};
-    size_t chunk = CHUNK_WORDS / (size_t)column.lanes;
-    for (size_t first = 0; first < records && !p->stream.broken; first = column.end) {
-        column.first = first;
-        column.end = records - first < chunk ? records : first + chunk;
-        bool whole = column.end <= base_records;
-        if (!pass_same(p, words + first * stride, whole ? base_words + first * stride : NULL,
-                       (column.end - first) * stride)) {
-            for (int pass = 0; pass < (blocks ? TD_PACKED_PASSES : 1); pass++) {
-                pass_columns(p, k, pass, column, base_words, words);
-            }
-        }
+    size_t records = bytes / stride;
+    chunk c;
+    c.section = k;
+    c.words = p->pair.now.bytes + p->pair.now.at[k];
+    c.base = base_bytes ? base->bytes + base->at[k] : NULL;
+    c.column = (td_packed_column){.stride = stride,
+                                  .base_records = base_bytes / stride,
+                                  .width = stride < sizeof(uint32_t) ? 1 : (int)sizeof(uint32_t),
+                                  .lanes = blocks ? TD_PACKED_GROUP : 1};
+    size_t length = CHUNK_WORDS / (size_t)c.column.lanes;
+    for (size_t first = 0; first < records && !p->stream.broken; first = c.column.end) {
+        c.column.first = first;
+        c.column.end = records - first < length ? records : first + length;
+        pass_chunk(p, &c);
     }
     size_t rest = bytes % stride;
     if (rest) {
-        column = (td_packed_column){
-            .stride = 1, .end = rest, .width = 1, .lanes = 1, .words = words + bytes - rest};
+        td_packed_column column = {
+            .stride = 1, .end = rest, .width = 1, .lanes = 1, .words = c.words + bytes - rest};
         pass_column(p, &column);
     }
 }

@@ -10,7 +10,7 @@
 enum { MASKED = 64, ZEROS = 128, ZEROS_MAX = 128 };
 
 /* Groups that a guess is chosen by, spread over the column. Chosen; not tuned. */
-enum { SAMPLE = 12 };
+enum { SAMPLE = 6 };
 
 void td_packed_put(td_packed_stream *t, uint8_t byte) {
     if (t->to) {
@@ -272,25 +272,6 @@ static void read_numbers(td_packed_stream *t, int head, uint32_t number[TD_PACKE
 
 /* ---- columns ---- */
 
-/* Whether all words are those of the base. */
-static bool is_same(const td_packed_column *c) {
-    if (!c->base || c->base_records < c->end) {
-        return false;
-    }
-    for (size_t i = first_word(c); i < end_word(c); i += TD_PACKED_GROUP) {
-        words w = base_words(c, i);
-        load(c, c->words, i, w.count, w.word);
-        uint32_t changed = 0;
-        for (int k = 0; k < w.count; k++) {
-            changed |= w.word[k] ^ w.base[k];
-        }
-        if (changed) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /* The words before word `first`, which begins a group. */
 static place before(const td_packed_column *c, size_t first) {
     place p = {0, 0, 0};
@@ -336,7 +317,7 @@ static td_guess choose(const td_packed_column *c) {
 }
 
 void td_packed_write(td_packed_stream *t, const td_packed_column *c) {
-    td_guess guess = is_same(c) ? TD_GUESS_SAME : choose(c);
+    td_guess guess = c->same ? TD_GUESS_SAME : choose(c);
     td_packed_put(t, (uint8_t)guess);
     if (guess == TD_GUESS_SAME) {
         return;
@@ -378,23 +359,10 @@ static void restore_group(const td_packed_column *c, td_guess guess, size_t firs
     store(c, first, &w);
 }
 
-/* The words of the base. */
-static void read_same(td_packed_stream *t, const td_packed_column *c) {
-    if (!c->base || c->base_records < c->end) {
-        t->broken = true;
-        return;
-    }
-    for (size_t i = first_word(c); i < end_word(c); i += TD_PACKED_GROUP) {
-        words w = base_words(c, i);
-        memcpy(w.word, w.base, sizeof w.word);
-        store(c, i, &w);
-    }
-}
-
 void td_packed_read(td_packed_stream *t, const td_packed_column *c) {
     td_guess guess = (td_guess)td_packed_take(t);
     if (guess == TD_GUESS_SAME) {
-        read_same(t, c);
+        t->broken = t->broken || !c->copied;
         return;
     }
     bool based = guess == TD_GUESS_BASE || guess == TD_GUESS_STEP;
@@ -413,7 +381,10 @@ void td_packed_read(td_packed_stream *t, const td_packed_column *c) {
                 read_numbers(t, head, number);
             }
         }
+        bool stays = zeros > 0 && guess == TD_GUESS_BASE && c->copied;
         zeros -= zeros > 0;
-        restore_group(c, guess, i, number, &p);
+        if (!stays) {
+            restore_group(c, guess, i, number, &p);
+        }
     }
 }

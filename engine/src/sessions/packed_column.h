@@ -61,6 +61,8 @@ struct td_packed_column {
     size_t base_records; /* those that the base has, the first ones */
     int width;           /* bytes of a word: 4, or 1 */
     int lanes;           /* words of a record side by side: 1, or TD_PACKED_GROUP */
+    bool same;           /* no word differs from the base's. Read when packing */
+    bool copied;         /* the words are the base's already. Read when unpacking */
     td_known_fn *known;  /* null: TD_GUESS_KNOWN is not possible */
     const void *context; /* of `known` */
 };
