@@ -75,11 +75,12 @@ THUD_API thud_result thud_world_restore(thud_world *world, const void *buffer, s
 
 /* ---- files ---- */
 
-/* Writes a snapshot to a file, with `bytes` bytes of the caller's own data (`own`; null where there
- * are none): score, handles, movers. `path` is a path for fopen. The data is first written to the
- * path with a ~ appended, and then renamed, so that an existing file stays as it was where saving
- * fails. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_MEMORY, since the call
- * allocates a buffer; THUD_ERROR_INVALID where the file cannot be written. */
+/* Writes a snapshot, packed (thud_packed.h), to a file, with `bytes` bytes of the caller's own data
+ * (`own`; null where there are none): score, handles, movers. `path` is a path for fopen. The data
+ * is first written to the path with a ~ appended, and then renamed, so that an existing file stays
+ * as it was where saving fails. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback;
+ * THUD_ERROR_MEMORY, since the call allocates a buffer; THUD_ERROR_INVALID where the file cannot be
+ * written. */
 THUD_API thud_result thud_world_save(thud_world *world, const char *path, const void *own,
                                      size_t bytes);
 

@@ -255,9 +255,8 @@ static thud_result check(const thud_world *w, thud_bytes base, thud_bytes bytes,
                      : THUD_OK;
 }
 
-/* The packed size of the snapshot at most. */
-static uint64_t packed_max(uint64_t bytes) {
-    return bytes + bytes / 8 + 2048;
+bool td_is_packed(const void *bytes, size_t count) {
+    return count >= sizeof MAGIC - 1 && memcmp(bytes, MAGIC, sizeof MAGIC - 1) == 0;
 }
 
 thud_result thud_world_pack(const thud_world *w, thud_bytes base, thud_bytes snapshot, void *buffer,
@@ -273,7 +272,7 @@ thud_result thud_world_pack(const thud_world *w, thud_bytes base, thud_bytes sna
         return td_refuse(w, THUD_ERROR_INVALID,
                          "pack: base or snapshot is no whole snapshot of this build of thud");
     }
-    if (capacity < packed_max(snapshot.count)) { /* count before anything is written */
+    if (capacity < td_packed_max(snapshot.count)) { /* count before anything is written */
         pass_head(&p);
         pass_sections(&p);
         if (buffer && p.stream.at > capacity) {
@@ -358,9 +357,9 @@ thud_result thud_world_unpack(const thud_world *w, thud_bytes base, thud_bytes p
         return td_refuse(w, THUD_ERROR_INVALID, "unpack: the buffer is too small");
     }
     size_t bytes = (size_t)head.snapshot_bytes;
+    bool is_size = bytes == head.snapshot_bytes && bytes >= sizeof(td_snapshot_head);
     p.stream = (td_packed_stream){.from = packed.data, .at = sizeof head, .end = packed.count};
-    if (buffer && (bytes != head.snapshot_bytes || bytes < sizeof(td_snapshot_head) ||
-                   !unpack(world, &p, buffer, bytes))) {
+    if (!is_size || (buffer && !unpack(world, &p, buffer, bytes))) {
         return td_refuse(w, THUD_ERROR_INVALID,
                          "unpack: the packed snapshot is of another version or build of thud, or "
                          "contradicts itself");

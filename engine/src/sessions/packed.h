@@ -26,6 +26,14 @@ typedef struct td_packed_field {
     size_t at;
 } td_packed_field;
 
+/* What a packed snapshot of `bytes` bytes has at most: thud_world_pack. */
+static inline size_t td_packed_max(size_t bytes) {
+    return bytes + bytes / 8 + 2048;
+}
+
+/* Whether the bytes begin as a packed snapshot does. */
+bool td_is_packed(const void *bytes, size_t count);
+
 /* Whether the column may follow from others, which are read before it: td_packed_known. */
 bool td_packed_follows(const td_packed_field *field);
 /* Predicts words of the column, a td_known_fn: what they are where they follow from the columns
