@@ -135,7 +135,7 @@ export class WorldBase {
    * world, the base, as a delta. `unpack` gives the same bytes again. The world may be any.
    * @throws {ThudError} "invalid" for bytes that are no whole snapshot of this build; "locked"
    * inside a callback; "memory".
-   * @example socket.send(world.pack(world.snapshot(), last));
+   * @example const small = world.pack(world.snapshot());
    */
   pack(snapshot: Uint8Array, base?: Uint8Array): Uint8Array<ArrayBuffer> {
     return repack(this.engine, this.address, "api_world_pack", snapshot, base);
@@ -145,7 +145,7 @@ export class WorldBase {
    * The snapshot that was packed. `base` is the one that it was packed against.
    * @throws {ThudError} "invalid" for bytes that are damaged or of another version, and for another
    * base than that with which they were packed; "locked" inside a callback; "memory".
-   * @example world.restore(world.unpack(bytes, last));
+   * @example const snapshot = world.unpack(world.pack(world.snapshot()));
    */
   unpack(packed: Uint8Array, base?: Uint8Array): Uint8Array<ArrayBuffer> {
     return repack(this.engine, this.address, "api_world_unpack", packed, base);
