@@ -61,7 +61,8 @@ THUD_API thud_result thud_world_snapshot(const thud_world *world, void *buffer, 
  *
  * THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_INVALID, with the reason in the
  * log, for bytes that are cut short, damaged, no snapshot, or of another version or build of thud
- * (snapshots are for the same version, word size, byte order and alignment), and for a world whose
+ * (snapshots are for the same version, byte order and alignment: those of 64-bit machines with the
+ * byte order of x86-64 and of WebAssembly are the same), and for a world whose
  * def differs in one of the settings above, or that never had a joint (thud_world_use_joints), a
  * rule (thud_world_use_rules) or a texture (thud_world_use_textures) where the snapshot has some;
  * THUD_ERROR_MEMORY. In each case the world is as it was. `bytes` must be exactly the snapshot's

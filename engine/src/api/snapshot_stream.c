@@ -94,16 +94,23 @@ _Static_assert(sizeof KINDS / sizeof *KINDS == THUD_SHAPE_KIND_COUNT, "every kin
 
 /* ---- the head ---- */
 
+/* No pointer is in the bytes, so that builds of 32 bits whose records have the sizes of a build of
+ * 64 bits, as WebAssembly's have, read and write the same bytes. What has pointers enters the hash
+ * with its size in a build of 64 bits. */
+enum { POINTER_BYTES = 8, ARRAY_BYTES = 24 };
+_Static_assert(sizeof(void *) != POINTER_BYTES || sizeof(td_array) == ARRAY_BYTES,
+               "the size of an array's record in a build of 64 bits");
+
 /* A hash of the sizes of all records and of the byte order (by the bytes of 0x01020304). */
 static uint32_t layout_of_build(void) {
 #define ELEMENT_BYTES(name, element, is_state) sizeof(element),
     const uint32_t sizes[] = {0x01020304,
                               TD_AWAKE_ARRAYS(ELEMENT_BYTES) sizeof(td_snapshot_head),
-                              sizeof(void *),
+                              POINTER_BYTES,
                               sizeof(td_body),
                               sizeof(td_shape),
                               sizeof(td_contact),
-                              sizeof(td_terrain_record),
+                              TERRAIN_BYTES + ARRAY_BYTES,
                               sizeof(td_pose),
                               sizeof(td_shape_proxy),
                               sizeof(td_deferred_edit),
