@@ -244,6 +244,24 @@ export const CALLS = {
     s.snapshot = s.world.snapshot();
     s.after = null;
   },
+  pack: (s) => {
+    const now = s.world.snapshot();
+    const base = s.snapshot && s.below(2) ? s.snapshot : undefined;
+    const back = s.world.unpack(s.world.pack(now, base), base);
+    if (back.length !== now.length || back.some((byte, i) => byte !== now[i]))
+      throw new Error("other bytes are unpacked than were packed");
+  },
+  unpack: (s) => {
+    const packed = s.world.pack(s.world.snapshot());
+    packed[s.below(packed.length)] ^= 1 + s.below(255);
+    let refused = false;
+    try {
+      s.world.unpack(packed);
+    } catch (error) {
+      refused = error instanceof thud.ThudError;
+    }
+    if (!refused) throw new Error("a damaged packed snapshot is taken, or refused in another way");
+  },
   restore: (s) => {
     if (!s.snapshot) return;
     s.world.restore(s.snapshot);

@@ -1,6 +1,8 @@
 /* operations_movers.c: character movers, and restoring snapshots. */
 #include "operations.h"
 
+#include <thud/thud_packed.h>
+
 #include <stdlib.h>
 
 /* Whether two movers have the same place and ground, which a move changes. */
@@ -94,10 +96,48 @@ void play_snapshot(fuzz_session *s) {
     s->kept = s->now;
 }
 
+/* Packs a snapshot of the world, alone or against the kept one. It unpacks to the same bytes, and
+ * is refused where a byte is damaged. */
+static void pack_present(fuzz_session *s) {
+    size_t bytes = 0, size = 0, back_size = 0;
+    TRY(s, thud_world_get_snapshot_size(s->world, &bytes));
+    if (s->result != THUD_OK) {
+        return;
+    }
+    size_t room = bytes + bytes / 8 + 2048;
+    char *now = malloc(bytes), *packed = malloc(room), *back = malloc(bytes);
+    memset(back, CALL_FILL, bytes);
+    TRY(s, thud_world_snapshot(s->world, now, bytes, NULL));
+    thud_bytes base = {s->snapshot, s->snapshot_bytes};
+    if (bytes % 16 == 0) {
+        base = (thud_bytes){NULL, 0};
+    }
+    TRY(s, thud_world_pack(s->world, base, (thud_bytes){now, bytes}, packed, room, &size));
+    if (s->result != THUD_OK) {
+        fuzz_fail(s, "a snapshot is not packed: %s", thud_result_text(s->result));
+    }
+    size_t at = s->digest % size;
+    packed[at] ^= 1;
+    TRY(s, thud_world_unpack(s->world, base, (thud_bytes){packed, size}, back, bytes, &back_size));
+    if (s->result != THUD_ERROR_INVALID) {
+        fuzz_fail(s, "a packed snapshot whose byte %zu is damaged is unpacked", at);
+    }
+    call_untouched(s, back, bytes);
+    packed[at] ^= 1;
+    TRY(s, thud_world_unpack(s->world, base, (thud_bytes){packed, size}, back, bytes, &back_size));
+    if (s->result != THUD_OK || back_size != bytes || memcmp(back, now, bytes) != 0) {
+        fuzz_fail(s, "what was packed is not unpacked: %s", thud_result_text(s->result));
+    }
+    free(now);
+    free(packed);
+    free(back);
+}
+
 void play_restore(fuzz_session *s) {
     if (!s->snapshot) {
         return;
     }
+    pack_present(s);
     TRY(s, thud_world_restore(s->world, s->snapshot, s->snapshot_bytes));
     if (s->result == THUD_OK) {
         s->now = s->kept;

@@ -8,6 +8,7 @@
 #include <thud/thud_fields.h>
 #include <thud/thud_joint.h>
 #include <thud/thud_locks.h>
+#include <thud/thud_packed.h>
 #include <thud/thud_rollback.h>
 #include <thud/thud_rules.h>
 #include <thud/thud_snapshot.h>
@@ -275,9 +276,51 @@ static void late_inputs_end_as_a_straight_run(trial *t) {
     thud_rollback_destroy(r);
 }
 
+/* ---- packed snapshots ---- */
+
+/* A snapshot of the world, in memory of its own. */
+static thud_bytes snapshot_of(trial *t, const thud_world *world) {
+    size_t bytes = 0;
+    DO(t, thud_world_get_snapshot_size(world, &bytes));
+    char *buffer = malloc(bytes + 1);
+    DO(t, thud_world_snapshot(world, buffer, bytes, NULL));
+    return (thud_bytes){buffer, bytes};
+}
+
+/* Packs a snapshot, unpacks it, and finds the same bytes. */
+static void pack_and_unpack(trial *t, const thud_world *world, thud_bytes base,
+                            thud_bytes snapshot) {
+    size_t packed = 0, back = 0, room = 2 * snapshot.count + 4096;
+    char *small = malloc(room), *whole = malloc(room);
+    DO(t, thud_world_pack(world, base, snapshot, small, room, &packed));
+    DO(t, thud_world_unpack(world, base, (thud_bytes){small, packed}, whole, room, &back));
+    if (!trial_failed(t) && (back != snapshot.count || memcmp(whole, snapshot.data, back) != 0)) {
+        trial_fault(t, "other bytes are unpacked than were packed");
+    }
+    free(small);
+    free(whole);
+}
+
+static void packed_snapshots_unpack_to_the_same_bytes(trial *t) {
+    yard y;
+    yard_make_with(&y, t, trial_def(t), 0, YARD_ALL);
+    thud_bytes base = {NULL, 0};
+    for (int i = 0; i < STEPS && !trial_failed(t); i++) {
+        yard_before_step(&y);
+        DO(t, thud_world_step(y.world));
+        thud_bytes now = snapshot_of(t, y.world);
+        pack_and_unpack(t, y.world, (thud_bytes){NULL, 0}, now);
+        pack_and_unpack(t, y.world, base, now);
+        free((void *)base.data);
+        base = now;
+    }
+    free((void *)base.data);
+}
+
 const guarantee guarantees_of_features[] = {
     GUARANTEE(edits_of_callbacks_wait_for_the_step_asked_or_not),
     GUARANTEE(late_inputs_end_as_a_straight_run),
+    GUARANTEE(packed_snapshots_unpack_to_the_same_bytes),
     GUARANTEE(same_bits_of_casts),
     GUARANTEE(same_bits_with_fields),
     GUARANTEE(same_bits_with_locks_and_joints),

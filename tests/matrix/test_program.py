@@ -67,6 +67,17 @@ class ProgramTest(unittest.TestCase):
         self.assertTrue(done.stdout.startswith("scene pyramid refused: restore: "), done.stdout[:90])
         self.assertEqual(done.stdout.count("refused"), 1)
 
+    def test_snapshots_that_are_packed_to_other_bytes_are_noticed(self):
+        data = bytearray((self.place / "snapshots").read_bytes())
+        at = 0
+        for _ in range(2):  # the snapshot, and the one before
+            at += 8 + int.from_bytes(data[at:at + 8], "little")
+        data[at + 100] ^= 1
+        (self.place / "packed").write_bytes(data)
+        done = self.start(*SHORT, "--continue", self.at("packed"))
+        self.assertTrue(done.stdout.startswith("scene pyramid refused: its snapshot is packed to other"),
+                        done.stdout[:90])
+
     def test_damaged_plain_scenes_are_refused(self):
         text = (self.place / "levels").read_text(encoding="utf-8")
         for wrong in (text[:-5], text.replace("0", "x", 1), "level\n"):

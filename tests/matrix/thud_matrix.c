@@ -13,6 +13,7 @@
 #endif
 
 #include <thud/thud.h>
+#include <thud/thud_packed.h>
 #include <thud/thud_snapshot.h>
 #include <thud/thud_testing.h>
 
@@ -71,37 +72,101 @@ static bool make_steps(thud_world *world, const scene *s, int count) {
     return true;
 }
 
-/* ---- snapshot files: for each snapshot its size in 8 bytes, little-endian, then its bytes ---- */
+/* ---- snapshot files: for each run three lots of bytes, each after its size in 8 bytes,
+ * little-endian: the snapshot, the one of the step before, and the first packed against the second
+ * ---- */
 
-/* Appends a snapshot, preceded by its size in 8 bytes, to the file of snapshots. */
-static bool take(matrix *m, const thud_world *world) {
+/* Bytes in memory from malloc. */
+typedef struct lot {
+    unsigned char *bytes; /* null: there was no memory, or no file */
     size_t size;
-    if (thud_world_get_snapshot_size(world, &size) != THUD_OK)
-        return false;
-    unsigned char *bytes = malloc(size), head[8];
-    bool taken = bytes && thud_world_snapshot(world, bytes, size, NULL) == THUD_OK;
-    for (int i = 0; i < 8; i++)
-        head[i] = (unsigned char)((uint64_t)size >> 8 * i);
-    taken = taken && fwrite(head, 1, 8, m->snapshots) == 8 &&
-            fwrite(bytes, 1, size, m->snapshots) == size;
-    free(bytes);
-    return taken;
+} lot;
+
+static thud_bytes in_lot(lot l) {
+    return (thud_bytes){l.bytes, l.size};
 }
 
-/* Reads the next snapshot into memory from malloc; null at the end of the file. */
-static void *next_snapshot(matrix *m, size_t *size) {
+static lot snapshot_of(const thud_world *world) {
+    lot l = {NULL, 0};
+    if (thud_world_get_snapshot_size(world, &l.size) == THUD_OK)
+        l.bytes = malloc(l.size);
+    if (l.bytes && thud_world_snapshot(world, l.bytes, l.size, NULL) != THUD_OK) {
+        free(l.bytes);
+        l.bytes = NULL;
+    }
+    return l;
+}
+
+/* Packs a snapshot against a base. */
+static lot packed_of(const thud_world *world, lot snapshot, lot base) {
+    lot l = {NULL, 0};
+    if (snapshot.bytes && base.bytes &&
+        thud_world_pack(world, in_lot(base), in_lot(snapshot), NULL, 0, &l.size) == THUD_OK)
+        l.bytes = malloc(l.size);
+    if (l.bytes && thud_world_pack(world, in_lot(base), in_lot(snapshot), l.bytes, l.size,
+                                   &l.size) != THUD_OK) {
+        free(l.bytes);
+        l.bytes = NULL;
+    }
+    return l;
+}
+
+/* Appends the bytes to the file of snapshots. */
+static bool append(matrix *m, lot l) {
+    unsigned char head[8];
+    for (int i = 0; i < 8; i++)
+        head[i] = (unsigned char)((uint64_t)l.size >> 8 * i);
+    return l.bytes && fwrite(head, 1, 8, m->snapshots) == 8 &&
+           fwrite(l.bytes, 1, l.size, m->snapshots) == l.size;
+}
+
+/* Makes steps, and appends the snapshots after the last one and before it. */
+static bool take(matrix *m, thud_world *world, const scene *s, int steps) {
+    bool made = make_steps(world, s, steps - 1);
+    lot base = snapshot_of(world);
+    made = made && make_steps(world, s, 1);
+    lot snapshot = snapshot_of(world), packed = packed_of(world, snapshot, base);
+    made = made && append(m, snapshot) && append(m, base) && append(m, packed);
+    free(base.bytes);
+    free(snapshot.bytes);
+    free(packed.bytes);
+    return made;
+}
+
+/* Reads the next bytes; null at the end of the file. */
+static lot next_lot(matrix *m) {
     unsigned char head[8];
     uint64_t count = 0;
+    lot l = {NULL, 0};
     if (fread(head, 1, 8, m->snapshots) != 8)
-        return NULL;
+        return l;
     for (int i = 0; i < 8; i++)
         count |= (uint64_t)head[i] << 8 * i;
-    *size = (size_t)count;
-    unsigned char *bytes = count < 1u << 30 ? malloc(*size + 1) : NULL;
-    if (bytes && fread(bytes, 1, *size, m->snapshots) == *size)
-        return bytes;
-    free(bytes);
-    return NULL;
+    l.size = (size_t)count;
+    l.bytes = count < 1u << 30 ? malloc(l.size + 1) : NULL;
+    if (l.bytes && fread(l.bytes, 1, l.size, m->snapshots) != l.size) {
+        free(l.bytes);
+        l.bytes = NULL;
+    }
+    return l;
+}
+
+/* Whether packing gives the bytes that it gave where they were taken, and these unpack. */
+static bool packs_alike(matrix *m, const thud_world *world, lot snapshot, lot base, lot packed) {
+    lot own = packed_of(world, snapshot, base);
+    unsigned char *back = malloc(snapshot.size);
+    size_t size = 0;
+    bool alike =
+        own.bytes && own.size == packed.size && memcmp(own.bytes, packed.bytes, own.size) == 0;
+    if (!alike)
+        snprintf(m->reason, sizeof m->reason, "its snapshot is packed to other bytes");
+    alike = alike && back &&
+            thud_world_unpack(world, in_lot(base), in_lot(packed), back, snapshot.size, &size) ==
+                THUD_OK &&
+            size == snapshot.size && memcmp(back, snapshot.bytes, size) == 0;
+    free(own.bytes);
+    free(back);
+    return alike;
 }
 
 /* ---- a line of output ---- */
@@ -109,18 +174,22 @@ static void *next_snapshot(matrix *m, size_t *size) {
 /* Makes all steps, and takes a snapshot in the middle if wanted. */
 static bool run_through(matrix *m, thud_world *world, const scene *s) {
     int half = m->options.steps / 2;
-    return make_steps(world, s, half) && (!m->snapshots || take(m, world)) &&
+    return (m->snapshots ? take(m, world, s, half) : make_steps(world, s, half)) &&
            make_steps(world, s, half);
 }
 
-/* Restores the next snapshot and makes the second half of the steps. False if it is refused. */
+/* Restores the next snapshot and makes the second half of the steps. False if it is refused, or
+ * packed to other bytes. */
 static bool run_on(matrix *m, thud_world *world, const scene *s) {
-    size_t size;
-    void *bytes = next_snapshot(m, &size);
-    if (!bytes)
+    lot snapshot = next_lot(m), base = next_lot(m), packed = next_lot(m);
+    bool whole = snapshot.bytes && base.bytes && packed.bytes;
+    if (!whole)
         snprintf(m->reason, sizeof m->reason, "the file of snapshots ends too early");
-    bool restored = bytes && thud_world_restore(world, bytes, size) == THUD_OK;
-    free(bytes);
+    bool restored = whole && thud_world_restore(world, snapshot.bytes, snapshot.size) == THUD_OK &&
+                    packs_alike(m, world, snapshot, base, packed);
+    free(snapshot.bytes);
+    free(base.bytes);
+    free(packed.bytes);
     return restored && make_steps(world, s, m->options.steps / 2);
 }
 

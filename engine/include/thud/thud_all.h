@@ -25,6 +25,7 @@
 #include "thud_math.h"
 #include "thud_minkowski.h"
 #include "thud_mover.h"
+#include "thud_packed.h"
 #include "thud_prediction.h"
 #include "thud_quality.h"
 #include "thud_queries.h"

@@ -25,6 +25,8 @@
  * of the restored world do not change; with other callbacks its results may differ. The caller must
  * copy its own state; a thud_mover is a plain struct.
  *
+ * thud_packed.h makes the bytes small, to send or keep them.
+ *
  * A program that uses snapshots links every shape kind, every detection and the island solver,
  * since a snapshot may need them. */
 #ifndef THUD_SNAPSHOT_H
@@ -60,11 +62,12 @@ THUD_API thud_result thud_world_snapshot(const thud_world *world, void *buffer, 
  *
  * THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_INVALID, with the reason in the
  * log, for bytes that are truncated, damaged, not a snapshot, or of another version or build of
- * thud (snapshots are for the same version, word size, byte order and alignment), and for a world
- * whose def differs in one of the settings above, or that never had a joint
- * (thud_world_use_joints), a rule (thud_world_use_rules) or a texture (thud_world_use_textures) if
- * the snapshot has some; THUD_ERROR_MEMORY. In each case the world is unchanged. `bytes` must be
- * exactly the snapshot's size as thud_world_snapshot returned it, even where the buffer is larger.
+ * thud (snapshots are for the same version, byte order and alignment: those of 64-bit machines with
+ * the byte order of x86-64 and of WebAssembly are the same), and for a world whose def differs in
+ * one of the settings above, or that never had a joint (thud_world_use_joints), a rule
+ * (thud_world_use_rules) or a texture (thud_world_use_textures) if the snapshot has some;
+ * THUD_ERROR_MEMORY. In each case the world is unchanged. `bytes` must be exactly the snapshot's
+ * size as thud_world_snapshot returned it, even where the buffer is larger.
  *
  * A checksum over all bytes detects damage: every change within one word of 8 bytes, and other
  * changes with a probability of 1 - 2^-64. Sizes and counts are also checked, so that a restore
@@ -74,11 +77,12 @@ THUD_API thud_result thud_world_restore(thud_world *world, const void *buffer, s
 
 /* ---- files ---- */
 
-/* Writes a snapshot to a file, with `bytes` bytes of the caller's own data (`own`; null if there
- * are none): score, handles, movers. `path` is a path for fopen. The data is first written to the
- * path with a ~ appended, and then renamed, so that an existing file is unchanged if saving fails.
- * THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_MEMORY, since the call allocates
- * a buffer; THUD_ERROR_INVALID if the file cannot be written. */
+/* Writes a snapshot, packed (thud_packed.h), to a file, with `bytes` bytes of the caller's own data
+ * (`own`; null if there are none): score, handles, movers. `path` is a path for fopen. The data is
+ * first written to the path with a ~ appended, and then renamed, so that an existing file is
+ * unchanged if saving fails. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback;
+ * THUD_ERROR_MEMORY, since the call allocates a buffer; THUD_ERROR_INVALID if the file cannot be
+ * written. */
 THUD_API thud_result thud_world_save(thud_world *world, const char *path, const void *own,
                                      size_t bytes);
 

@@ -7,16 +7,6 @@
 
 #include <string.h>
 
-/* Casts const away: writing and reading share one function, which takes a world that it may write
- * to; with a stream that writes it does not. */
-static thud_world *unconst(const thud_world *w) {
-    union {
-        const thud_world *given;
-        thud_world *same;
-    } pointer = {w};
-    return pointer.same;
-}
-
 thud_result thud_world_get_snapshot_size(const thud_world *w, size_t *out_bytes) {
     if (!w || !out_bytes) {
         return td_refuse(w, THUD_ERROR_NULL, "snapshot size: world or bytes is null");
@@ -24,12 +14,9 @@ thud_result thud_world_get_snapshot_size(const thud_world *w, size_t *out_bytes)
     if (w->locked) {
         return td_refuse(w, THUD_ERROR_LOCKED, "snapshot size: not inside a callback");
     }
-    *out_bytes = (size_t)td_snapshot_head_of(unconst(w)).bytes;
+    *out_bytes = (size_t)td_snapshot_head_of(td_unconst(w)).bytes;
     return THUD_OK;
 }
-
-/* The checksum is over all bytes from this offset on. */
-static const size_t SUMMED_FROM = offsetof(td_snapshot_head, checksum) + sizeof(uint64_t);
 
 thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capacity,
                                 size_t *out_bytes) {
@@ -39,22 +26,23 @@ thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capaci
     if (w->locked) {
         return td_refuse(w, THUD_ERROR_LOCKED, "snapshot: not inside a callback");
     }
-    td_snapshot_head head = td_snapshot_head_of(unconst(w));
+    td_snapshot_head head = td_snapshot_head_of(td_unconst(w));
     if (head.bytes > capacity) {
         return td_refuse(w, THUD_ERROR_INVALID, "snapshot: the buffer is too small");
     }
     char *to = buffer;
     size_t size = (size_t)head.bytes;
     memcpy(to, &head, sizeof head);
-    td_snapshot_write(unconst(w), &head, to + sizeof head);
+    td_snapshot_write(td_unconst(w), &head, to + sizeof head);
     if (w->rule_hooks) {
         w->rule_hooks->write(w, to + sizeof head + td_snapshot_ruled_at(&head));
     }
     if (w->texture_hooks) {
         w->texture_hooks->write(w, to + sizeof head + td_snapshot_textured_at(&head));
     }
-    head.checksum = td_snapshot_checksum(to + SUMMED_FROM, size - SUMMED_FROM);
-    memcpy(to, &head, SUMMED_FROM);
+    head.checksum =
+        td_snapshot_checksum(to + TD_SNAPSHOT_SUMMED_FROM, size - TD_SNAPSHOT_SUMMED_FROM);
+    memcpy(to, &head, TD_SNAPSHOT_SUMMED_FROM);
     if (out_bytes) {
         *out_bytes = size;
     }
@@ -63,8 +51,7 @@ thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capaci
 
 /* ---- restoring ---- */
 
-/* Whether all counts of the head are in their ranges, each for itself. */
-static bool counts_valid(const td_snapshot_head *head) {
+bool td_snapshot_counts_valid(const td_snapshot_head *head) {
     bool valid = head->detection >= 0 && head->detection < TD_RANK_COUNT && head->bins >= 0;
     int64_t max = INT32_MAX / 16; /* elements that an array can hold: memory.c */
     for (int i = 0; i < 2; i++) {
@@ -186,7 +173,8 @@ static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_sn
     if (head->bytes != bytes) {
         return "restore: the snapshot is cut short, or has something after it";
     }
-    if (head->checksum != td_snapshot_checksum(from + SUMMED_FROM, bytes - SUMMED_FROM)) {
+    if (head->checksum !=
+        td_snapshot_checksum(from + TD_SNAPSHOT_SUMMED_FROM, bytes - TD_SNAPSHOT_SUMMED_FROM)) {
         return "restore: the snapshot is damaged";
     }
     if (head->length_scale != own.length_scale) {
@@ -208,7 +196,7 @@ static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_sn
     if (head->textured && !w->texture_hooks) {
         return "restore: the snapshot has textures, and this world never had any";
     }
-    if (!counts_valid(head) || head->textured > bytes || !lengths_valid(w, head) ||
+    if (!td_snapshot_counts_valid(head) || head->textured > bytes || !lengths_valid(w, head) ||
         td_snapshot_bytes_of(w, head) != bytes || !table_valid(head, from + sizeof *head) ||
         !rules_valid(w, head, from) || !textures_valid(w, head, from)) {
         return "restore: the snapshot contradicts itself";

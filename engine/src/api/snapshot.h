@@ -130,6 +130,19 @@ typedef struct td_snapshot_head {
     uint64_t textured; /* bytes of the textures, which come last */
 } td_snapshot_head;
 
+/* The checksum is over all bytes from this offset on. */
+enum { TD_SNAPSHOT_SUMMED_FROM = offsetof(td_snapshot_head, checksum) + sizeof(uint64_t) };
+
+/* Casts const away: writing and reading share functions, which take a world that they may write to;
+ * with a stream that writes they do not. */
+static inline thud_world *td_unconst(const thud_world *w) {
+    union {
+        const thud_world *given;
+        thud_world *same;
+    } pointer = {w};
+    return pointer.same;
+}
+
 /* ---- snapshot_parts.c ---- */
 
 /* By array of awake_arrays.h: true where it is state, false where each step computes it anew. */
@@ -152,12 +165,40 @@ void td_snapshot_list_slots(thud_world *w, td_slots *slots[TD_SNAPSHOT_SLOTS]);
 /* The number of entries of the table after the head: one a terrain slot and one a block slot. */
 int td_snapshot_table_count(const td_snapshot_head *head);
 
+/* Indices of the sections of a snapshot: what follows its head, in this order. */
+enum {
+    TD_SECTION_TABLE,
+    TD_SECTION_FIELDS,
+    TD_SECTION_BINS,
+    TD_SECTION_LEVELS,
+    TD_SECTION_BODIES,
+    TD_SECTION_SHAPES,
+    TD_SECTION_CONSTRAINTS,
+    TD_SECTION_JOINTS,
+    TD_SECTION_TERRAINS,                                  /* records, each before its points */
+    TD_SECTION_BLOCKS,                                    /* by td_block_form */
+    TD_SECTION_PARTS = TD_SECTION_BLOCKS + TD_FORM_COUNT, /* as td_snapshot_head.parts */
+    TD_SECTION_RULED = TD_SECTION_PARTS + TD_SNAPSHOT_PARTS,
+    TD_SECTION_TEXTURED,
+    TD_SECTION_COUNT
+};
+
+typedef struct td_snapshot_section {
+    uint64_t bytes;
+    size_t stride; /* bytes of a record; 4 where the section has no records of one size */
+} td_snapshot_section;
+
 /* ---- snapshot_stream.c ---- */
 
 /* The head of a snapshot of the present world, without its checksum. */
 td_snapshot_head td_snapshot_head_of(thud_world *w);
-/* The size of a snapshot with a head's counts, bytes. The world is read for the sizes of elements
- * only. */
+/* Lists the sections of a snapshot with a head's counts. The world is read for the sizes of
+ * elements only. */
+void td_snapshot_list_sections(thud_world *w, const td_snapshot_head *head,
+                               td_snapshot_section sections[TD_SECTION_COUNT]);
+/* The offset in TD_SECTION_FIELDS of a field at byte `member` of thud_world, which must be one. */
+size_t td_snapshot_field_at(size_t member);
+/* The size of such a snapshot, bytes. */
 uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head);
 /* snapshot_checksum.c: a hash of the bytes, against damage, not against forgery. */
 uint64_t td_snapshot_checksum(const void *bytes, size_t count);
@@ -180,5 +221,10 @@ static inline uint64_t td_snapshot_textured_at(const td_snapshot_head *head) {
 void td_snapshot_write(thud_world *w, const td_snapshot_head *head, char *to);
 /* Reads them into a world that has room for them; snapshot.c has checked head and bytes. */
 void td_snapshot_read(thud_world *w, const td_snapshot_head *head, const char *from);
+
+/* ---- snapshot.c ---- */
+
+/* Whether all counts of the head are in their ranges, each for itself. */
+bool td_snapshot_counts_valid(const td_snapshot_head *head);
 
 #endif

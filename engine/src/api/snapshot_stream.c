@@ -94,16 +94,23 @@ _Static_assert(sizeof KINDS / sizeof *KINDS == THUD_SHAPE_KIND_COUNT, "every kin
 
 /* ---- the head ---- */
 
+/* No pointer is in the bytes, so that builds of 32 bits whose records have the sizes of a build of
+ * 64 bits, as WebAssembly's have, read and write the same bytes. What has pointers enters the hash
+ * with its size in a build of 64 bits. */
+enum { POINTER_BYTES = 8, ARRAY_BYTES = 24 };
+_Static_assert(sizeof(void *) != POINTER_BYTES || sizeof(td_array) == ARRAY_BYTES,
+               "the size of an array's record in a build of 64 bits");
+
 /* A hash of the sizes of all records and of the byte order (by the bytes of 0x01020304). */
 static uint32_t layout_of_build(void) {
 #define ELEMENT_BYTES(name, element, is_state) sizeof(element),
     const uint32_t sizes[] = {0x01020304,
                               TD_AWAKE_ARRAYS(ELEMENT_BYTES) sizeof(td_snapshot_head),
-                              sizeof(void *),
+                              POINTER_BYTES,
                               sizeof(td_body),
                               sizeof(td_shape),
                               sizeof(td_contact),
-                              sizeof(td_terrain_record),
+                              TERRAIN_BYTES + ARRAY_BYTES,
                               sizeof(td_pose),
                               sizeof(td_shape_proxy),
                               sizeof(td_deferred_edit),
@@ -209,28 +216,66 @@ td_snapshot_head td_snapshot_head_of(thud_world *w) {
     return head;
 }
 
-uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head) {
+void td_snapshot_list_sections(thud_world *w, const td_snapshot_head *head,
+                               td_snapshot_section sections[TD_SECTION_COUNT]) {
     const td_snapshot_slots *slots = head->slots;
     td_part parts[TD_SNAPSHOT_PARTS];
     td_snapshot_list_parts(w, head, parts);
-    uint64_t bytes = sizeof *head + sizeof(int32_t) * (uint64_t)td_snapshot_table_count(head);
+    uint64_t fields = 0;
     for (int i = 0; i < FIELD_COUNT; i++) {
-        bytes += FIELDS[i].bytes;
+        fields += FIELDS[i].bytes;
     }
-    bytes += (uint64_t)head->bins * BIN_BYTES;
-    bytes += (uint64_t)(head->levels[0] + head->levels[1]) * sizeof(td_level);
-    bytes += (uint64_t)slots[TD_SNAPSHOT_BODIES].count * BODY_BYTES;
-    bytes += (uint64_t)slots[TD_SNAPSHOT_SHAPES].count * sizeof(td_shape);
-    bytes += (uint64_t)slots[TD_SNAPSHOT_CONSTRAINTS].count * sizeof(td_contact);
-    bytes += (uint64_t)slots[TD_SNAPSHOT_JOINTS].count * sizeof(td_joint);
-    bytes += (uint64_t)slots[TD_SNAPSHOT_TERRAINS].count * TERRAIN_BYTES;
-    bytes += head->points * sizeof(thud_pos) + td_ruled_bytes(head->ruled) + head->textured;
+    const struct {
+        uint64_t count;
+        size_t stride;
+    } records[TD_SECTION_BLOCKS] = {
+        [TD_SECTION_TABLE] = {(uint64_t)td_snapshot_table_count(head), sizeof(int32_t)},
+        [TD_SECTION_FIELDS] = {fields, 1},
+        [TD_SECTION_BINS] = {(uint64_t)head->bins, BIN_BYTES},
+        [TD_SECTION_LEVELS] = {(uint64_t)(head->levels[0] + head->levels[1]), sizeof(td_level)},
+        [TD_SECTION_BODIES] = {(uint64_t)slots[TD_SNAPSHOT_BODIES].count, BODY_BYTES},
+        [TD_SECTION_SHAPES] = {(uint64_t)slots[TD_SNAPSHOT_SHAPES].count, sizeof(td_shape)},
+        [TD_SECTION_CONSTRAINTS] = {(uint64_t)slots[TD_SNAPSHOT_CONSTRAINTS].count,
+                                    sizeof(td_contact)},
+        [TD_SECTION_JOINTS] = {(uint64_t)slots[TD_SNAPSHOT_JOINTS].count, sizeof(td_joint)},
+        [TD_SECTION_TERRAINS] = {(uint64_t)slots[TD_SNAPSHOT_TERRAINS].count * TERRAIN_BYTES +
+                                     head->points * sizeof(thud_pos),
+                                 1},
+    };
+    for (int i = 0; i < TD_SECTION_BLOCKS; i++) {
+        size_t stride = records[i].stride;
+        sections[i] = (td_snapshot_section){records[i].count * stride,
+                                            stride == 1 ? sizeof(uint32_t) : stride};
+    }
     for (int form = 0; form < TD_FORM_COUNT; form++) {
-        bytes += (uint64_t)slots[TD_SNAPSHOT_BLOCK_POOLS + form].live *
-                 td_form_bytes((td_block_form)form);
+        size_t stride = td_form_bytes((td_block_form)form);
+        uint64_t live = (uint64_t)slots[TD_SNAPSHOT_BLOCK_POOLS + form].live;
+        sections[TD_SECTION_BLOCKS + form] = (td_snapshot_section){live * stride, stride};
     }
     for (int i = 0; i < TD_SNAPSHOT_PARTS; i++) {
-        bytes += (uint64_t)head->parts[i].used * (uint64_t)parts[i].array->stride;
+        size_t stride = (size_t)parts[i].array->stride;
+        sections[TD_SECTION_PARTS + i] =
+            (td_snapshot_section){(uint64_t)head->parts[i].used * stride, stride};
+    }
+    sections[TD_SECTION_RULED] =
+        (td_snapshot_section){td_ruled_bytes(head->ruled), sizeof(uint32_t)};
+    sections[TD_SECTION_TEXTURED] = (td_snapshot_section){head->textured, sizeof(uint32_t)};
+}
+
+size_t td_snapshot_field_at(size_t member) {
+    size_t at = 0;
+    for (int i = 0; FIELDS[i].at != member; i++) {
+        at += FIELDS[i].bytes;
+    }
+    return at;
+}
+
+uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head) {
+    td_snapshot_section sections[TD_SECTION_COUNT];
+    td_snapshot_list_sections(w, head, sections);
+    uint64_t bytes = sizeof *head;
+    for (int i = 0; i < TD_SECTION_COUNT; i++) {
+        bytes += sections[i].bytes;
     }
     return bytes;
 }

@@ -1,11 +1,14 @@
 /* save.c: saves a world to a file and loads it (thud_snapshot.h). The file is, in the byte order of
- * the machine, save_head | the world's snapshot, world_bytes | the caller's own bytes, own_bytes.
- * A snapshot has a checksum of its own (snapshot.h); save_head has that of the caller's bytes.
+ * the machine, save_head | the world's snapshot, packed, world_bytes | the caller's own bytes,
+ * own_bytes. A packed snapshot has a checksum of its own (packed.c); save_head has that of the
+ * caller's bytes. A file whose snapshot is not packed is loaded as well.
  *
  * A save writes PATH~ first and renames it, so that a save that fails leaves the old file whole
  * (but for Windows, where the old file has to be removed before: rename_over). */
-#include "api/snapshot.h"
+#include "sessions/packed.h"
 #include "state/handles.h"
+
+#include "thud/thud_packed.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -55,17 +58,23 @@ thud_result thud_world_save(thud_world *w, const char *path, const void *own, si
     }
     size_t world_bytes = 0, path_length = strlen(path);
     thud_world_get_snapshot_size(w, &world_bytes);
-    size_t size = sizeof(save_head) + world_bytes + bytes, total = size + path_length + 2;
-    char *image = total > bytes ? td_memory_get(&w->memory, total) : NULL;
-    if (!image) {
+    /* The snapshot, the name of the draft, and the file. */
+    size_t packed = td_packed_max(world_bytes), name = path_length + 2;
+    size_t total = world_bytes + name + sizeof(save_head) + packed + bytes;
+    char *snapshot = total > bytes ? td_memory_get(&w->memory, total) : NULL;
+    if (!snapshot) {
         return td_refuse(w, THUD_ERROR_MEMORY, "save: out of memory");
     }
-    char *world = image + sizeof(save_head), *own_copy = world + world_bytes, *draft = image + size;
-    thud_world_snapshot(w, world, world_bytes, NULL);
+    char *draft = snapshot + world_bytes, *image = draft + name, *world = image + sizeof(save_head);
+    thud_world_snapshot(w, snapshot, world_bytes, NULL);
+    thud_world_pack(w, (thud_bytes){NULL, 0}, (thud_bytes){snapshot, world_bytes}, world, packed,
+                    &packed);
+    char *own_copy = world + packed;
+    size_t size = sizeof(save_head) + packed + bytes;
     if (bytes > 0) {
         memcpy(own_copy, own, bytes);
     }
-    save_head head = {.world_bytes = world_bytes, .own_bytes = bytes};
+    save_head head = {.world_bytes = packed, .own_bytes = bytes};
     memcpy(head.magic, MAGIC, sizeof MAGIC);
     head.checksum = td_snapshot_checksum(own_copy, bytes);
     memcpy(image, &head, sizeof head);
@@ -75,7 +84,7 @@ thud_result thud_world_save(thud_world *w, const char *path, const void *own, si
     if (!saved) {
         remove(draft);
     }
-    td_memory_put(&w->memory, image, total);
+    td_memory_put(&w->memory, snapshot, total);
     return saved ? THUD_OK : td_refuse(w, THUD_ERROR_INVALID, "save: the file cannot be written");
 }
 
@@ -111,6 +120,29 @@ static const char *header_error(FILE *file, size_t bytes, save_head *head, size_
     return NULL;
 }
 
+/* Restores the world from a snapshot, which may be packed. */
+static thud_result restore(thud_world *w, const char *from, size_t bytes) {
+    thud_bytes none = {NULL, 0}, packed = {from, bytes};
+    size_t size;
+    if (!td_is_packed(from, bytes)) {
+        return thud_world_restore(w, from, bytes);
+    }
+    thud_result result = thud_world_unpack(w, none, packed, NULL, 0, &size);
+    if (result != THUD_OK) {
+        return result;
+    }
+    char *snapshot = td_memory_get(&w->memory, size);
+    if (!snapshot) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "load: out of memory");
+    }
+    result = thud_world_unpack(w, none, packed, snapshot, size, &size);
+    if (result == THUD_OK) {
+        result = thud_world_restore(w, snapshot, size);
+    }
+    td_memory_put(&w->memory, snapshot, size);
+    return result;
+}
+
 /* Loads the world and the caller's bytes from an open file. */
 static thud_result load(thud_world *w, FILE *file, void *own, size_t bytes) {
     save_head head;
@@ -129,7 +161,7 @@ static thud_result load(thud_world *w, FILE *file, void *own, size_t bytes) {
         td_snapshot_checksum(own_copy, bytes) != head.checksum) {
         result = td_refuse(w, THUD_ERROR_INVALID, "load: the file cannot be read, or is damaged");
     } else {
-        result = thud_world_restore(w, image, (size_t)head.world_bytes);
+        result = restore(w, image, (size_t)head.world_bytes);
     }
     if (result == THUD_OK && bytes > 0) {
         memcpy(own, own_copy, bytes);

@@ -149,6 +149,42 @@ static void every_damage_is_refused(void **state) {
     thud_world_destroy(world);
 }
 
+/* A file whose snapshot is not packed, as thud wrote them before, is loaded; a packed one takes a
+ * fraction of its bytes, and needs memory for the snapshot when it is loaded. */
+static void files_are_small_and_those_of_before_are_loaded(void **state) {
+    (void)state;
+    score own, back = {0};
+    long bytes;
+    thud_world *world = make_heap(&own);
+    OK(thud_world_save(world, PATH, &own, sizeof own));
+    char *small = read_all(&bytes);
+    saved snapshot = save(world);
+    assert_true((size_t)bytes * 2 < snapshot.size);
+    uint64_t before = digest_of(world);
+    run(world, 5);
+    memory_allowed = 1;
+    assert_int_equal(thud_world_load(world, PATH, &back, sizeof back), THUD_ERROR_MEMORY);
+    memory_allowed = -1;
+    assert_true(back.lives == 0 && digest_of(world) != before);
+    enum { HEAD = 32, WORLD_BYTES_AT = 8 };
+    size_t size = HEAD + snapshot.size + sizeof own;
+    uint64_t world_bytes = snapshot.size;
+    char *whole = malloc(size);
+    memcpy(whole, small, HEAD);
+    memcpy(whole + WORLD_BYTES_AT, &world_bytes, sizeof world_bytes);
+    memcpy(whole + HEAD, snapshot.bytes, snapshot.size);
+    memcpy(whole + HEAD + snapshot.size, &own, sizeof own);
+    write_all(whole, (long)size);
+    OK(thud_world_load(world, PATH, &back, sizeof back));
+    assert_true(back.lives == own.lives && digest_of(world) == before);
+    remove(PATH);
+    free(small);
+    free(snapshot.bytes);
+    free(whole);
+    thud_world_destroy(world);
+    assert_int_equal(memory_held, 0);
+}
+
 /* A save that fails for a wrong path or for memory leaves the old file, and the world,
  * unchanged. */
 static void failed_save_leaves_the_file_as_it_was(void **state) {
@@ -197,6 +233,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(loaded_world_goes_on_to_the_same_bits),
         cmocka_unit_test(every_damage_is_refused),
+        cmocka_unit_test(files_are_small_and_those_of_before_are_loaded),
         cmocka_unit_test(failed_save_leaves_the_file_as_it_was),
         cmocka_unit_test(null_is_refused),
     };

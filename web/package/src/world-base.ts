@@ -16,7 +16,7 @@ import {
 } from "./generated/slots.js";
 import { fill, flagOf, numbersOf, qualityNumbers, rowsOf, shapeAt, xOf } from "./numbers.js";
 import { generationOf, index1Of, type Kind } from "./plain/handles.js";
-import { restoreSnapshot, takeSnapshot } from "./snapshot.js";
+import { repack, restoreSnapshot, takeSnapshot } from "./snapshot.js";
 import type { BodyRef, JointRef, Quality, QualityOptions, ShapeId, ShapeRef, StepCalls, Vec2, WorldOptions } from "./types.js";
 
 type AnyRef = BodyRef | ShapeRef | JointRef;
@@ -128,6 +128,27 @@ export class WorldBase {
     restoreSnapshot(this.engine, this.address, snapshot);
     this.shapesRevision++;
     this.terrainsRevision++;
+  }
+
+  /**
+   * Makes a snapshot small, to be sent or kept: alone, or against an earlier snapshot of the same
+   * world, the base, as a delta. `unpack` gives the same bytes again. The world may be any.
+   * @throws {ThudError} "invalid" for bytes that are no whole snapshot of this build; "locked"
+   * inside a callback; "memory".
+   * @example const small = world.pack(world.snapshot());
+   */
+  pack(snapshot: Uint8Array, base?: Uint8Array): Uint8Array<ArrayBuffer> {
+    return repack(this.engine, this.address, "api_world_pack", snapshot, base);
+  }
+
+  /**
+   * The snapshot that was packed. `base` is the one that it was packed against.
+   * @throws {ThudError} "invalid" for bytes that are damaged or of another version, and for another
+   * base than that with which they were packed; "locked" inside a callback; "memory".
+   * @example const snapshot = world.unpack(world.pack(world.snapshot()));
+   */
+  unpack(packed: Uint8Array, base?: Uint8Array): Uint8Array<ArrayBuffer> {
+    return repack(this.engine, this.address, "api_world_unpack", packed, base);
   }
 
   /**

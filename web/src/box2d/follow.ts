@@ -104,6 +104,8 @@ const HARMLESS = new Set<Method>([
   "step",
   "close",
   "snapshot",
+  "pack",
+  "unpack",
   "hash",
   "whatIf",
   "setQuality",
