@@ -68,11 +68,11 @@ class Source:
         self.text = OWN_INCLUDE.sub("", text)
         self.macros = [DEFINE.match(part)[1] for kind, part in tokens_of(self.text)
                        if kind == "directive" and DEFINE.match(part)]
-        self.chunks = chunks_of(tokens_of(self.text), macros | set(self.macros))
+        self.chunks = chunks_of(tokens_of(self.text), macros)
         self.bodies = {}  # of macros: each definition's name with parameters, and its text
         self.declared = {}  # name: whether it is of a function or variable
         for chunk in self.chunks:
-            self.declared.update(declared_by(chunk, macros | set(self.macros)))
+            self.declared.update(declared_by(chunk, macros))
             define = DEFINE.match(directive_of(chunk))
             if define:
                 self.bodies.setdefault(define[1], []).append(
@@ -151,7 +151,8 @@ def chunks_of(tokens, macros):
 
 def declared_by(chunk, macros):
     """Names of file scope that a chunk declares: True for private functions and variables, False for
-    types, tags and enumerators."""
+    types, tags and enumerators. `macros`: those with parameters, and whether they make names
+    that end in their first argument."""
     tokens = solid(chunk)
     if not tokens:
         return {}
@@ -176,7 +177,7 @@ def declared_by(chunk, macros):
                             names[word] = False
                         first = depth == 1 and word in "{,"
     if texts[0] in macros and len(texts) > 2 and texts[1] == "(":
-        if tokens[2][0] == "name" and texts[3] in (",", ")") and not texts[2].startswith(("td_", "TD_")):
+        if not macros[texts[0]] and tokens[2][0] == "name" and texts[3] in (",", ")") and not texts[2].startswith(("td_", "TD_")):
             names[texts[2]] = True
         return names
     if texts[0] not in ("static", "typedef", "TD_INLINE", "TD_INLINE_SMALL", "_Thread_local"):
@@ -327,9 +328,11 @@ class Engine:
         block = re.search(r"set\(THUD_SOURCES\n(.*?)\)", listing, re.DOTALL)[1]
         paths = re.findall(r"^\s*(src/\S+?\.[ch])\b", block, re.MULTILINE)
         texts = {path: (root / "engine" / path).read_text(encoding="utf-8") for path in paths}
-        # A macro that is called at file scope is one with parameters.
-        macros = {match[1] for text in texts.values() for match in
-                  re.finditer(r"^[ \t]*#[ \t]*define[ \t]+([A-Z]\w*)\(", text, re.MULTILINE)}
+        # Macros with parameters, and whether they make names that end in their first argument.
+        macros = {match[1]: bool(re.search(r"##" + match[2].split(",")[0].split(")")[0].strip() + r"\b",
+                                           match[2])) for text in texts.values() for match in
+                  re.finditer(r"^[ \t]*#[ \t]*define[ \t]+([A-Z]\w*)\(((?:\\\n|[^\n])*)", text,
+                              re.MULTILINE)}
         self.sources = [Source(pathlib.PurePath(path), text, macros) for path, text in texts.items()]
         self.headers = [source for source in self.sources if source.path.suffix == ".h"]
         self.files = [source for source in self.sources if source.path.suffix == ".c"]
@@ -357,7 +360,7 @@ class Engine:
             if tokens and tokens[0][1] in self.open_macros:
                 body = self.open_macros[tokens[0][1]][0][1].replace("\\\n", " ").strip()
                 if body.startswith("static") and "=" in body and "##" not in body:
-                    source.declared.update(declared_by(tokens_of(body + ";"), set()))
+                    source.declared.update(declared_by(tokens_of(body + ";"), {}))
 
     def own_macros(self, source, names, suffix, text):
         """Macros of headers in which names stand that a file renames: what the file's own copies of
@@ -436,6 +439,11 @@ class Engine:
         licence = "\n".join(f" * {line}".rstrip() for line in licence.split("\n"))
         return f"/* {name}: thud {version}{text}\n *\n{licence}\n */\n"
 
+    def system_headers(self):
+        """The includes of all files of the C library's headers."""
+        names = {match[1] for source in self.files for match in SYSTEM_INCLUDE.finditer(source.text)}
+        return "".join(f"#include <{name}>\n" for name in sorted(names))
+
     def section(self, source):
         """A file in the first copy, its macros ended behind it."""
         names = self.own_names.get(source, {})
@@ -491,7 +499,7 @@ class Engine:
         define = DEFINE.match(directive)
         if define:
             return {define[1]}
-        return {name for name, private in declared_by(chunk, set()).items() if private}
+        return {name for name, private in declared_by(chunk, {}).items() if private}
 
     def again_for_avx2(self):
         """Part 4."""
@@ -539,7 +547,7 @@ class Engine:
         """thud.c"""
         narrow = [source for source in self.sources if not source.is_wide]
         wide = [source for source in self.sources if source.is_wide]
-        return "\n".join([self.head("thud.c", CODE_HEAD), BEFORE]
+        return "\n".join([self.head("thud.c", CODE_HEAD), BEFORE.replace("SYSTEM\n", self.system_headers())]
                          + [self.section(source) for source in narrow]
                          + [self.section(source) for source in wide]
                          + [AVX2_BEGINS, self.again_for_avx2(), AVX2_ENDS])
@@ -574,6 +582,8 @@ BEFORE = """#include "thud.h"
 #pragma GCC diagnostic ignored "-Wpedantic"
 #pragma GCC optimize("fp-contract=off", "no-math-errno")
 #endif
+
+SYSTEM
 
 /* A shared library shows what has THUD_API, and calls the rest directly. */
 #if defined(__ELF__)
