@@ -597,7 +597,6 @@ AVX2_BEGINS = """/* ======== the kernels again, for AVX2 ========
  *
  * Their comments stand above. Nothing may follow this part, which defines macros of headers anew. */
 
-#include "thud.h"
 #if defined(TD_HAS_AVX2)
 #include <immintrin.h>
 
@@ -609,7 +608,7 @@ AVX2_BEGINS = """/* ======== the kernels again, for AVX2 ========
 #pragma GCC push_options
 #pragma GCC target("avx2")
 #endif
-""".replace('#include "thud.h"\n', "")
+"""
 
 AVX2_ENDS = """#if defined(__clang__)
 #pragma clang attribute pop
