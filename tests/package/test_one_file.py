@@ -1,0 +1,73 @@
+"""Tests the engine in one file: it is made to the same bytes twice, compiled without a warning by one
+call beside the program of README.md, and gives the bits of the library, golden hashes included.
+
+usage: test_one_file.py SOURCE CC TEST..., where a TEST is a program's name, its object file and what is
+linked to it besides thud, between commas"""
+
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SOURCE, CC = Path(sys.argv[1]), sys.argv[2]
+TESTS = [words.split(",") for words in sys.argv[3:]]
+# The objects of the one call are kept, and the tests linked to thud's. What clang says of the files in
+# between, which it reads with all warnings, is not about the sources.
+FLAGS = ["-std=c17", "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-save-temps=obj"]
+
+
+def run(*words, **more):
+    done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, text=True,
+                          stderr=subprocess.STDOUT, check=False, **more)
+    if done.returncode != 0:
+        raise AssertionError(f"{' '.join(map(str, words))}\n{done.stdout}")
+    return done.stdout
+
+
+def make(folder):
+    run(sys.executable, "-B", SOURCE / "tools/amalgamate.py", folder)
+
+
+class OneFileTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.held = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.held.name)
+        make(cls.folder)
+        program = (SOURCE / "examples/embed.c").read_text(encoding="utf-8")
+        (cls.folder / "ball.c").write_text(program.replace("<thud/thud_all.h>", '"thud.h"'),
+                                           encoding="utf-8")
+        flags = FLAGS + ["-Wno-gnu-line-marker"] * ("clang" in run(CC, "--version"))
+        run(CC, *flags, "ball.c", "thud.c", "-lm", "-o", "ball", cwd=cls.folder)
+        cls.engine = next(path for path in cls.folder.glob("*thud*.o"))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.held.cleanup()
+
+    def test_files_are_the_same_to_the_byte(self):
+        again = self.folder / "again"
+        make(again)
+        for name in ("thud.h", "thud.c"):
+            self.assertEqual((again / name).read_bytes(), (self.folder / name).read_bytes(), name)
+        shutil.rmtree(again)
+
+    def test_program_of_the_readme_runs(self):
+        self.assertEqual(run(self.folder / "ball"), "the ball rests at y = 0.50\n")
+
+    def test_document_has_the_call(self):
+        self.assertIn("\ncc -O2 ball.c thud.c -lm\n",
+                      (SOURCE / "docs/embedding.md").read_text(encoding="utf-8"))
+
+    def test_bits_are_those_of_the_library(self):
+        self.assertTrue(TESTS)
+        for name, *objects in TESTS:
+            program = self.folder / name
+            run(CC, "-o", program, *objects[:-1], self.engine, objects[-1], "-lm")
+            self.assertIn("PASSED", run(program, cwd=SOURCE))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
