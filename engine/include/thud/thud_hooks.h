@@ -32,8 +32,8 @@ THUD_API void thud_log_to_stderr(thud_result result, const char *message, void *
 /* The time in seconds since any start; it must not go backwards. */
 typedef double thud_clock_fn(void *context);
 
-/* ---- threads: the engine starts none, and uses the caller's job system or thread pool. The number
- * of workers does not change any result ---- */
+/* ---- threads: a world starts none, and uses the caller's job system, or the pool of
+ * thud_threads.h. The number of workers does not change any result ---- */
 
 /* A task of the engine. */
 typedef void thud_task_fn(void *argument);

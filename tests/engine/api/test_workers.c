@@ -3,7 +3,7 @@
 #include "engine_support.h"
 
 #include "build_thud.h"
-#include "pool.h"
+#include "some_threads.h"
 #include "scenes.h"
 #include "share.h"
 
@@ -43,11 +43,11 @@ static void any_number_of_workers_gives_the_same_bits(void **state) {
             hash_after(SCENES[i].name, SCENES[i].size, SCENES[i].steps, (thud_job_system){0});
         /* A share of the cases begins with the most workers. */
         for (int workers = 5; workers >= 2; workers -= TEST_SHARE) {
-            pool *p = pool_create(workers);
+            thud_threads *p = some_threads(workers);
             assert_non_null(p);
             uint64_t shared =
-                hash_after(SCENES[i].name, SCENES[i].size, SCENES[i].steps, pool_job_system(p));
-            pool_destroy(p);
+                hash_after(SCENES[i].name, SCENES[i].size, SCENES[i].steps, thud_job_system_of(p));
+            thud_threads_destroy(p);
             if (shared != alone) {
                 fail_msg("%s differs with %d workers", SCENES[i].name, workers);
             }
