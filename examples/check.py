@@ -17,6 +17,8 @@ SAYS = {
     "place 2: car 2 after 32.55 s\n"
     "place 3: car 1 after 33.32 s\n"
     "hash 27276733f07fb3ad\n",
+    "jobs_jthread": "2 to 4 workers of std::jthread: the same bits as one\n",
+    "jobs_openmp": "2 to 4 workers of OpenMP: the same bits as one\n",
     "platformer": "8 of 8 coins in 14.25 s; the crate is at 4.60\n"
     "hash aacf65774d76a258\n",
     "pool": "6 to 9 balls in 37 shots, 0 and 1 fouls\n"
