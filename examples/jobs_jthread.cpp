@@ -26,7 +26,7 @@ class pool {
     }
 
     thud_job_system job_system() {
-        return {run, this, workers};
+        return {run, this, workers, &thud_shared_stages_all};
     }
 
   private:

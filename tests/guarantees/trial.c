@@ -75,12 +75,12 @@ long trial_shared_runs(void) {
 thud_job_system trial_jobs(int workers) {
     static thud_threads *threads;
     if (workers < 2) {
-        return (thud_job_system){NULL, NULL, 1};
+        return (thud_job_system){.workers = 1};
     }
     if (!threads) {
         threads = some_threads(2);
     }
-    return (thud_job_system){run_shared, threads, 2};
+    return (thud_job_system){run_shared, threads, 2, &thud_shared_stages_all};
 }
 
 thud_world_def trial_def(trial *t) {

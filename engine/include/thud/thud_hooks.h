@@ -41,14 +41,22 @@ typedef void thud_task_fn(void *argument);
 /* Must call task(argument) `workers` times, each on a thread of its own if possible, one of them
  * the calling thread, and return when all calls have returned. The calls divide the work among
  * themselves and never wait for a call that has not begun: with fewer threads a step is slower, but
- * the same. It is called once or twice a step, from inside thud_world_step, and once by each call
- * for many casts (thud_casts.h), and never while an earlier call is under way. */
+ * the same. It is called at most three times a step, from inside thud_world_step, and once by each
+ * call for many casts (thud_casts.h), and never while an earlier call is under way. */
 typedef void thud_parallel_fn(thud_task_fn *task, void *argument, int workers, void *context);
+
+/* The stages of a step that workers share beside those that they always share, which are manifolds
+ * and the solver. A program that does not name thud_shared_stages_all does not link what shares the
+ * other stages: it is for programs of which each kilobyte counts. */
+typedef struct thud_shared_stages thud_shared_stages;
+/* The end of the step, too: poses, bounds and energies of all bodies. */
+extern THUD_API const thud_shared_stages thud_shared_stages_all;
 
 typedef struct thud_job_system {
     thud_parallel_fn *run; /* null (the default): the calling thread alone */
     void *context;         /* handed to run */
     int workers; /* 0 .. THUD_WORKERS_MAX; default 0, which means 1; more than 1 needs run */
+    const thud_shared_stages *stages; /* null (the default): manifolds and the solver alone */
 } thud_job_system;
 
 #ifdef __cplusplus

@@ -302,6 +302,6 @@ thud_result thud_threads_get_job_system(thud_threads *threads, thud_job_system *
     if (!threads || !out) {
         return THUD_ERROR_NULL;
     }
-    *out = (thud_job_system){run_on_threads, threads, threads->workers};
+    *out = (thud_job_system){run_on_threads, threads, threads->workers, &thud_shared_stages_all};
     return THUD_OK;
 }

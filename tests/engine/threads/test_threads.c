@@ -43,7 +43,7 @@ static void absurd_pools_are_refused(void **state) {
     assert_int_equal(thud_threads_create(2, &half, &threads), THUD_ERROR_INVALID);
     assert_int_equal(thud_threads_create(2, NULL, NULL), THUD_ERROR_NULL);
     assert_ptr_equal(threads, none);
-    thud_job_system jobs = {NULL, &half, 7};
+    thud_job_system jobs = {.context = &half, .workers = 7};
     assert_int_equal(thud_threads_get_job_system(NULL, &jobs), THUD_ERROR_NULL);
     assert_int_equal(jobs.workers, 7);
     assert_int_equal(thud_job_system_of(NULL).workers, 0);
