@@ -222,9 +222,10 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w, td_finalize_part *part) {
     td_energy_sums *sums = part->sums;
     float linear = w->def.maximum_speed * w->length_scale,
           max_speed[3] = {linear, linear, THUD_ANGULAR_SPEED_MAX};
-    for (td_awake_slot first = {part->first}; first.at < part->end; first.at += TD_LANES) {
+    int end = part->end;
+    for (td_awake_slot first = {part->first}; first.at < end; first.at += TD_LANES) {
         int at = first.at;
-        i8 slot = i8_all(at) + lane, here = (slot > i8_all(0)) & (slot < i8_all(part->end));
+        i8 slot = i8_all(at) + lane, here = (slot > i8_all(0)) & (slot < i8_all(end));
         td_rows v;
         unsigned fast_rows;
         do {
