@@ -85,9 +85,9 @@ static void finalize_bodies(thud_world *w) {
     w->awake_shapes.valid &= !all.has_moved;
     w->idle_bodies = all.idle;
     w->drowsy_bodies = all.drowsy;
-    w->kinetic = td_total_of(sums.kinetic);
+    w->kinetic = td_total_of(&sums.kinetic);
     w->kinetic_stale = false;
-    w->errors.energy_change += w->kinetic - td_total_of(sums.gained);
+    w->errors.energy_change += w->kinetic - td_total_of(&sums.gained);
 }
 
 void td_finalize(thud_world *w) {

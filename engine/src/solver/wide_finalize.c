@@ -275,5 +275,5 @@ double TD_WIDE(td_kinetic_energy)(const thud_world *w) {
         i8 slot = i8_all(first) + lane, here = (slot > i8_all(0)) & (slot < i8_all(count));
         kinetic += d4_folded(f8_keep(here, td_kinetic_of(&v, mass + first, inertia + first)));
     }
-    return td_total_of(kinetic);
+    return td_total_of(&kinetic);
 }
