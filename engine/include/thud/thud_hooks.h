@@ -45,18 +45,18 @@ typedef void thud_task_fn(void *argument);
  * call for many casts (thud_casts.h), and never while an earlier call is under way. */
 typedef void thud_parallel_fn(thud_task_fn *task, void *argument, int workers, void *context);
 
-/* The stages of a step that workers share beside those that they always share, which are manifolds
- * and the solver. A program that does not name thud_shared_stages_all does not link what shares the
- * other stages: it is for programs of which each kilobyte counts. */
+/* Which stages of a step workers share, beside contact manifolds and the solver, which they always
+ * share. A program links the code that shares a stage only where it names a choice that has it. */
 typedef struct thud_shared_stages thud_shared_stages;
-/* The end of the step, too: poses, bounds and energies of all bodies. */
+/* Every stage that can be shared: the end of the step, which moves bodies and bounds and adds up
+ * energies. Results are the same, bit for bit, as without it. */
 extern THUD_API const thud_shared_stages thud_shared_stages_all;
 
 typedef struct thud_job_system {
     thud_parallel_fn *run; /* null (the default): the calling thread alone */
     void *context;         /* handed to run */
     int workers; /* 0 .. THUD_WORKERS_MAX; default 0, which means 1; more than 1 needs run */
-    const thud_shared_stages *stages; /* null (the default): manifolds and the solver alone */
+    const thud_shared_stages *stages; /* null (the default): manifolds and solver alone */
 } thud_job_system;
 
 #ifdef __cplusplus
