@@ -22,8 +22,8 @@ SAYS = {
     "on_threads": "hash e8e04256a532296e\n",
     "platformer": "8 of 8 coins in 14.25 s; the crate is at 4.60\n"
     "hash aacf65774d76a258\n",
-    "pool": "6 to 9 balls in 37 shots, 0 and 1 fouls\n"
-    "hash b89e26239d1a3998\n",
+    "pool": "10 to 5 balls in 42 shots, 0 and 1 fouls\n"
+    "hash 4863f475cf0f7f35\n",
     "rollback": "1 to 3 rounds in 847 steps\n"
     "363 steps played again\n"
     "388 steps played again\n"

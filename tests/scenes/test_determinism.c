@@ -15,10 +15,22 @@ static const char *const SCENES[] = {"tall_stack", "circle_pit", "mixed_terrain"
                                      "boats",      "flags",      "explosion",     "planks",
                                      "crates",     "meetings"};
 
+/* Makes shapes that are not used, and destroys them: where the world has had more shapes than
+ * TD_FETCH_SHAPES_MIN, it prefetches its records. */
+static void make_and_destroy_shapes(thud_world *world, int count) {
+    thud_shape_def solid = thud_default_shape_def();
+    thud_body_id body = add_body(world, THUD_BODY_STATIC, 0, -5000, 0);
+    for (int i = 0; i < count; i++) {
+        OK(thud_shape_create_circle(world, body, &solid, (thud_vec2){0, 0}, 0.1f, NULL));
+    }
+    OK(thud_body_destroy(world, body));
+}
+
 /* Hash of the velocities and angles of all bodies after 80 steps, also of bodies created meanwhile.
- * Positions are left out, as a shift changes them. `most` limits the scene's size. */
+ * Positions are left out, as a shift changes them. `most` limits the scene's size; `spare`: so many
+ * shapes were made and destroyed before the first step. */
 static uint64_t motion_of(const char *name, int most, const thud_world_def *def, double shift_x,
-                          double shift_y) {
+                          double shift_y, int spare) {
     const scene_info *info = scenes_find(name);
     scene s;
     assert_non_null(info);
@@ -28,6 +40,7 @@ static uint64_t motion_of(const char *name, int most, const thud_world_def *def,
     thud_world *world;
     thud_body_id *ids = malloc((size_t)s.body_count * sizeof *ids);
     OK(scene_build_thud(&s, def, &world, ids, NULL));
+    make_and_destroy_shapes(world, spare);
     for (int i = 0; i < 80; i++)
         OK(scene_step_thud(&s.fields, world));
     uint64_t hash = 0xcbf29ce484222325u;
@@ -54,13 +67,24 @@ static uint64_t motion_of(const char *name, int most, const thud_world_def *def,
 static uint64_t motion_after(const char *name, bool baseline, double shift_x, double shift_y) {
     thud_world_def def = thud_default_world_def();
     thud_world_def_set_baseline_simd(&def, baseline);
-    return motion_of(name, 600, &def, shift_x, shift_y);
+    return motion_of(name, 600, &def, shift_x, shift_y, 0);
 }
 
 static void baseline_and_widest_kernels_give_the_same_bits(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof SCENES / sizeof *SCENES; i++) {
         if (motion_after(SCENES[i], false, 0, 0) != motion_after(SCENES[i], true, 0, 0)) {
+            fail_msg("%s differs", SCENES[i]);
+        }
+    }
+}
+
+static void prefetching_changes_no_bit(void **state) {
+    (void)state;
+    thud_world_def def = thud_default_world_def();
+    for (size_t i = 0; i < sizeof SCENES / sizeof *SCENES; i++) {
+        if (motion_of(SCENES[i], 600, &def, 0, 0, 0) !=
+            motion_of(SCENES[i], 600, &def, 0, 0, 20001)) {
             fail_msg("%s differs", SCENES[i]);
         }
     }
@@ -91,7 +115,7 @@ static void every_broadphase_gives_the_same_bits(void **state) {
             thud_world_def def = thud_default_world_def();
             def.broadphase = others[k / 2];
             thud_world_def_set_baseline_simd(&def, k % 2);
-            if (motion_of(SCENES[i], 600, &def, 0, 0) != by_grid) {
+            if (motion_of(SCENES[i], 600, &def, 0, 0, 0) != by_grid) {
                 fail_msg("%s differs with %s", SCENES[i], thud_broadphase_name(def.broadphase));
             }
         }
@@ -105,12 +129,12 @@ static void bisected_and_swept_scenes_have_the_same_bits_everywhere(void **state
     for (size_t i = 0; i < 2 * sizeof scenes / sizeof *scenes; i++) {
         thud_world_def def = thud_default_world_def();
         def.detection = kinds[i % 2];
-        uint64_t wanted = motion_of(scenes[i / 2], 150, &def, 0, 0);
+        uint64_t wanted = motion_of(scenes[i / 2], 150, &def, 0, 0, 0);
         thud_world_def other = def;
         thud_world_def_set_baseline_simd(&other, true);
         other.broadphase = &thud_broadphase_all;
-        if (motion_of(scenes[i / 2], 150, &other, 0, 0) != wanted ||
-            motion_of(scenes[i / 2], 150, &def, 1e7, -1e7) != wanted) {
+        if (motion_of(scenes[i / 2], 150, &other, 0, 0, 0) != wanted ||
+            motion_of(scenes[i / 2], 150, &def, 1e7, -1e7, 0) != wanted) {
             fail_msg("%s differs, %s", scenes[i / 2], thud_detection_name(def.detection));
         }
     }
@@ -121,6 +145,7 @@ int main(void) {
         cmocka_unit_test(baseline_and_widest_kernels_give_the_same_bits),
         cmocka_unit_test(every_broadphase_gives_the_same_bits),
         cmocka_unit_test(bisected_and_swept_scenes_have_the_same_bits_everywhere),
+        cmocka_unit_test(prefetching_changes_no_bit),
         cmocka_unit_test(shift_by_whole_units_changes_no_bit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

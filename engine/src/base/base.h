@@ -63,6 +63,14 @@
  * 51). With 0.004 it moves by 84 mm; with 0.002 the load presses its base together, and it moves by
  * 101 mm. */
 #define TD_SKIN 0.003f
+/* Whether the machine can fetch memory into its cache ahead of use. WebAssembly cannot: what only
+ * serves this is left out there. */
+#ifdef __wasm__
+enum { TD_HAS_PREFETCH = 0 };
+#else
+enum { TD_HAS_PREFETCH = 1 };
+#endif
+
 /* Distance, L, at which two shapes that close count as having met: the time of impact is when they
  * are this near, unless they are nearer at the start. Chosen. */
 #define TD_IMPACT_DISTANCE 0.001f

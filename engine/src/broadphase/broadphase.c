@@ -172,11 +172,17 @@ static int64_t crowd_threshold(const thud_world *w) {
  * promises (n / 64 steps in a crowd of n); both chosen. */
 enum { CROWD_TESTS_A_SHAPE = 128, CROWD_CONTACTS_A_SHAPE = 32 };
 
+/* Hits that wait while what their test reads is prefetched. Chosen. */
+enum { HELD_MAX = 64 };
+
 /* The search for pairs among awake shapes, as add_hits continues it. */
 typedef struct pair_search {
     thud_world *w;
     int64_t overlaps; /* overlapping pairs found so far */
     bool crowded;     /* pairs wait for their turn */
+    /* Hits whose bounds before are on their way to the cache: of `shapes` so many each. */
+    int held, shape_count;
+    int hits[HELD_MAX], shapes[HELD_MAX], counts[HELD_MAX];
 } pair_search;
 
 /* 2^k - 1 for the least 2^k with count <= 2^k max: a mask for turn_number. */
@@ -208,25 +214,66 @@ static bool keep_pairs_in_turn(thud_world *w, int shape, int first, unsigned ski
     return skip_mask != 0;
 }
 
+/* Prefetches what td_bounds_before reads of a shape. */
+static void fetch_bounds_before(const thud_world *w, int shape) {
+    __builtin_prefetch(td_marks_at(w, shape));
+    __builtin_prefetch(td_previous_fat_at(w, shape));
+    __builtin_prefetch(td_fat_at(w, shape));
+}
+
+/* Adds the new pairs of all hits that are held. False when memory is short. */
+static bool add_held(pair_search *s) {
+    int first = 0;
+    bool done = true;
+    for (int i = 0; i < s->shape_count && done; i++) {
+        done = add_new_pairs(s->w, s->shapes[i], s->hits + first, s->counts[i], 0);
+        first += s->counts[i];
+    }
+    s->held = s->shape_count = 0;
+    return done;
+}
+
+/* Holds the hits of a shape, or adds their pairs at once where they are too many. False when memory
+ * is short. */
+static bool hold_hits(pair_search *s, int shape, const int *hits, int count) {
+    if (!td_fetches(s->w)) {
+        return add_new_pairs(s->w, shape, hits, count, 0);
+    }
+    if (s->held + count > HELD_MAX && !add_held(s)) {
+        return false;
+    }
+    if (count > HELD_MAX) {
+        return add_new_pairs(s->w, shape, hits, count, 0);
+    }
+    fetch_bounds_before(s->w, shape);
+    for (int i = 0; i < count; i++) {
+        fetch_bounds_before(s->w, hits[i]);
+        s->hits[s->held++] = hits[i];
+    }
+    s->shapes[s->shape_count] = shape;
+    s->counts[s->shape_count++] = count;
+    return true;
+}
+
 /* The sweep's td_hits_fn: adds the new pairs of one shape. False, which ends the sweep, when memory
  * is short, and when the pairs make an uncrowded world crowded (the sweep is then done again). */
 static bool add_hits(void *context, int shape, const int *hits, int count) {
     pair_search *s = context;
     thud_world *w = s->w;
     int first = w->scratch.pairs.count;
-    unsigned skip_mask = s->crowded ? turn_mask(count, CROWD_TESTS_A_SHAPE) : 0;
-    if (!add_new_pairs(w, shape, hits, count, skip_mask)) {
-        return false;
-    }
     s->overlaps += count;
     if (s->crowded) {
+        unsigned skip_mask = turn_mask(count, CROWD_TESTS_A_SHAPE);
+        if (!add_new_pairs(w, shape, hits, count, skip_mask)) {
+            return false;
+        }
         if (keep_pairs_in_turn(w, shape, first, skip_mask)) {
             td_push_int(&w->scratch.crowded, shape);
         }
         return true;
     }
     s->crowded = s->overlaps > crowd_threshold(w);
-    return !s->crowded;
+    return !s->crowded && hold_hits(s, shape, hits, count);
 }
 
 /* Puts the shapes of a proxy set whose bounds overlap those of `shape` into scratch.found_shapes.
@@ -242,13 +289,14 @@ static bool query(thud_world *w, const td_proxy_set *set, int shape) {
  * short. */
 static bool sweep(pair_search *s) {
     thud_world *w = s->w;
-    s->overlaps = 0;
+    s->overlaps = s->held = s->shape_count = 0;
     const td_proxy_set *set = &w->awake_shapes;
     bool every = set->moved_count * 2 > set->ids.count;
     w->scratch.found_shapes.count = w->scratch.pairs.count = 0;
     return w->def.broadphase->sweep[w->wide](set, &w->memory, w->proxy.data, every,
                                              &w->scratch.found_shapes, add_hits, s,
-                                             &w->broadphase.tested);
+                                             &w->broadphase.tested) &&
+           (!td_fetches(w) || add_held(s));
 }
 
 /* Whether the world was crowded in the last step: requeue_crowded puts the shapes of a crowd at the

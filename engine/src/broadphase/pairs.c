@@ -16,21 +16,27 @@ bool td_pairs_add(thud_world *w, int a, int b, int child) {
     return true;
 }
 
-/* Shape and body records lie anywhere in memory, so the loop prefetches the shapes of the pair 16
- * ahead and the bodies of that 8 ahead. Distances chosen; not tuned. */
+/* Shape and body records lie anywhere in memory, so loops over pairs prefetch so many pairs ahead.
+ * Distances chosen. */
+enum { FETCH_SHAPES = 16, FETCH_BODIES = 8, FETCH_EDGES = 4 };
+
+static void fetch_ahead(const thud_world *w, const td_new_pair *pair, int count, int i) {
+    if (TD_HAS_PREFETCH && i + FETCH_SHAPES < count) {
+        __builtin_prefetch(td_shape_at(w, pair[i + FETCH_SHAPES].a));
+        __builtin_prefetch(td_shape_at(w, pair[i + FETCH_SHAPES].b));
+    }
+    if (TD_HAS_PREFETCH && i + FETCH_BODIES < count) {
+        __builtin_prefetch(td_body_at(w, td_shape_at(w, pair[i + FETCH_BODIES].a)->body), 1);
+        __builtin_prefetch(td_body_at(w, td_shape_at(w, pair[i + FETCH_BODIES].b)->body), 1);
+    }
+}
+
 void td_pairs_filter(thud_world *w, int first) {
     td_array *pairs = &w->scratch.pairs;
     td_new_pair *pair = pairs->data;
-    int kept_count = first;
+    int kept_count = first, fetched = td_fetches(w) ? pairs->count : 0;
     for (int i = first; i < pairs->count; i++) {
-        if (i + 16 < pairs->count) {
-            __builtin_prefetch(td_shape_at(w, pair[i + 16].a));
-            __builtin_prefetch(td_shape_at(w, pair[i + 16].b));
-        }
-        if (i + 8 < pairs->count) {
-            __builtin_prefetch(td_body_at(w, td_shape_at(w, pair[i + 8].a)->body), 1);
-            __builtin_prefetch(td_body_at(w, td_shape_at(w, pair[i + 8].b)->body), 1);
-        }
+        fetch_ahead(w, pair, fetched, i);
         if (td_pair_allowed(w, pair[i].a, pair[i].b) && td_pair_meets(w, pair[i].a, pair[i].b)) {
             pair[kept_count++] = pair[i];
         }
@@ -114,11 +120,25 @@ static bool may_have_contact(const thud_world *w, const td_new_pair *p) {
     return !(marks & TD_MARK_FRESH || (!line && td_bounds_tell_nothing(w, marks)));
 }
 
+/* Prefetches the heads of the lists of edges of both bodies of the pair FETCH_EDGES ahead, to
+ * which a new contact is linked. */
+static void fetch_lists_ahead(const thud_world *w, const td_new_pair *pair, int count, int i) {
+    for (int side = 0; TD_HAS_PREFETCH && i + FETCH_EDGES < count && side < 2; side++) {
+        const td_shape *shape =
+            td_shape_at(w, side ? pair[i + FETCH_EDGES].b : pair[i + FETCH_EDGES].a);
+        int head = td_body_at(w, shape->body)->first_constraint;
+        if (head != TD_NONE) {
+            __builtin_prefetch(td_constraint_at(w, td_edge_constraint(head)), 1);
+        }
+    }
+}
+
 bool td_pairs_create(thud_world *w) {
     td_array *pairs = &w->scratch.pairs;
-    int more[TD_CONSTRAINT_KINDS] = {0};
+    int more[TD_CONSTRAINT_KINDS] = {0}, fetched = td_fetches(w) ? pairs->count : 0;
     for (int i = 0; i < pairs->count; i++) {
         td_new_pair *pair = TD_AT(td_new_pair, pairs, i);
+        fetch_ahead(w, pairs->data, fetched, i);
         more[td_pair_of(w, &pair->a, &pair->b)]++;
         if ((td_shape_at(w, pair->a)->flags & TD_SHAPE_UNSEEN) &&
             !w->internal_edges->see(w, pair->a)) {
@@ -130,6 +150,7 @@ bool td_pairs_create(thud_world *w) {
     }
     for (int i = 0; i < pairs->count; i++) {
         td_new_pair *pair = TD_AT(td_new_pair, pairs, i);
+        fetch_lists_ahead(w, pairs->data, fetched, i);
         td_pair_kind kind = td_pair_of(w, &pair->a, &pair->b);
         if (!(may_have_contact(w, pair) && td_pair_has_contact(w, pair))) {
             td_contact_create(w, kind, pair->a, pair->b, pair->child);

@@ -55,6 +55,9 @@ bool TD_WIDE(td_grid_measure)(const td_shape_proxy *proxy, td_grid_measures *m) 
             }
             eight = last;
         }
+        if (TD_HAS_PREFETCH && i + FETCH_AHEAD + TD_LANES <= m->count) {
+            fetch_eight_proxies(proxy, ids + i + FETCH_AHEAD);
+        }
         i8 place[4], b[4];
         load_four_words(proxy, eight, offsetof(td_shape_proxy, center), place);
         load_four_words(proxy, eight, offsetof(td_shape_proxy, fat), b);

@@ -13,6 +13,9 @@ int TD_WIDE(td_proxy_set_fill)(td_proxy_set *set, const td_shape_proxy *proxy,
         ids[i] = ids[count - 1];
     }
     for (int i = 0; i < count; i += TD_LANES) {
+        if (TD_HAS_PREFETCH && i + FETCH_AHEAD < count) {
+            fetch_eight_proxies(proxy, ids + i + FETCH_AHEAD);
+        }
         i8 bounds[4];
         load_four_words(proxy, ids + i, offsetof(td_shape_proxy, fat), bounds);
         for (int k = 0; k < 4; k++) {

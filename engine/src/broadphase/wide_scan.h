@@ -22,6 +22,16 @@ TD_INLINE void load_four_words(const td_shape_proxy *proxy, const int32_t *ids, 
     out[0] = (i8)rows.x, out[1] = (i8)rows.y, out[2] = (i8)rows.z, out[3] = (i8)rows.w;
 }
 
+/* Prefetches eight proxies, the place of which in memory no hardware can foresee. */
+TD_INLINE void fetch_eight_proxies(const td_shape_proxy *proxy, const int32_t *ids) {
+    for (int i = 0; i < TD_LANES; i++) {
+        __builtin_prefetch(&proxy[ids[i]]);
+    }
+}
+
+/* The distance, in shapes, at which loops over all proxies prefetch. Chosen. */
+enum { FETCH_AHEAD = 6 * TD_LANES };
+
 /* A search in a proxy set: the bounds that are asked about, and the hits so far. */
 typedef struct scan {
     const td_proxy_set *set;

@@ -56,6 +56,10 @@ void td_constraint_wait(thud_world *w, int index) {
 static void leave_waiting(thud_world *w, const td_constraint *constraint) {
     td_array *waiting = &w->waiting[constraint->kind];
     int last = td_int_at(waiting, waiting->count - 1);
+    if (TD_HAS_PREFETCH &&
+        waiting->count > 8) { /* it will be the last after eight more have left; chosen */
+        __builtin_prefetch(td_constraint_at(w, td_int_at(waiting, waiting->count - 9)), 1);
+    }
     td_int_set(waiting, constraint->slot, last);
     td_constraint_at(w, last)->slot = constraint->slot;
     waiting->count--;

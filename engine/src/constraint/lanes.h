@@ -63,6 +63,19 @@ static inline td_lane td_lane_of(const thud_world *w, const td_constraint *const
                      constraint->slot % TD_LANES};
 }
 
+/* See td_constraints_fetch. */
+void td_constraints_fetch_ahead(const thud_world *w, const int *constraints, int count, int i);
+
+/* For a loop over a list of constraints, whose records lie anywhere in memory as those of their
+ * bodies and shapes do: at index i it prefetches what the loop will read of the constraints further
+ * on. Does nothing in a small world (td_fetches). */
+static inline void td_constraints_fetch(const thud_world *w, const int *constraints, int count,
+                                        int i) {
+    if (td_fetches(w)) {
+        td_constraints_fetch_ahead(w, constraints, count, i);
+    }
+}
+
 /* Gives each of the constraints a lane, by its graph colour. The contents of a constraint that has
  * a lane already (of a sleeping body) move along. False when memory is short, and nothing has
  * changed.

@@ -131,6 +131,7 @@ static void sift_widely(batch *b, const int *waiting, int count) {
     thud_world *w = b->w;
     td_sift_fn *sift = w->kinds[b->kind]->sift;
     td_collide_context context = context_of(w);
+    int fetched = td_fetches(w) ? count : 0;
     for (int first = 0; first < count; first += TD_LANES) {
         int32_t shape_a[TD_LANES], shape_b[TD_LANES];
         int used = td_min_int(count - first, TD_LANES);
@@ -138,9 +139,14 @@ static void sift_widely(batch *b, const int *waiting, int count) {
             const td_contact *contact = td_contact_at(w, waiting[first + td_min_int(i, used - 1)]);
             shape_a[i] = contact->shape_a;
             shape_b[i] = contact->shape_b;
-            /* Prefetch distance of three groups. Chosen. */
-            if (first + i + 3 * TD_LANES < count) {
-                __builtin_prefetch(td_contact_at(w, waiting[first + i + 3 * TD_LANES]));
+            /* The contacts are prefetched four groups ahead, and their proxies two. Chosen. */
+            if (first + i + 4 * TD_LANES < fetched) {
+                __builtin_prefetch(td_contact_at(w, waiting[first + i + 4 * TD_LANES]));
+            }
+            if (first + i + 2 * TD_LANES < fetched) {
+                contact = td_contact_at(w, waiting[first + i + 2 * TD_LANES]);
+                __builtin_prefetch(td_shape_proxy_at(w, contact->shape_a));
+                __builtin_prefetch(td_shape_proxy_at(w, contact->shape_b));
             }
         }
         td_sifted sifted = sift(shape_a, shape_b, &context);
@@ -206,6 +212,7 @@ static bool begin_contacts(thud_world *w) {
     int count = begins->count - first;
     list += first;
     for (int i = 0; i < count; i++) {
+        td_constraints_fetch(w, list, count, i);
         const td_contact *contact = td_contact_at(w, list[i]);
         td_body_index sleeper = contact->body[td_body_sleeps(w, contact->body[0]) ? 0 : 1];
         if (td_body_sleeps(w, sleeper) && !td_wake(w, sleeper)) {
@@ -224,6 +231,7 @@ static bool begin_contacts(thud_world *w) {
     bool placed = td_lanes_place(w, list, count);
     /* Without memory for lanes, the contacts wait again. */
     for (int i = 0; i < count; i++) {
+        td_constraints_fetch(w, list, count, i);
         (placed ? td_contact_begin : td_constraint_wait)(w, list[i]);
     }
     return placed;
@@ -293,6 +301,7 @@ static bool part_contacts(thud_world *w) {
     }
     for (int i = 0; i < ends->count; i++) {
         int contact = td_int_at(ends, i);
+        td_constraints_fetch(w, ends->data, ends->count, i);
         td_contact_part(w, contact);
         /* After a teleport the bounds may have parted as well. The broadphase has dropped such a
          * pair already. */
@@ -317,6 +326,7 @@ static bool part_waiting(thud_world *w) {
         }
     }
     for (int i = 0; i < w->scratch.ends.count; i++) {
+        td_constraints_fetch(w, w->scratch.ends.data, w->scratch.ends.count, i);
         td_contact_destroy(w, td_int_at(&w->scratch.ends, i));
     }
     return true;

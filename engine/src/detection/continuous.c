@@ -342,6 +342,12 @@ static bool reserve(thud_world *w) {
 static void run(thud_world *w) {
     bool anything = w->rest_shapes.ids.count > 0 || w->terrains.live > 0;
     for (int i = 0; i < w->scratch.fast.count && anything; i++) {
+        if (td_fetches(w) && i + 8 < w->scratch.fast.count) { /* chosen */
+            td_body_index ahead = td_body_of(w, td_slot_in(&w->scratch.fast, i + 8));
+            __builtin_prefetch(td_body_at(w, ahead));
+            __builtin_prefetch(&td_body_at(w, ahead)->detection);
+            __builtin_prefetch(td_pose_at(w, ahead));
+        }
         td_awake_slot slot = td_slot_in(&w->scratch.fast, i);
         const td_body *body = td_body_at(w, td_body_of(w, slot));
         if (body->detection->rank == TD_RANK_CONTINUOUS) {

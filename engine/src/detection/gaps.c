@@ -24,40 +24,62 @@ TD_DECLARE_WIDE(td_find_open_fn, td_find_open_points);
  * If any point falls short then, contacts are stacked deep, where a plain pass carries a
  * correction one contact further: over-relaxed ones follow (SOR with the factor OVER_RELAXATION,
  * which must be below 2), until no point falls short or PASSES_MAX are done, and at last
- * FINAL_PASSES plain ones, which take back what over-relaxation has moved too far. Measured in the
- * scene smash (size 300, 120 steps, swept) by the times of impact that remain: 37,300; with
- * PASSES_MAX 20 41,600, with 80 34,000; with the factor 1 65,000, with 1.5 48,500, with 1.9
- * 33,100. Half and twice PLAIN_PASSES and FINAL_PASSES change less than 4 %. */
-enum { PLAIN_PASSES = 2, PASSES_MAX = 40, FINAL_PASSES = 2 };
+ * FINAL_PASSES plain ones, which take back what over-relaxation has moved too far. The first
+ * FINE_PASSES go on while a single point falls short by more than SHORTFALL_TOLERANCE. The others
+ * are there to spare collisions, each of which costs as much as a pass over forty blocks; few of
+ * them are spared by one more pass, so that they go on only while there are more collisions than
+ * one for BLOCKS_PER_COLLISION blocks. Measured by the impacts a step in the scenes circle_pit
+ * (2,000, 200 steps), smash (300, 40 steps) and tumbler_half (500, 100 steps): 1,172, 116, 564.
+ * With one tolerance for all of at most 40 passes they were 1,716, 157, 588. With
+ * BLOCKS_PER_COLLISION 8 they are 1,044, 128, 501, but circle_pit took 1.8 times as long while it
+ * settled, and fell asleep 200 steps later. */
+enum {
+    PLAIN_PASSES = 2,
+    FINE_PASSES = 20,
+    PASSES_MAX = 160,
+    FINAL_PASSES = 2,
+    BLOCKS_PER_COLLISION = 2
+};
 #define OVER_RELAXATION 1.8f
 
 /* In multiples of TD_IMPACT_DISTANCE. td_gaps_project leaves no gap below TARGET_DISTANCE, or below
- * that of the start if that is smaller; it stops where no gap falls short of this by more than
- * SHORTFALL_TOLERANCE. A gap that is left below COLLISION_DISTANCE and is smaller than that of the
- * start by more than TD_LOAD_CLOSING_MAX is a collision, for time of impact tests. All chosen.
- * TARGET_DISTANCE is below 1, so that gaps that come from times of impact (1 TD_IMPACT_DISTANCE)
- * are not changed. At half of it, and at half and twice the other two, the times of impact in
- * smash, as above, change by less than 7 %. */
+ * that of the start if that is smaller, but for what bodies at rest may yield to their load. A gap
+ * that is left below COLLISION_DISTANCE and is smaller than that of the start by more than
+ * TD_LOAD_CLOSING_MAX is a collision, for time of impact tests. All chosen. TARGET_DISTANCE is
+ * below 1, so that gaps that come from times of impact (1 TD_IMPACT_DISTANCE) are not changed. */
 #define TARGET_DISTANCE 0.8f
 #define SHORTFALL_TOLERANCE 0.05f
 #define COLLISION_DISTANCE 0.05f
 
+/* In multiples of TD_IMPACT_DISTANCE: by how much a gap may close in a step between two bodies that
+ * both move less than TD_SLEEP_SPEED does in it. The projection has no friction: if it held such
+ * bodies, too, it would push them off each other along the normals, against the friction that
+ * carries them, and a heap would creep without end and never fall asleep (circle_pit with 2,000
+ * circles moved at 0.03 length scales a second after 300 steps, and at 0.007 after 1,200). What
+ * they carry is left to the soft solver, which has friction. Chosen below TD_LOAD_CLOSING_MAX,
+ * from where on it would be a collision. It is 0 in a world with joints: a joint may pull a body
+ * with any force, so that a body that yields a little in each step would be pulled deep into what
+ * it rests on (a ball that a rod reels into the floor: by 24 mm in place of 2). */
+#define YIELD_AT_REST 0.1f
+
 /* The inputs of the wide kernels, with lengths in the caller's unit. */
 static td_project_context context_of(const thud_world *w) {
     float impact_distance = TD_IMPACT_DISTANCE * w->length_scale;
-    return (td_project_context){.delta = w->delta.data,
-                                .velocity = w->velocity.data,
-                                .reach = w->reach.data,
-                                .over_relaxation = 1.0f,
-                                .skin = w->skin,
-                                .target_distance = TARGET_DISTANCE * impact_distance,
-                                .tolerance = SHORTFALL_TOLERANCE * impact_distance,
-                                .collision_distance = COLLISION_DISTANCE * impact_distance,
-                                .closing_max = (float)TD_LOAD_CLOSING_MAX * impact_distance,
-                                .margin = TD_SPECULATIVE * w->length_scale,
-                                .next_tied = w->scratch.next_tied.count > 0
-                                                 ? w->scratch.next_tied.data
-                                                 : NULL};
+    return (td_project_context){
+        .delta = w->delta.data,
+        .velocity = w->velocity.data,
+        .reach = w->reach.data,
+        .over_relaxation = 1.0f,
+        .skin = w->skin,
+        .target_distance = TARGET_DISTANCE * impact_distance,
+        .rest_motion = TD_SLEEP_SPEED * w->length_scale * (float)w->def.time_step,
+        .yield_at_rest = w->joints.live > 0 ? 0.0f : YIELD_AT_REST * impact_distance,
+        .enough = (TARGET_DISTANCE - SHORTFALL_TOLERANCE) * impact_distance,
+        .closing = SHORTFALL_TOLERANCE * impact_distance,
+        .collision_distance = COLLISION_DISTANCE * impact_distance,
+        .closing_max = (float)TD_LOAD_CLOSING_MAX * impact_distance,
+        .margin = TD_SPECULATIVE * w->length_scale,
+        .next_tied = w->scratch.next_tied.count > 0 ? w->scratch.next_tied.data : NULL};
 }
 
 /* The run at an index of scratch.runs if it is of contacts, or null if it is of joints. */
@@ -71,13 +93,13 @@ static td_block *const *blocks_of(const thud_world *w, const td_run *run) {
     return (td_block **)w->scratch.blocks.data + run->first;
 }
 
-/* One pass over all contacts; whether a point fell short by more than SHORTFALL_TOLERANCE. */
-static bool project_once(thud_world *w, const td_project_context *context) {
-    bool unfinished = false;
+/* One pass over all contacts; at how many points it was not enough, see td_project_context. */
+static int project_once(thud_world *w, const td_project_context *context) {
+    int unfinished = 0;
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = contact_run_at(w, i);
         if (run) {
-            unfinished |= TD_PICK_WIDE(w, td_project_points)(
+            unfinished += TD_PICK_WIDE(w, td_project_points)(
                 blocks_of(w, run), (td_pushes *)w->scratch.impacts.data + run->first, run->count,
                 td_form_points(w->kinds[run->kind]->form), run->a_static, context);
         }
@@ -104,11 +126,16 @@ static void clamp_motions(thud_world *w) {
 
 void td_gaps_project(thud_world *w) {
     td_project_context context = context_of(w);
-    int passes = 0;
+    int passes = 0, most = 0;
     memset(w->scratch.impacts.data, 0, (size_t)w->scratch.blocks.count * sizeof(td_pushes));
-    while (passes < PASSES_MAX && project_once(w, &context)) {
+    while (passes < PASSES_MAX && project_once(w, &context) > most) {
         passes++;
         context.over_relaxation = passes < PLAIN_PASSES ? 1.0f : OVER_RELAXATION;
+        if (passes == FINE_PASSES) {
+            context.enough = context.collision_distance;
+            context.closing = context.closing_max;
+            most = w->scratch.blocks.count / BLOCKS_PER_COLLISION;
+        }
     }
     context.over_relaxation = 1.0f;
     for (int i = 0; i < FINAL_PASSES && passes > PLAIN_PASSES; i++) {
@@ -133,18 +160,29 @@ void td_gaps_find_open(thud_world *w) {
     }
 }
 
-/* The speed of a body's outermost points by its spin, length/s. */
-static double rim_speed(const thud_world *w, td_awake_slot slot) {
-    return td_abs((double)td_row(&w->velocity, slot)[2]) * (double)td_row(&w->reach, slot)[1];
+/* What a body moves in a step by its velocity, or what it has yet to move in this one, which a
+ * projection or an impact may have made different; x, y (lengths), angle (radians). Slot 0 is a
+ * body at rest. */
+static double way_of(const thud_world *w, td_awake_slot slot, int k, bool by_velocity) {
+    if (by_velocity) {
+        return (double)td_row(&w->velocity, slot)[k] * w->def.time_step;
+    }
+    return slot.at > 0 ? td_trajectory_at(w, slot)->motion[k] : 0.0;
 }
 
 /* Whether two bodies that touch rest on each other: no point of the one moves against the other by
- * the impact distance in a step. Slot 0 is a body at rest. */
+ * the impact distance in a step, neither by their velocities nor by their motions in this step. */
 static bool rests(const thud_world *w, td_awake_slot a, td_awake_slot b) {
-    const float *v = td_row(&w->velocity, a), *u = td_row(&w->velocity, b);
-    double x = (double)(u[0] - v[0]), y = (double)(u[1] - v[1]);
-    double speed = __builtin_sqrt(x * x + y * y) + rim_speed(w, a) + rim_speed(w, b);
-    return speed * w->def.time_step < (double)(TD_IMPACT_DISTANCE * w->length_scale);
+    double most = (double)(TD_IMPACT_DISTANCE * w->length_scale);
+    bool rest = true;
+    for (int i = 0; i < 2; i++) {
+        double x = way_of(w, b, 0, i) - way_of(w, a, 0, i);
+        double y = way_of(w, b, 1, i) - way_of(w, a, 1, i);
+        double rims = td_abs(way_of(w, a, 2, i)) * (double)td_row(&w->reach, a)[1] +
+                      td_abs(way_of(w, b, 2, i)) * (double)td_row(&w->reach, b)[1];
+        rest &= __builtin_sqrt(x * x + y * y) + rims < most;
+    }
+    return rest;
 }
 
 /* The awake slot of a body, or 0 where it is static or sleeps. */

@@ -2,7 +2,8 @@
  *
  * The projection changes the motions of the step (td_project_context.delta) so that no contact
  * point ends with a gap below
- *   min(target_distance, gap at the start of the step)
+ *   min(target_distance, gap at the start of the step - yield)
+ * where yield is 0, or yield_at_rest between two bodies that hardly move,
  * by projected Gauss-Seidel with over-relaxation (Jourdan, Alart, Jean, "A Gauss-Seidel like
  * algorithm to solve frictional contact problems", 1998) over all touching contacts, block by
  * block. The unknowns are two impulses a point along its normal, both >= 0: one of motion (mass x
@@ -30,7 +31,10 @@ typedef struct td_project_context {
     float over_relaxation;    /* factor of corrections: 1 is none */
     float skin;               /* thud_world.skin: separations are gaps minus this */
     float target_distance;    /* no gap is to end below this, or below that of the start ... */
-    float tolerance;          /* ... by more than this */
+    float enough, closing;    /* another pass is wanted where a gap ends below `enough` and is
+                                 smaller than at the start, less the yield, by `closing` */
+    float rest_motion;        /* where both bodies move by less than this in the step, ... */
+    float yield_at_rest;      /* ... a gap may close by as much as this */
     float collision_distance; /* a gap that ends below this is a collision ... */
     float closing_max;        /* ... if it shrank by more than this */
     const int32_t *next_tied; /* by awake slot: scratch.next_tied; null: no joint ties bodies */
@@ -38,10 +42,10 @@ typedef struct td_project_context {
 } td_project_context;
 
 /* One pass over blocks with so many `points`; `a_static`: side a is static. Leaves in
- * td_point.separation the separation that it found before its correction. True: a point fell short
- * of its target by more than `tolerance`. */
-typedef bool td_project_fn(td_block *const *blocks, td_pushes *pushes, int count, int points,
-                           bool a_static, const td_project_context *context);
+ * td_point.separation the separation that it found before its correction. Returns at how many
+ * points another pass is wanted. */
+typedef int td_project_fn(td_block *const *blocks, td_pushes *pushes, int count, int points,
+                          bool a_static, const td_project_context *context);
 
 /* Sets td_block.apart to the lanes that end without a collision. `turns`: bodies may turn while
  * the shapes are not centred circles or AABBs, so that the rows are not exact; see row_error in

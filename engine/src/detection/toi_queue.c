@@ -99,6 +99,23 @@ static bool next_check(thud_world *w, const td_toi_candidate *e, const thud_dete
     return *hit || until < 1.0;
 }
 
+/* Whether the second body of a candidate, whose first shape is a terrain, touches something, and no
+ * point of it goes further in what is left of the step than load may press it: its contacts hold
+ * it, as in td_gap_is_left_to_solver. */
+static bool stays_on_ground(const thud_world *w, const td_toi_candidate *e) {
+    const td_body *body = td_body_at(w, e->body[1]);
+    if (td_shape_at(w, e->shape[0])->kind != THUD_SHAPE_TERRAIN || body->awake.at <= 0) {
+        return false;
+    }
+    const td_trajectory *f = td_trajectory_at(w, body->awake);
+    double left = 1.0 - f->since;
+    double x = td_abs(f->motion[0]) + td_abs(f->fall[0]) * left;
+    double y = td_abs(f->motion[1]) + td_abs(f->fall[1]) * left;
+    double way = x + y + td_abs(f->motion[2]) * (double)body->max_extent;
+    return f->contact_count > 0 && f->impacts == 0 &&
+           way * left < TD_LOAD_CLOSING_MAX * (double)(TD_IMPACT_DISTANCE * w->length_scale);
+}
+
 /* The time for the queue, see next_check; false if the pair does not meet in this step. Ghosts are
  * passed over, and so are pairs that the prologue refused, that have no detection on the way, or
  * of which no body can stop. */
@@ -107,7 +124,7 @@ static bool meeting_time(thud_world *w, const td_toi_candidate *e, double *time)
     double now =
         max_time(td_trajectory_of(w, e->body[0]).since, td_trajectory_of(w, e->body[1]).since);
     bool neither_stops = !can_stop(w, e->body[0]) && !can_stop(w, e->body[1]), hit = true;
-    if (e->vetoed || !detection->time_of_impact || neither_stops) {
+    if (e->vetoed || !detection->time_of_impact || neither_stops || stays_on_ground(w, e)) {
         return false;
     }
     for (int i = 0; i < GHOSTS_MAX && next_check(w, e, detection, now, &hit, time); i++) {

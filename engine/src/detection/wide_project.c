@@ -50,11 +50,18 @@ TD_INLINE i8 untied_lanes(const td_block *block, const int32_t *next_tied) {
     return out;
 }
 
+/* Mask of the lanes in which the centre of neither body moves by `most` in the step. */
+TD_INLINE i8 both_rest(const sides *d, bool a_static, float most) {
+    f8 square = f8_all(most * most);
+    i8 rest = d->b.x * d->b.x + d->b.y * d->b.y < square;
+    return a_static ? rest : rest & (d->a.x * d->a.x + d->a.y * d->a.y < square);
+}
+
 /* td_project_fn for a number of points and a kind of side a that are known when compiling. */
-TD_INLINE bool project(td_block *const *blocks, td_pushes *pushes, int count, int points,
-                       bool a_static, const td_project_context *c) {
+TD_INLINE int project(td_block *const *blocks, td_pushes *pushes, int count, int points,
+                      bool a_static, const td_project_context *c) {
     f8 zero = f8_all(0.0f), skin = f8_all(c->skin), target_distance = f8_all(c->target_distance);
-    i8 unfinished = i8_all(0);
+    int unfinished = 0;
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         td_fetch_early(blocks, i, count, points);
@@ -64,14 +71,16 @@ TD_INLINE bool project(td_block *const *blocks, td_pushes *pushes, int count, in
         /* Elastic pairs and those of tied bodies are left out. */
         i8 projected = (block->restitution < f8_all(1.0f)) & untied_lanes(block, c->next_tied);
         i8 active[2], any = i8_all(0);
+        f8 yield = f8_keep(both_rest(&d, a_static, c->rest_motion), f8_all(c->yield_at_rest));
         for (int k = 0; k < points; k++) {
             td_point *p = &block->point[k];
             p->separation = p->start_separation + at_point(opened, &d, a_static, ARMS_ALL, p);
-            shortfall[k] =
-                f8_min(target_distance, p->start_separation + skin) - (p->separation + skin);
+            f8 start = p->start_separation + skin - yield, gap = p->separation + skin;
+            shortfall[k] = f8_min(target_distance, start) - gap;
             active[k] = projected & (p->normal_mass > zero) &
                         ((shortfall[k] > zero) | (pushes[i].motion[k] > zero));
-            unfinished |= active[k] & (shortfall[k] > f8_all(c->tolerance));
+            i8 lacks = gap < f8_min(f8_all(c->enough), start - f8_all(c->closing));
+            unfinished += __builtin_popcount((unsigned)i8_bits(active[k] & lacks));
             any |= active[k];
         }
         if (!i8_bits(any)) {
@@ -90,12 +99,12 @@ TD_INLINE bool project(td_block *const *blocks, td_pushes *pushes, int count, in
                       pushes[i].velocity, change);
         apply_sums(c->velocity, block, points, a_static, v, &v, change);
     }
-    return i8_bits(unfinished);
+    return unfinished;
 }
 
 td_project_fn TD_WIDE(td_project_points);
-bool TD_WIDE(td_project_points)(td_block *const *blocks, td_pushes *pushes, int count, int points,
-                                bool a_static, const td_project_context *c) {
+int TD_WIDE(td_project_points)(td_block *const *blocks, td_pushes *pushes, int count, int points,
+                               bool a_static, const td_project_context *c) {
     if (points == 2) {
         return a_static ? project(blocks, pushes, count, 2, true, c)
                         : project(blocks, pushes, count, 2, false, c);

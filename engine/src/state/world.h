@@ -128,6 +128,15 @@ struct thud_world {
     td_broadphase_counts broadphase; /* of the last step; not in snapshots */
 };
 
+/* Shapes above which loops that read records all over memory prefetch them: those of fewer shapes
+ * are in a cache near enough that it does not pay. In a gas of 16,000 circles the broadphase took 2
+ * % longer with it, in one of 256,000 a fifth less. Chosen between both. */
+enum { TD_FETCH_SHAPES_MIN = 20000 };
+
+static inline bool td_fetches(const thud_world *w) {
+    return TD_HAS_PREFETCH && w->shapes.count > TD_FETCH_SHAPES_MIN;
+}
+
 static inline td_body *td_body_at(const thud_world *w, td_body_index i) {
     return td_slot_of(&w->bodies, i.at, sizeof(td_body));
 }
