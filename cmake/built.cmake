@@ -16,4 +16,5 @@ thud_built(thud-scenes demo/scenes thud)
 target_include_directories(thud-scenes INTERFACE ${PROJECT_SOURCE_DIR}/demo/scene
     ${THUD_BUILT}/demo/scenes)
 thud_built(thud-level demo/level thud-scenes cjson expat z zstd)
-thud_built(thud-pool demo/pool thud Threads::Threads)
+add_library(thud-threads INTERFACE)
+target_link_libraries(thud-threads INTERFACE thud ${CMAKE_THREAD_LIBS_INIT})

@@ -1,5 +1,5 @@
 """Runs an example and compares its output with SAYS: check.py NAME PROGRAM. Also checks that
-README.md shows embed.c without changes."""
+documents show the examples of SHOWN without changes."""
 import pathlib
 import subprocess
 import sys
@@ -17,6 +17,9 @@ SAYS = {
     "place 2: car 2 after 32.55 s\n"
     "place 3: car 1 after 33.32 s\n"
     "hash 27276733f07fb3ad\n",
+    "jobs_jthread": "2 to 4 workers of std::jthread: the same bits as one\n",
+    "jobs_openmp": "2 to 4 workers of OpenMP: the same bits as one\n",
+    "on_threads": "hash e8e04256a532296e\n",
     "platformer": "8 of 8 coins in 14.25 s; the crate is at 4.60\n"
     "hash aacf65774d76a258\n",
     "pool": "10 to 5 balls in 42 shots, 0 and 1 fouls\n"
@@ -31,9 +34,11 @@ SAYS = {
 
 name, program = sys.argv[1:]
 here = pathlib.Path(__file__).resolve().parent
-readme = (here.parent / "README.md").read_text()
-if name == "embed" and f"```c\n{(here / 'embed.c').read_text()}```" not in readme:
-    sys.exit("README.md does not show examples/embed.c as it is")
+SHOWN = {"embed": "README.md", "on_threads": "docs/embedding.md"}
+if name in SHOWN:
+    block = f"```c\n{(here / f'{name}.c').read_text()}```"
+    if block not in (here.parent / SHOWN[name]).read_text():
+        sys.exit(f"{SHOWN[name]} does not show examples/{name}.c as it is")
 said = subprocess.run([program], capture_output=True, text=True, check=True).stdout
 if said != SAYS[name]:
     sys.exit(f"the example said {said!r}")

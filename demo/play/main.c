@@ -45,6 +45,8 @@ static bool open_first(viewer *v, const options *o) {
     v->session.step_rate = o->step_rate;
     v->session.top_speed = o->top_speed;
     v->session.paused = o->paused;
+    if (o->workers > 1 && thud_threads_create(o->workers, NULL, &v->session.threads) != THUD_OK)
+        fprintf(stderr, "thud-play: threads cannot be created; running on one thread\n");
     viewer_layout(v);
     if (viewer_open(v, entry)) {
         if (o->overlays_given)

@@ -31,6 +31,7 @@ void options_print_help(void) {
         "  --rate N           steps a second, 1 to 1000 (60)\n"
         "  --top-speed N      clamps x and y of every velocity to N length scales a second, 1 to\n"
         "                     1000000; a text says whether bisection may miss something then\n"
+        "  --workers N        threads that step the world, 1 to 64 (1)\n"
         "  --overlay LIST     contacts, normals, bounds, cells, islands, sleeping, timings, axes,\n"
         "                     pairs, motions, joints, forces, separated by commas; or all, or none\n"
         "                     (sleeping, joints, and what the scene is there to show)\n"
@@ -90,6 +91,11 @@ static bool parse_top_speed(options *o, const char *text) {
            complain("--top-speed needs a number from 1 to 1000000, not", text);
 }
 
+static bool parse_workers(options *o, const char *text) {
+    return parse_number(text, 1, THUD_WORKERS_MAX, '\0', &o->workers, NULL) ||
+           complain("--workers needs a number from 1 to 64, not", text);
+}
+
 static bool parse_quality(options *o, const char *text) {
     o->quality = quality_find(text);
     return o->quality >= 0 || complain("--quality needs draft, default, high or exact, not", text);
@@ -137,6 +143,7 @@ static bool parse_valued(options *o, const char *name, const char *value, bool *
         {"--broadphase", parse_broadphase}, {"--overlay", parse_overlays},
         {"--screenshot", parse_screenshot}, {"--look", parse_look},
         {"--rate", parse_step_rate},        {"--top-speed", parse_top_speed},
+        {"--workers", parse_workers},
     };
     *known = true;
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++)

@@ -16,6 +16,7 @@ typedef struct options {
     int step_rate, top_speed;  /* as in session.h */
     int quality;               /* index in QUALITIES of choices.h */
     int detection, broadphase; /* indices in DETECTIONS and BROADPHASES of choices.h */
+    int workers;               /* that step the world; 0: one */
     bool overlays_given;       /* false: those of the scene are used */
     pair_look pair_look;
     bool bare, paused, list, help;

@@ -41,6 +41,7 @@ void session_init(session *s) {
 
 void session_free(session *s) {
     thud_world_destroy(s->world);
+    thud_threads_destroy(s->threads);
     scene_free(&s->scene);
     free(s->bodies);
     free(s->shapes);
@@ -143,6 +144,7 @@ bool session_load(session *s, const catalog_entry *entry) {
         def.time_step = 1.0 / s->step_rate;
     if (s->top_speed > 0)
         def.maximum_speed = (float)s->top_speed;
+    def.job_system = thud_job_system_of(s->threads);
     def.log = log_message;
     def.log_context = s;
     def.clock = clock_seconds;

@@ -6,6 +6,7 @@
 
 #include <choices.h>
 #include <thud/thud_joint.h>
+#include <thud/thud_threads.h>
 
 /* What drawing needs of a shape. It is read once, since a shape does not change within its body. */
 typedef struct session_shape {
@@ -59,6 +60,7 @@ struct session {
     int step_rate; /* steps a second; 0: the engine's default. It and the next take effect when a
                       scene is loaded */
     int top_speed; /* thud_world_def.maximum_speed, length scales a second; 0: the default */
+    thud_threads *threads; /* of the world's steps, owned; or null. Set before a scene is loaded */
     bool paused;
     double speed;     /* world seconds per real second */
     double time_step; /* of the world, s */

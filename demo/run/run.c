@@ -7,8 +7,9 @@
 #include "build_thud.h"
 #include "choices.h"
 #include "passing.h"
-#include "pool.h"
 #include "without.h"
+
+#include <thud/thud_threads.h>
 
 #include <math.h>
 #include <stdarg.h>
@@ -42,7 +43,7 @@ static void fail(const run_options *options, const char *format, ...) {
 }
 
 /* Builds the scene's world with the systems that the options choose. Null after a message. */
-static thud_world *build(const run_options *options, const scene *s, pool *threads) {
+static thud_world *build(const run_options *options, const scene *s, thud_threads *threads) {
     thud_world_def def = thud_default_world_def();
     def.quality = QUALITIES[options->quality];
     def.detection = DETECTIONS[options->detection].detection;
@@ -53,7 +54,7 @@ static thud_world *build(const run_options *options, const scene *s, pool *threa
     def.sleeping = !options->no_sleeping;
     def.clock = seconds_now;
     def.log = options->failure ? NULL : log_to_stderr;
-    def.job_system = pool_job_system(threads);
+    def.job_system = thud_job_system_of(threads);
     thud_quality quality;
     without_change_world(&def, &quality, options->without);
     thud_world *world;
@@ -134,8 +135,8 @@ static bool step_all(thud_world *world, const scene *s, const run_options *optio
 
 bool run_scene(const run_options *options, const scene *s, const run_watch *watch,
                run_outcome *out) {
-    pool *threads = pool_create(options->workers);
-    if (options->workers > 1 && !threads)
+    thud_threads *threads = NULL;
+    if (options->workers > 1 && thud_threads_create(options->workers, NULL, &threads) != THUD_OK)
         fprintf(stderr, "thud-run: threads cannot be created; running on one thread\n");
     passing passed = {0};
     thud_world *world = build(options, s, threads);
@@ -143,6 +144,6 @@ bool run_scene(const run_options *options, const scene *s, const run_watch *watc
                 step_all(world, s, options, watch, &passed, out);
     passing_free(&passed);
     thud_world_destroy(world);
-    pool_destroy(threads);
+    thud_threads_destroy(threads);
     return done;
 }

@@ -1,11 +1,13 @@
 /* operations_sessions.c: worlds saved in files, and a rollback in a world of its own, which must
- * end as if every input had been known in time. */
+ * end as if every input had been known in time; pools of threads beside them. */
 #include "operations.h"
 
 #include <thud/thud_forces.h>
 #include <thud/thud_make.h>
 #include <thud/thud_rollback.h>
+#include <thud/thud_threads.h>
 
+#include <stdatomic.h>
 #include <stdio.h>
 #include <unistd.h>
 
@@ -78,7 +80,7 @@ static thud_world *make_balls(thud_body_id balls[2]) {
 
 /* Inputs of two players arrive at random times, each player's in order and at most DEPTH steps
  * late. */
-void play_rollback(fuzz_session *s) {
+static void play_inputs(fuzz_session *s) {
     thud_body_id balls[2], plain[2], copy[2];
     thud_world *world = make_balls(balls), *straight = make_balls(plain);
     thud_rollback_options options = {.step = push_and_step, .idle = 3, .depth = DEPTH};
@@ -128,4 +130,44 @@ void play_rollback(fuzz_session *s) {
     COUNTED(thud_rollback_destroy(r));
     thud_world_destroy(world);
     thud_world_destroy(straight);
+}
+
+/* ---- threads ---- */
+
+static void count_call(void *calls) {
+    atomic_fetch_add((atomic_int *)calls, 1);
+}
+
+/* A pool of a number of workers that may be out of range: it calls a task as often as it is asked
+ * to, by its own threads or with more workers than it has. */
+static void play_pool(fuzz_session *s) {
+    int workers = (int)next_choice(&s->bytes, 8) - 2, asked = 1 + (int)next_choice(&s->bytes, 8);
+    thud_threads *threads = NULL;
+    thud_job_system jobs;
+    if (workers == 5) {
+        workers = THUD_WORKERS_MAX + 1;
+    }
+    PURE(s, threads, thud_threads_create(workers, NULL, &threads));
+    if ((s->result == THUD_OK) != (workers >= 1 && workers <= THUD_WORKERS_MAX)) {
+        fuzz_fail(s, "a pool of %d workers: %s", workers, thud_result_text(s->result));
+    }
+    threads = s->result == THUD_OK ? threads : NULL;
+    PURE(s, jobs, thud_threads_get_job_system(threads, &jobs));
+    if (s->result == THUD_OK) {
+        atomic_int calls = 0;
+        jobs.run(count_call, &calls, asked, jobs.context);
+        if (jobs.workers != workers || calls != asked) {
+            fuzz_fail(s, "a pool of %d calls a task %d times, not %d", workers, calls, asked);
+        }
+    }
+    COUNTED(thud_threads_destroy(threads));
+}
+
+/* The two share a byte. */
+void play_rollback(fuzz_session *s) {
+    if (next_chance(&s->bytes, 8)) {
+        play_pool(s);
+    } else {
+        play_inputs(s);
+    }
 }

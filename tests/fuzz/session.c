@@ -2,7 +2,7 @@
 #include "calls.h"
 #include "oracles.h"
 #include "pick.h"
-#include "pool.h"
+#include "some_threads.h"
 
 #include <thud/thud_testing.h>
 
@@ -70,12 +70,13 @@ static void run_in_turn(thud_task_fn *task, void *argument, int workers, void *c
 
 /* Real threads for one in eight inputs, and for all if FUZZ_THREADS is set. */
 static thud_job_system job_system(unsigned byte) {
-    static pool *threads;
+    static thud_threads *threads;
     if (byte % 8 != 0 && !getenv("FUZZ_THREADS")) {
-        return (thud_job_system){run_in_turn, NULL, 2 + (int)(byte % 3)};
+        return (thud_job_system){run_in_turn, NULL, 2 + (int)(byte % 3),
+                                 byte % 2 ? NULL : &thud_shared_stages_all};
     }
-    threads = threads ? threads : pool_create(3);
-    return pool_job_system(threads);
+    threads = threads ? threads : some_threads(3);
+    return thud_job_system_of(threads);
 }
 
 /* ---- settings ---- */

@@ -1,7 +1,7 @@
 /* trial.c: see trial.h. */
 #include "trial.h"
 
-#include "pool.h"
+#include "some_threads.h"
 
 #include <thud/thud_snapshot.h>
 
@@ -63,7 +63,7 @@ static long shared_runs;
 
 /* The pool's job system, with a count of its calls. */
 static void run_shared(thud_task_fn *task, void *argument, int workers, void *context) {
-    thud_job_system jobs = pool_job_system(context);
+    thud_job_system jobs = thud_job_system_of(context);
     shared_runs++;
     jobs.run(task, argument, workers, jobs.context);
 }
@@ -73,14 +73,14 @@ long trial_shared_runs(void) {
 }
 
 thud_job_system trial_jobs(int workers) {
-    static pool *threads;
+    static thud_threads *threads;
     if (workers < 2) {
-        return (thud_job_system){NULL, NULL, 1};
+        return (thud_job_system){.workers = 1};
     }
     if (!threads) {
-        threads = pool_create(2);
+        threads = some_threads(2);
     }
-    return (thud_job_system){run_shared, threads, 2};
+    return (thud_job_system){run_shared, threads, 2, &thud_shared_stages_all};
 }
 
 thud_world_def trial_def(trial *t) {

@@ -27,6 +27,7 @@
 #include <thud/thud_geometry.h>
 #include <thud/thud_snapshot.h>
 #include <thud/thud_terrain.h>
+#include <thud/thud_threads.h>
 #include <thud/thud_version.h>
 #include <thud/thud_volumes.h>
 

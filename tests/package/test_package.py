@@ -124,6 +124,25 @@ class PackageTest(unittest.TestCase):
                 f"-DCMAKE_PREFIX_PATH={self.prefix}", f"-DCMAKE_CXX_COMPILER={CXX}")
 
     @unittest.skipUnless(CXX, "there is no C++ compiler")
+    def test_threads_are_a_target_of_their_own(self):
+        folder = self.made("threads")
+        program = PROGRAM.replace("#include <thud/thud.h>", "#include <thud/thud_all.h>").replace(
+            "    thud_world *world;", "    thud_threads *threads;\n    thud_world *world;\n"
+            "    if (thud_threads_create(3, nullptr, &threads) != THUD_OK) return 2;\n"
+            "    def.job_system = thud_job_system_of(threads);")
+        for text in (FINDS, ADDS.format(SOURCE)):
+            project(folder, text.replace("thud::thud", "thud::threads"))
+            (folder / "game.cpp").write_text(program, encoding="utf-8")
+            run("cmake", "-B", folder / "build", "-S", folder, f"-DCMAKE_CXX_COMPILER={CXX}",
+                f"-DCMAKE_C_COMPILER={CC}", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+            if text == FINDS:
+                run("cmake", "--build", folder / "build")
+                run(folder / "build/game")
+        text = next(self.prefix.rglob("thud-threads.pc")).read_text()
+        self.assertRegex(text, r"Requires: thud = \d+\.\d+\.\d+\n")
+        self.assertNotRegex(text, r"[@$]<|@\w+@")
+
+    @unittest.skipUnless(CXX, "there is no C++ compiler")
     def test_project_in_cplusplus_alone_may_have_it_as_a_part(self):
         folder = self.made("adds")
         project(folder, ADDS.format(SOURCE))

@@ -336,12 +336,18 @@ class Viewer(unittest.TestCase):
                 picture = self.shoot(name, "--frames", 1, "--bare", size="320x200")
                 self.assertGreater(sum(map(colourful, picture.pixels())), 10)
 
+    def test_workers_do_not_change_the_picture(self):
+        shown = [self.shoot("pyramid", "--frames", 60, "--bare", "--workers", workers)
+                 for workers in (1, 3)]
+        self.assertEqual(shown[0].rows, shown[1].rows)
+
     def test_bad_arguments_give_message_and_failure(self):
         for arguments in (["nowhere"], ["missing.tmj"], ["--bogus"], ["--frames"],
                           ["--frames", "-1"], ["--frames", "1x"], ["--size", "800"],
                           ["--size", "1x1"], ["--quality", "perfect"], ["--detection", "magic"],
                           ["--detection"], ["--broadphase", "tree"], ["--overlay", "shadows"], ["--look", "mass"],
                           ["--rate", "0"], ["--rate", "1001"], ["--top-speed", "fast"], ["--top-speed"],
+                          ["--workers", "0"], ["--workers", "65"],
                           ["--screenshot", "picture.jpg"], ["pyramid", "gas"],
                           ["--screenshot", self.folder / "no" / "folder.png"]):
             with self.subTest(arguments=arguments):
@@ -368,7 +374,7 @@ class Viewer(unittest.TestCase):
         self.assertEqual(result.returncode, 0)
         for option in ("--list", "--size", "--quality", "--overlay", "--detection",
                        "--broadphase", "--frames", "--screenshot", "--look", "--rate", "--top-speed",
-                       "--paused", "--bare"):
+                       "--workers", "--paused", "--bare"):
             self.assertIn(option, result.stdout)
 
 

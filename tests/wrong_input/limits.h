@@ -192,6 +192,7 @@
          thud_mover_move(p->world, &p->mover, (thud_vec2){(float)x, 0}, 1, NULL))
 
 #define GEOMETRY_LIMITS(FIELD, CALL)                                                               \
+    CALL(thud_threads_create, workers, 1, THUD_WORKERS_MAX, threads((int)x))                       \
     FIELD(thud_geometry, x, x, -THUD_COORDINATE_MAX, THUD_COORDINATE_MAX, instance)                \
     FIELD(thud_geometry, hx, hx, OPEN(0), THUD_COORDINATE_MAX, instance)                           \
     FIELD(thud_geometry, hy, hy, OPEN(0), THUD_COORDINATE_MAX, instance)                           \

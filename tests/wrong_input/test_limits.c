@@ -5,6 +5,7 @@
 #include "limits_place.h"
 
 #include <thud/thud_textured.h>
+#include <thud/thud_threads.h>
 
 #include <string.h>
 
@@ -176,6 +177,13 @@ static thud_result rollback(place *p, const row *r, double x) {
 
 static const thud_vec2 grip_axis = {1, 0};
 
+static thud_result threads(int workers) {
+    thud_threads *made = NULL;
+    thud_result result = thud_threads_create(workers, NULL, &made);
+    thud_threads_destroy(made);
+    return result;
+}
+
 static thud_result mover(place *p, const row *r, double x) {
     put(&p->mover, r, x);
     return thud_mover_move(p->world, &p->mover, (thud_vec2){0, 0}, 1.0 / 60, NULL);
@@ -323,7 +331,7 @@ static bool begins(const char *text, const char *with) {
 
 /* The next number of the value's type in a direction. */
 static double next(const row *r, double x, double towards) {
-    if (r->type == 'i') {
+    if (r->type == 'i' || strstr(r->how, "(int)x")) {
         return x + (towards > x ? 1 : -1);
     }
     bool single = r->type == 'f' || strstr(r->how, "(float)x");

@@ -38,6 +38,7 @@
 #include "thud_terrain.h"
 #include "thud_testing.h"
 #include "thud_textured.h"
+#include "thud_threads.h"
 #include "thud_version.h"
 #include "thud_volumes.h"
 

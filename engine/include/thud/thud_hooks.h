@@ -32,8 +32,8 @@ THUD_API void thud_log_to_stderr(thud_result result, const char *message, void *
 /* The time in seconds since any start; it must not go backwards. */
 typedef double thud_clock_fn(void *context);
 
-/* ---- threads: the engine starts none, and uses the caller's job system or thread pool. The number
- * of workers does not change any result ---- */
+/* ---- threads: a world starts none, and uses the caller's job system, or the pool of
+ * thud_threads.h. The number of workers does not change any result ---- */
 
 /* A task of the engine. */
 typedef void thud_task_fn(void *argument);
@@ -41,14 +41,22 @@ typedef void thud_task_fn(void *argument);
 /* Must call task(argument) `workers` times, each on a thread of its own if possible, one of them
  * the calling thread, and return when all calls have returned. The calls divide the work among
  * themselves and never wait for a call that has not begun: with fewer threads a step is slower, but
- * the same. The engine calls it once or twice in a step, from inside thud_world_step, and once in
- * each call for many casts (thud_casts.h), but never before an earlier call has returned. */
+ * the same. The engine calls it at most three times in a step, from inside thud_world_step, and once
+ * in each call for many casts (thud_casts.h), but never before an earlier call has returned. */
 typedef void thud_parallel_fn(thud_task_fn *task, void *argument, int workers, void *context);
+
+/* Which stages of a step workers share, beside contact manifolds and the solver, which they always
+ * share. A program links the code that shares a stage only where it names a choice that has it. */
+typedef struct thud_shared_stages thud_shared_stages;
+/* Every stage that can be shared: the end of the step, which moves bodies and bounds and adds up
+ * energies. Results are the same, bit for bit, as without it. */
+extern THUD_API const thud_shared_stages thud_shared_stages_all;
 
 typedef struct thud_job_system {
     thud_parallel_fn *run; /* null (the default): the calling thread alone */
     void *context;         /* passed to run */
     int workers; /* 0 .. THUD_WORKERS_MAX; default 0, which means 1; more than 1 needs run */
+    const thud_shared_stages *stages; /* null (the default): manifolds and solver alone */
 } thud_job_system;
 
 #ifdef __cplusplus

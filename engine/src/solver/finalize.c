@@ -7,8 +7,10 @@
 #include "constraint/tied_bodies.h"
 #include "contact/contact.h"
 #include "state/handles.h"
+#include "state/shared_stages.h"
 #include "state/kinds.h"
 #include "base/rotation.h"
+#include "solver/wide_energy.h"
 #include "api/step.h"
 
 #include <string.h>
@@ -64,14 +66,33 @@ static void move(thud_world *w, td_body_index index, const float *delta) {
 }
 
 bool td_finalize_reserve(thud_world *w) {
+    const thud_shared_stages *shared = w->def.job_system.stages;
     return td_array_reserve(&w->memory, &w->scratch.fast, w->body_of.count) &&
-           td_array_reserve(&w->memory, &w->scratch.odd, w->body_of.count);
+           td_array_reserve(&w->memory, &w->scratch.odd, w->body_of.count) &&
+           (!shared || shared->finalize_reserve(w));
+}
+
+/* Moves all bodies but those that it lists in scratch.odd. */
+static void finalize_bodies(thud_world *w) {
+    const thud_shared_stages *shared = w->def.job_system.stages;
+    td_energy_sums sums = {0};
+    td_finalize_part all = {.end = w->body_of.count,
+                            .odd = &w->scratch.odd,
+                            .fast = &w->scratch.fast,
+                            .moved = &w->moved,
+                            .sums = &sums};
+    (shared ? shared->finalize : TD_PICK_WIDE(w, td_finalize_bodies))(w, &all);
+    w->awake_shapes.valid &= !all.has_moved;
+    w->idle_bodies = all.idle;
+    w->drowsy_bodies = all.drowsy;
+    w->kinetic = td_total_of(&sums.kinetic);
+    w->kinetic_stale = false;
+    w->errors.energy_change += w->kinetic - td_total_of(&sums.gained);
 }
 
 void td_finalize(thud_world *w) {
-    w->idle_bodies = w->drowsy_bodies = 0;
     w->scratch.fast.count = w->scratch.odd.count = 0;
-    TD_PICK_WIDE(w, td_finalize_bodies)(w);
+    finalize_bodies(w);
     /* From the last slot down: quarantine moves the body of the last slot into the one that is
      * freed. */
     for (int i = w->scratch.odd.count - 1; i >= 0; i--) {

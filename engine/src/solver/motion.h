@@ -5,6 +5,7 @@
 #ifndef TD_MOTION_H
 #define TD_MOTION_H
 
+#include "base/memory.h"
 #include "constraint/block.h"
 
 /* Bound of the kinetic energy of one body, and of the work of gravity on it in a step, so that sums
@@ -43,9 +44,27 @@ typedef void td_integrate_velocity_fn(const td_motion_context *context);
 typedef void td_integrate_position_fn(const td_motion_context *context, bool last);
 struct thud_world;
 
-/* wide_finalize.c: adds motions to poses, and updates shapes and bounds. Fills scratch.odd,
- * scratch.fast and the list of moved shapes, and sums up energies. */
-typedef void td_finalize_bodies_fn(struct thud_world *world);
+/* Four sums of each kind, which td_total_of adds up. */
+typedef struct td_energy_sums {
+    d4 kinetic; /* kinetic energy */
+    d4 gained;  /* work of gravity in the step */
+} td_energy_sums;
+
+/* A part of the awake bodies at the end of a step, and what is found of them. */
+typedef struct td_finalize_part {
+    int first, end; /* awake slots; `first` is a multiple of TD_LANES */
+    td_array *odd,
+        *fast;       /* td_awake_slot: as in td_scratch; with room for all bodies of the part */
+    td_array *moved; /* int: gets the shapes that have left their fat bounds; likewise */
+    td_energy_sums *sums; /* to which the first eight bodies add their energies */
+    int sums_step;        /* the next eight add to sums[sums_step] and so on; 0: all to the same */
+    bool has_moved;       /* a shape has left its fat bounds */
+    int idle, drowsy;     /* bodies: td_world.idle_bodies, drowsy_bodies */
+} td_finalize_part;
+
+/* wide_finalize.c: adds motions to poses, and updates shapes and bounds. Parts of one world write
+ * no common data. */
+typedef void td_finalize_bodies_fn(struct thud_world *world, td_finalize_part *part);
 
 /* Kinetic energy of all awake bodies, the same to the bit as td_finalize_bodies sums it up. */
 typedef double td_kinetic_energy_fn(const struct thud_world *world);

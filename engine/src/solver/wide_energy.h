@@ -14,8 +14,8 @@ TD_INLINE f8 td_kinetic_of(const td_rows *v, const float *mass, const float *ine
     return f8_min(f8_all(0.5f) * twice, f8_all(TD_ENERGY_MAX));
 }
 
-TD_INLINE double td_total_of(d4 sum) {
-    return (sum[0] + sum[2]) + (sum[1] + sum[3]);
+TD_INLINE double td_total_of(const d4 *sum) {
+    return ((*sum)[0] + (*sum)[2]) + ((*sum)[1] + (*sum)[3]);
 }
 
 #endif

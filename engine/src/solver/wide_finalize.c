@@ -44,15 +44,15 @@ static void list_lanes(td_array *list, td_awake_slot first, unsigned bits) {
 /* Adds the time step to the idle times of bodies that are slower than TD_SLEEP_SPEED, at their
  * centre and by rotation at their farthest point (`max_extent`), and sets those of all others to 0.
  */
-TD_INLINE void count_idle(thud_world *w, td_awake_slot first, const td_rows *v, f8 max_extent,
-                          i8 here) {
+TD_INLINE void count_idle(thud_world *w, td_finalize_part *part, td_awake_slot first,
+                          const td_rows *v, f8 max_extent, i8 here) {
     f8 still = f8_all(TD_SLEEP_SPEED * w->length_scale), dt = f8_all((float)w->def.time_step);
     float *at = td_row(&w->idle, first);
     i8 rests = (v->x * v->x + v->y * v->y < still * still) & (f8_abs(v->z) * max_extent < still);
     f8 idle = f8_keep(rests, f8_load(at) + dt);
     __builtin_memcpy(at, &idle, sizeof idle);
-    w->idle_bodies += __builtin_popcount(i8_bits(here & (idle >= f8_all(TD_SLEEP_TIME))));
-    w->drowsy_bodies += __builtin_popcount(i8_bits(here & (idle + dt >= f8_all(TD_SLEEP_TIME))));
+    part->idle += __builtin_popcount(i8_bits(here & (idle >= f8_all(TD_SLEEP_TIME))));
+    part->drowsy += __builtin_popcount(i8_bits(here & (idle + dt >= f8_all(TD_SLEEP_TIME))));
 }
 
 /* Tight bounds of eight shapes, in coarse quanta. */
@@ -76,13 +76,13 @@ TD_INLINE bounds8 tight_bounds(i8 x, i8 y, const td_rows *shape, f8 to_coarse) {
 }
 
 /* Gives a shape that left its fat bounds new ones, and lists it as moved. */
-TD_INLINE void renew_bounds(thud_world *w, int shape, f4 fat) {
+TD_INLINE void renew_bounds(thud_world *w, td_array *moved, int shape, f4 fat) {
     td_bounds *bounds = td_fat_at(w, shape);
     uint8_t *marks = td_marks_at(w, shape);
     if (!(*marks & TD_MARK_MOVED)) {
         *td_previous_fat_at(w, shape) = *bounds;
         *marks |= TD_MARK_MOVED;
-        td_push_int(&w->moved, shape);
+        td_push_int(moved, shape);
     }
     __builtin_memcpy(bounds, &fat, sizeof fat);
 }
@@ -139,7 +139,8 @@ TD_INLINE td_rows move_eight(const thud_world *w, td_awake_slot first, void *con
 
 /* Updates poses, shapes and bounds of the bodies in slots first + i for the bits i that are set.
  * The other lanes work on a spare record. */
-TD_INLINE void place_lanes(thud_world *w, td_awake_slot first, f8 turn, unsigned bits) {
+TD_INLINE void place_lanes(thud_world *w, td_finalize_part *part, td_awake_slot first, f8 turn,
+                           unsigned bits) {
     const int32_t *bodies = (const int32_t *)w->body_of.data + first.at;
     const int32_t *lone = (const int32_t *)w->lone.data + first.at;
     td_pose spare_pose = {0};
@@ -177,10 +178,10 @@ TD_INLINE void place_lanes(thud_world *w, td_awake_slot first, f8 turn, unsigned
                                     (f8)wrap_add(tight.max_x, margin),
                                     (f8)wrap_add(tight.max_y, margin)},
                           grown);
-        w->awake_shapes.valid = false;
+        part->has_moved = true;
         for (; left; left &= left - 1) {
             int i = __builtin_ctz(left);
-            renew_bounds(w, lone[i], grown[i]);
+            renew_bounds(w, part->moved, lone[i], grown[i]);
         }
     }
 }
@@ -210,7 +211,7 @@ TD_INLINE unsigned too_fast(td_rows v, i8 here, const float max[3]) {
 }
 
 td_finalize_bodies_fn TD_WIDE(td_finalize_bodies);
-void TD_WIDE(td_finalize_bodies)(thud_world *w) {
+void TD_WIDE(td_finalize_bodies)(thud_world *w, td_finalize_part *part) {
     float(*velocity)[4] = w->velocity.data;
     const float(*delta)[4] = w->delta.data;
     const float *mass = w->mass.data, *inertia = w->inertia.data,
@@ -218,13 +219,13 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w) {
     i8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
     f8 zero = f8_all(0.0f), far = f8_all((float)(0x1p50 / w->to_fixed));
     f8 gx = f8_all(w->def.gravity.x), gy = f8_all(w->def.gravity.y);
-    d4 kinetic = {0}, gained = {0};
+    td_energy_sums *sums = part->sums;
     float linear = w->def.maximum_speed * w->length_scale,
           max_speed[3] = {linear, linear, THUD_ANGULAR_SPEED_MAX};
-    int count = w->body_of.count;
-    for (td_awake_slot first = {0}; first.at < count; first.at += TD_LANES) {
+    int end = part->end;
+    for (td_awake_slot first = {part->first}; first.at < end; first.at += TD_LANES) {
         int at = first.at;
-        i8 slot = i8_all(at) + lane, here = (slot > i8_all(0)) & (slot < i8_all(count));
+        i8 slot = i8_all(at) + lane, here = (slot > i8_all(0)) & (slot < i8_all(end));
         td_rows v;
         unsigned fast_rows;
         do {
@@ -241,27 +242,25 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w) {
         f8 max = f8_all(TD_ENERGY_MAX);
         f8 fallen = f8_clamp(f8_load(gravity_mass + at) * (gx * d.x + gy * d.y), -max, max);
         f8 moving = td_kinetic_of(&v, mass + at, inertia + at);
-        kinetic += d4_folded(f8_keep(here & finite, moving));
-        gained += d4_folded(f8_keep(here & finite, fallen));
+        sums->kinetic += d4_folded(f8_keep(here & finite, moving));
+        sums->gained += d4_folded(f8_keep(here & finite, fallen));
+        sums += part->sums_step;
         if (w->def.sleeping) {
-            count_idle(w, first, &v, max_extent, here & finite);
+            count_idle(w, part, first, &v, max_extent, here & finite);
         }
         i8 easy = here & finite & (i8_load(TD_AT(int32_t, &w->lone, at)) >= i8_all(0)) &
                   (f8_abs(d.x) < far) & (f8_abs(d.y) < far) & (f8_abs(d.z) < f8_all(1.5f));
-        list_lanes(&w->scratch.odd, first, i8_bits(here & ~easy));
+        list_lanes(part->odd, first, i8_bits(here & ~easy));
         if (w->detections[TD_RANK_CONTINUOUS]) {
             i8 fast = easy & (v.w > zero) &
                       (d.x * d.x + d.y * d.y > f8_all(0.25f) * min_extent * min_extent);
-            list_lanes(&w->scratch.fast, first, i8_bits(fast));
+            list_lanes(part->fast, first, i8_bits(fast));
         }
         unsigned bits = i8_bits(easy);
         if (bits) {
-            place_lanes(w, first, d.z, bits);
+            place_lanes(w, part, first, d.z, bits);
         }
     }
-    w->kinetic = td_total_of(kinetic);
-    w->kinetic_stale = false;
-    w->errors.energy_change += w->kinetic - td_total_of(gained);
 }
 
 td_kinetic_energy_fn TD_WIDE(td_kinetic_energy);
@@ -276,5 +275,5 @@ double TD_WIDE(td_kinetic_energy)(const thud_world *w) {
         i8 slot = i8_all(first) + lane, here = (slot > i8_all(0)) & (slot < i8_all(count));
         kinetic += d4_folded(f8_keep(here, td_kinetic_of(&v, mass + first, inertia + first)));
     }
-    return td_total_of(kinetic);
+    return td_total_of(&kinetic);
 }

@@ -2,7 +2,8 @@
 #include "lab/lab.h"
 
 #include "lab/lab_pair.h"
-#include "pool.h"
+
+#include <thud/thud_threads.h>
 
 #include <stdio.h>
 
@@ -10,7 +11,7 @@ enum { WORKERS = 2 };
 
 static const double LEAST_GAIN = 1.6;
 
-static pool *job_system; /* of the world with two workers */
+static thud_threads *threads; /* of the world with two workers */
 
 static void fill(const char *name, bool with, scene *s, thud_world_def *def) {
     scene filled;
@@ -21,7 +22,7 @@ static void fill(const char *name, bool with, scene *s, thud_world_def *def) {
     scene_free(s);
     *s = filled;
     if (with)
-        def->job_system = pool_job_system(job_system);
+        def->job_system = thud_job_system_of(threads);
 }
 
 static void fill_pyramid(bool with, scene *s, thud_world_def *def) {
@@ -58,8 +59,7 @@ static bool compare_all(bool quick, json *out) {
 }
 
 bool lab_workers(bool quick, json *out) {
-    job_system = pool_create(WORKERS);
-    if (!job_system) {
+    if (thud_threads_create(WORKERS, NULL, &threads) != THUD_OK) {
         fprintf(stderr, "thud-bench: no second thread to be had\n");
         return false;
     }
@@ -67,6 +67,6 @@ bool lab_workers(bool quick, json *out) {
     json_begin_array(out, "workers");
     bool ok = compare_all(quick, out);
     json_end(out);
-    pool_destroy(job_system);
+    thud_threads_destroy(threads);
     return ok;
 }

@@ -2,7 +2,7 @@
  * against a query of every single shape; and filters in every query. They give the same with every
  * broadphase, far from the origin, and with any number of workers. */
 #include "engine_support.h"
-#include "pool.h"
+#include "some_threads.h"
 
 #include <thud/thud_casts.h>
 
@@ -362,9 +362,9 @@ static void many_casts_are_those_made_one_by_one_with_any_number_of_workers(void
     static crowd c;
     const int workers[] = {0, 1, 4, 8};
     for (int k = 0; k < 12; k++) {
-        pool *threads = workers[k % 4] ? pool_create(workers[k % 4]) : NULL;
+        thud_threads *threads = workers[k % 4] ? some_threads(workers[k % 4]) : NULL;
         make_crowd(&c, 31, k % 2 ? 1e7 : 0, k % 3,
-                   threads ? pool_job_system(threads) : (thud_job_system){0});
+                   threads ? thud_job_system_of(threads) : (thud_job_system){0});
         for (int round = 0; round < 3; round++) {
             check_many(&c, 7 + (uint64_t)round, RAYS);
             check_many(&c, 70 + (uint64_t)round, 63 + round);
@@ -373,7 +373,7 @@ static void many_casts_are_those_made_one_by_one_with_any_number_of_workers(void
         }
         thud_world_destroy(c.world);
         if (threads) {
-            pool_destroy(threads);
+            thud_threads_destroy(threads);
         }
     }
 }

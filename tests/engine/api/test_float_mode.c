@@ -6,7 +6,7 @@
 #include <thud/thud_mover.h>
 
 #include "build_thud.h"
-#include "pool.h"
+#include "some_threads.h"
 #include "scenes.h"
 #include "share.h"
 #include "base/simd.h"
@@ -120,13 +120,13 @@ static void workers_in_any_mode_give_the_same_bits(void **state) {
     for (int m = 0; m < MODE_COUNT; m++) {
         callers = MODES[m].mode;
         set_mode(callers);
-        pool *p = pool_create(3);
+        thud_threads *p = some_threads(3);
         set_mode(TD_FLOAT_MODE_OWN);
         assert_non_null(p);
         thud_world_def def = thud_default_world_def();
-        def.job_system = pool_job_system(p);
+        def.job_system = thud_job_system_of(p);
         hash[m] = hash_of("platformer", 1000, 80, &def);
-        pool_destroy(p);
+        thud_threads_destroy(p);
         assert_true(hash[m] == hash[0]);
     }
 }

@@ -5,7 +5,7 @@
 #include "joint_support.h"
 
 #include "state/world.h"
-#include "pool.h"
+#include "some_threads.h"
 #include "snapshot_support.h"
 
 #include <thud/thud_testing.h>
@@ -185,10 +185,10 @@ static void net_ends_in_the_same_bits_with_any_workers_and_width(void **state) {
         thud_world_def_set_baseline_simd(&def, true);
         assert_true(net_after(def, 90) == alone);
         for (int workers = 2; workers <= 4; workers += 2) {
-            pool *p = pool_create(workers);
-            def.job_system = pool_job_system(p);
+            thud_threads *p = some_threads(workers);
+            def.job_system = thud_job_system_of(p);
             assert_true(net_after(def, 90) == alone);
-            pool_destroy(p);
+            thud_threads_destroy(p);
         }
     }
 }

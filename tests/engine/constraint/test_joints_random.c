@@ -6,7 +6,7 @@
 #include "every_choice.h"
 #include "joint_random.h"
 #include "joint_support.h"
-#include "pool.h"
+#include "some_threads.h"
 
 /* Random worlds with a floor and without; steps of each; bodies of a mechanism at most. */
 enum { WORLDS = 40, FREE_WORLDS = 300, STEPS = 240, BODIES_MOST = 10 };
@@ -211,10 +211,10 @@ static void redundant_joints_gain_no_energy(void **state) {
 
 /* Hash of a world with so many mechanisms that workers share the blocks; in many of them joints are
  * open and are corrected after the relax pass. */
-static uint64_t hash_of_many(const thud_quality *quality, pool *threads) {
+static uint64_t hash_of_many(const thud_quality *quality, thud_threads *threads) {
     thud_world_def def = def_of(quality);
     def.sleeping = false;
-    def.job_system = pool_job_system(threads);
+    def.job_system = thud_job_system_of(threads);
     thud_world *world = make_world(def);
     add_floor(world, NULL);
     for (int seed = 0; seed < 4 * WORLDS; seed++) {
@@ -231,9 +231,9 @@ static void torn_mechanisms_move_alike_with_any_number_of_workers(void **state) 
     for (int q = 0; q < QUALITIES && is_soft(qualities[q]); q++) {
         uint64_t alone = hash_of_many(qualities[q], NULL);
         for (int workers = 2; workers <= 4; workers++) {
-            pool *threads = pool_create(workers);
+            thud_threads *threads = some_threads(workers);
             assert_true(hash_of_many(qualities[q], threads) == alone);
-            pool_destroy(threads);
+            thud_threads_destroy(threads);
         }
     }
 }

@@ -1,7 +1,7 @@
 /* test_locks.c: bodies whose x or y is locked (thud_locks.h): how far loads and impacts move them
  * off their line, and how locks follow edits of bodies, snapshots and destruction. */
 #include "every_choice.h"
-#include "pool.h"
+#include "some_threads.h"
 #include "snapshot_support.h"
 
 #include <thud/thud_edits.h>
@@ -371,12 +371,12 @@ static void any_number_of_workers_gives_the_same_bits(void **state) {
     thud_world *alone = make_rails((thud_job_system){0});
     run(alone, 200);
     for (int workers = 2; workers <= 4; workers++) {
-        pool *p = pool_create(workers);
-        thud_world *shared = make_rails(pool_job_system(p));
+        thud_threads *p = some_threads(workers);
+        thud_world *shared = make_rails(thud_job_system_of(p));
         run(shared, 200);
         assert_int_equal(thud_hash_of(shared), thud_hash_of(alone));
         thud_world_destroy(shared);
-        pool_destroy(p);
+        thud_threads_destroy(p);
     }
     thud_world_destroy(alone);
 }

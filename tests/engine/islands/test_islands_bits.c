@@ -4,7 +4,7 @@
 #include "island_support.h"
 
 #include "hostile_memory.h"
-#include "pool.h"
+#include "some_threads.h"
 
 #include <thud/thud_testing.h>
 
@@ -48,11 +48,11 @@ static void islands_are_the_same_for_any_number_of_workers(void **state) {
         thud_world_def def = def_of(qualities[q]);
         uint64_t alone = hash_of_yard(def);
         for (int workers = 2; workers <= 4; workers++) {
-            pool *p = pool_create(workers);
+            thud_threads *p = some_threads(workers);
             assert_non_null(p);
-            def.job_system = pool_job_system(p);
+            def.job_system = thud_job_system_of(p);
             assert_true(hash_of_yard(def) == alone);
-            pool_destroy(p);
+            thud_threads_destroy(p);
         }
     }
 }

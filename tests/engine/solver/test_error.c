@@ -4,7 +4,7 @@
 
 #include "build_thud.h"
 #include "solver/error.h"
-#include "pool.h"
+#include "some_threads.h"
 #include "scenes.h"
 
 #include <thud/thud_testing.h>
@@ -237,12 +237,12 @@ static void report_is_the_same_with_any_workers_and_any_simd(void **state) {
     } scenes[] = {{"pyramid", 40}, {"circle_pit", 3000}, {"mixed_terrain", 2000}};
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         thud_world *world[5];
-        pool *threads[5] = {0};
+        thud_threads *threads[5] = {0};
         for (int k = 0; k < 5; k++) {
             thud_world_def def = thud_default_world_def();
-            threads[k] = k > 0 && k < 4 ? pool_create(k + 1) : NULL;
+            threads[k] = k > 0 && k < 4 ? some_threads(k + 1) : NULL;
             if (threads[k]) {
-                def.job_system = pool_job_system(threads[k]);
+                def.job_system = thud_job_system_of(threads[k]);
             }
             thud_world_def_set_baseline_simd(&def, k == 4);
             world[k] = world_of(scenes[i].name, scenes[i].size, def);
@@ -258,7 +258,7 @@ static void report_is_the_same_with_any_workers_and_any_simd(void **state) {
         assert_true(overlaps);
         for (int k = 0; k < 5; k++) {
             thud_world_destroy(world[k]);
-            pool_destroy(threads[k]);
+            thud_threads_destroy(threads[k]);
         }
     }
 }

@@ -28,12 +28,12 @@ const blocksOf = (file, language) =>
   [...read(file).matchAll(new RegExp(`^\`\`\`${language}\\n(.*?)^\`\`\``, "gms"))].map(([, text]) => text);
 
 /**
- * The number of code blocks in each file that are tested here, or elsewhere: embed.c by
- * examples/check.py, CMake and the one file by tests/package, JSON by tests/scenes/test_jobs.py.
+ * The number of code blocks in each file that are tested here, or elsewhere: C by examples/check.py,
+ * CMake and the one file by tests/package, JSON by tests/scenes/test_jobs.py.
  */
 const BLOCKS = {
   "README.md": { sh: 1, c: 1, cmake: 1, js: 1 },
-  "docs/embedding.md": { cmake: 1, sh: 1, json: 1 },
+  "docs/embedding.md": { cmake: 1, sh: 1, c: 1, json: 1 },
   "web/README.md": { js: 1, c: 1 },
   "web/package/README.md": { ts: 1 },
 };

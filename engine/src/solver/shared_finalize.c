@@ -1,0 +1,94 @@
+/* shared_finalize.c: finalize by workers, each of which takes TD_SHARE_BODIES bodies at a time.
+ * What they find is joined in the order of the bodies, as one worker finds it. */
+#include "state/jobs.h"
+#include "state/kinds.h"
+#include "state/shared_stages.h"
+
+#include <string.h>
+
+/* Bodies from which on workers share the stage: fewer are finalized before another thread has
+ * woken. Chosen; not tuned. */
+enum { SHARED_BODIES_MIN = 1024 };
+
+static int share_count(const thud_world *w) {
+    return (w->body_of.count + TD_SHARE_BODIES - 1) / TD_SHARE_BODIES;
+}
+
+static bool is_shared(const thud_world *w) {
+    return w->def.job_system.workers > 1 && w->body_of.count >= SHARED_BODIES_MIN;
+}
+
+static td_finalize_share *share_at(const thud_world *w, int index) {
+    return TD_AT(td_finalize_share, &w->scratch.finalize_shares, index);
+}
+
+bool td_shared_finalize_reserve(thud_world *w) {
+    return !is_shared(w) ||
+           td_array_reserve(&w->memory, &w->scratch.finalize_shares, share_count(w));
+}
+
+/* What the workers share. */
+typedef struct finalizing {
+    thud_world *w;
+    td_job task;
+} finalizing;
+
+static void finalize_share(void *work, int index) {
+    thud_world *w = ((const finalizing *)work)->w;
+    td_finalize_share *share = share_at(w, index);
+    td_array *lists[3] = {&share->odd, &share->fast, &share->moved};
+    for (int i = 0; i < 3; i++) {
+        *lists[i] =
+            (td_array){.data = share->room[i], .capacity = TD_SHARE_BODIES, .stride = sizeof(int)};
+    }
+    memset(share->sums, 0, sizeof share->sums);
+    int first = index * TD_SHARE_BODIES;
+    share->part = (td_finalize_part){.first = first,
+                                     .end = td_min_int(first + TD_SHARE_BODIES, w->body_of.count),
+                                     .odd = &share->odd,
+                                     .fast = &share->fast,
+                                     .moved = &share->moved,
+                                     .sums = share->sums,
+                                     .sums_step = 1};
+    TD_PICK_WIDE(w, td_finalize_bodies)(w, &share->part);
+}
+
+static void finalize_as_worker(void *argument) {
+    finalizing *f = argument;
+    td_worker worker = td_worker_arrive(&f->task);
+    td_worker_walk(&worker, share_count(f->w), finalize_share, f);
+}
+
+/* Appends a list of ints, or of slots, to one that has room. */
+static void append(td_array *list, const td_array *more) {
+    memcpy((int *)list->data + list->count, more->data, (size_t)more->count * sizeof(int));
+    list->count += more->count;
+}
+
+/* Adds what is found of a share's bodies. Energies are added eight bodies after the other, as one
+ * worker does it, so that the sums have the same bits. */
+static void add_share(td_finalize_part *all, const td_finalize_share *share) {
+    append(all->odd, &share->odd);
+    append(all->fast, &share->fast);
+    append(all->moved, &share->moved);
+    all->has_moved |= share->part.has_moved;
+    all->idle += share->part.idle;
+    all->drowsy += share->part.drowsy;
+    for (int i = 0; i < TD_SHARE_BODIES / TD_LANES; i++) {
+        all->sums->kinetic += share->sums[i].kinetic;
+        all->sums->gained += share->sums[i].gained;
+    }
+}
+
+void td_shared_finalize(thud_world *w, td_finalize_part *all) {
+    if (!is_shared(w)) {
+        TD_PICK_WIDE(w, td_finalize_bodies)(w, all);
+        return;
+    }
+    atomic_int counters[1 + THUD_WORKERS_MAX] = {0};
+    finalizing f = {w, {.counters = counters, .workers = w->def.job_system.workers}};
+    td_job_run(w, &f.task, finalize_as_worker, &f);
+    for (int i = 0; i < share_count(w); i++) {
+        add_share(all, share_at(w, i));
+    }
+}
