@@ -41,8 +41,9 @@ typedef void thud_task_fn(void *argument);
 /* Must call task(argument) `workers` times, each on a thread of its own if possible, one of them
  * the calling thread, and return when all calls have returned. The calls divide the work among
  * themselves and never wait for a call that has not begun: with fewer threads a step is slower, but
- * the same. The engine calls it at most three times in a step, from inside thud_world_step, and once
- * in each call for many casts (thud_casts.h), but never before an earlier call has returned. */
+ * the same. The engine calls it at most three times in a step, from inside thud_world_step, and
+ * once in each call for many casts (thud_casts.h), but never before an earlier call has returned.
+ */
 typedef void thud_parallel_fn(thud_task_fn *task, void *argument, int workers, void *context);
 
 /* Which stages of a step workers share, beside contact manifolds and the solver, which they always
