@@ -37,6 +37,9 @@ TOKEN = re.compile(r"""
 """, re.VERBOSE | re.DOTALL | re.MULTILINE)
 DEFINE = re.compile(r"[ \t]*#[ \t]*define[ \t]+(\w+)(\([^)]*\))?")
 OWN_INCLUDE = re.compile(r'[ \t]*#[ \t]*include[ \t]+(?:"([^"]+)"|<(thud/[^>]+)>)[^\n]*\n?')
+DIRECTIVE = re.compile(r"[ \t]*#[ \t]*(if|ifdef|ifndef|elif|else|endif)\b([^/\n]*)")
+# Files that the one file leaves out on Windows: windows.h has names that the engine uses, too.
+NOT_ON_WINDOWS = ("src/threads/threads.c",)
 SYSTEM_INCLUDE = re.compile(r"[ \t]*#[ \t]*include[ \t]+<([^>]+)>")
 CONDITION = re.compile(r"[ \t]*#[ \t]*(if|ifdef|ifndef|elif|else|endif)\b")
 # Words before a name in parentheses that are no function's name.
@@ -55,6 +58,27 @@ def tokens_of(text):
 def solid(tokens):
     """The tokens that the compiler sees, without directives."""
     return [token for token in tokens if token[0] not in ("comment", "space", "directive")]
+
+
+def system_includes(text):
+    """Pairs of the name of each system header that a text includes, and the condition, or ""."""
+    conditions = []
+    for line in text.split("\n"):
+        include, directive = SYSTEM_INCLUDE.match(line), DIRECTIVE.match(line)
+        if include:
+            yield include[1], " && ".join(condition for condition in conditions if condition)
+        elif directive:
+            verb, rest = directive[1], directive[2].strip()
+            if verb in ("if", "ifdef", "ifndef"):
+                guard = verb == "ifndef" and rest.endswith("_H")
+                conditions.append("" if guard else f"({rest})" if verb == "if"
+                                  else f"{'!' * (verb == 'ifndef')}defined({rest})")
+            elif verb == "else":
+                conditions[-1] = f"!{conditions[-1]}"
+            elif verb == "elif":
+                conditions[-1] = f"({rest})"
+            else:
+                conditions.pop()
 
 
 class Source:
@@ -440,9 +464,15 @@ class Engine:
         return f"/* {name}: thud {version}{text}\n *\n{licence}\n */\n"
 
     def system_headers(self):
-        """The includes of all files of the C library's headers."""
-        names = {match[1] for source in self.files for match in SYSTEM_INCLUDE.finditer(source.text)}
-        return "".join(f"#include <{name}>\n" for name in sorted(names))
+        """The includes of all files of the C library's and the system's headers, each under the
+        conditions under which a file includes it."""
+        includes = {include for source in self.files for include in system_includes(source.text)}
+        text = ""
+        for name, condition in sorted(includes):
+            include = f"#include <{name}>\n"
+            if name != "windows.h":
+                text += f"#if {condition}\n{include}#endif\n" if condition else include
+        return text
 
     def section(self, source):
         """A file in the first copy, its macros ended behind it."""
@@ -453,6 +483,8 @@ class Engine:
             text = copies + "\n" + text
         if source.path.suffix == ".c":
             text += ends_of_macros(source, names, called)
+        if str(source.path) in NOT_ON_WINDOWS:
+            text = f"#if !defined(_WIN32)\n{text}#endif\n"
         return HERE.format(f"engine/{source.path}") + text
 
     def wide_headers(self):
@@ -561,7 +593,7 @@ CODE_HEAD = """, the whole engine in one file, for gcc and clang. Needs thud.h b
  *
  *     cc -O2 game.c thud.c -lm
  *
- * It computes the same bits as the library. Made by tools/amalgamate.py from engine/src: change the files
+ * It computes the same bits as the library. On Windows it has no pool of threads (thud_threads.h). Made by tools/amalgamate.py from engine/src: change the files
  * there, whose names stand before what they hold."""
 
 BEFORE = """#include "thud.h"
