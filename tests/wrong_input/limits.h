@@ -192,7 +192,8 @@
          thud_mover_move(p->world, &p->mover, (thud_vec2){(float)x, 0}, 1, NULL))
 
 #define GEOMETRY_LIMITS(FIELD, CALL)                                                               \
-    CALL(thud_threads_create, workers, 1, THUD_WORKERS_MAX, threads((int)x))                       \
+    CALL(thud_threads_create, workers, 1, THUD_WORKERS_MAX,                                        \
+         threads(x > -1e6 && x < 1e6 ? (int)x : -1))                                               \
     FIELD(thud_geometry, x, x, -THUD_COORDINATE_MAX, THUD_COORDINATE_MAX, instance)                \
     FIELD(thud_geometry, hx, hx, OPEN(0), THUD_COORDINATE_MAX, instance)                           \
     FIELD(thud_geometry, hy, hy, OPEN(0), THUD_COORDINATE_MAX, instance)                           \

@@ -2,12 +2,10 @@
 import { createRenderer } from "./draw/bodies";
 import { App } from "./page/app";
 import { addControls } from "./page/controls";
-import { describeScene } from "./page/describe";
 import { addDialogs } from "./page/dialogs";
 import { Dock } from "./page/dock";
 import { byId, make } from "./page/dom";
 import { readDraft } from "./page/drafts";
-import { Score } from "./page/score";
 import { addHint } from "./page/hint";
 import { Hud } from "./page/hud";
 import { fail, notice, say, type WayOn } from "./page/messages";
@@ -102,7 +100,6 @@ function offerUpdate(update: () => void): void {
 const reload = { label: "Load the page again", go: () => location.reload() };
 
 async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
-  const score = new Score();
   const pad = new Pad((held) => app.do({ kind: "keys", held }));
   const change = () => layOut(app, stage);
   const dock = new Dock(app, panels(stage), change);
@@ -120,8 +117,10 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   let gallery: Promise<void> | null = null;
   const loadGallery = () => {
     gallery ??= import("./page/gallery").then(
-      ({ ABOUTS, addGallery, ...words }) => {
+      ({ ABOUTS, addGallery, describeScene, Score, ...words }) => {
         addGallery(app, dock, (brought) => void openFiles(brought));
+        score = new Score();
+        describeScene(app);
         how = words;
         app.abouts = ABOUTS;
         app.chosen();
@@ -134,8 +133,7 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   };
   byId("scenes").addEventListener("open", loadGallery);
   addControls(app, stage, dock);
-  describeScene(app);
-  listenToScenes(app, { dock, hud, score, hinted: addHint(app), change });
+  listenToScenes(app, { dock, hud, hinted: addHint(app), change });
   app.listen({
     run({ keys }) {
       pad.show(keys);
@@ -184,6 +182,9 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
 
 /** What tells how games are played; the gallery brings it with what it tells of scenes. */
 let how: Pick<typeof import("./page/how"), "howToPlay" | "isTouch"> | null = null;
+
+/** Shows the figures and the message of a game; comes with the gallery. */
+let score: InstanceType<typeof import("./page/score").Score> | null = null;
 
 let slow: Promise<void> | null = null;
 
@@ -258,9 +259,9 @@ function toFirst(app: App): WayOn {
  */
 function listenToScenes(
   app: App,
-  parts: { dock: Dock; hud: Hud; score: Score; hinted: boolean; change(): void },
+  parts: { dock: Dock; hud: Hud; hinted: boolean; change(): void },
 ): void {
-  const { dock, hud, score, change } = parts;
+  const { dock, hud, change } = parts;
   let { hinted } = parts;
   let announced = "";
   /** A scene has begun of which nothing is told yet; its first frame is there; it speaks itself;
@@ -285,7 +286,7 @@ function listenToScenes(
     run(scene) {
       takeBack();
       hud.reset();
-      score.reset();
+      score?.reset();
       document.querySelector("main")!.removeAttribute("aria-busy");
       const { title } = app;
       byId("scene-title").textContent = title;
@@ -313,7 +314,7 @@ function listenToScenes(
       void leftOut?.then(({ showNotes }) => showNotes(notes));
     },
     frame({ paint }) {
-      if (score.show(paint)) change();
+      if (score?.show(paint)) change();
       framed = true;
       // A scene that has a message of its own says by itself what to do.
       speaks = Boolean(paint?.message);

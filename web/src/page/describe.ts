@@ -26,6 +26,7 @@ export function describeScene(app: App): void {
     },
     state: tell,
   });
+  tell();
 }
 
 /** "Pyramid, running at 12.3 s; 5,050 bodies, 120 awake; deepest overlap 0.004." */

@@ -14,7 +14,9 @@ import { byId, make } from "./dom";
 import type { Brought } from "./own-level";
 
 export { ABOUTS };
+export { describeScene } from "./describe";
 export { howToPlay, isTouch } from "./how";
+export { Score } from "./score";
 
 interface Card {
   button: HTMLButtonElement;
