@@ -120,6 +120,8 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
       ({ ABOUTS, addGallery, describeScene, Score, ...words }) => {
         addGallery(app, dock, (brought) => void openFiles(brought));
         score = new Score();
+        // What is shown may stand still, so that no other frame brings its figures.
+        if (score.show(app.player.shown?.frame.paint ?? null)) change();
         describeScene(app);
         how = words;
         app.abouts = ABOUTS;
