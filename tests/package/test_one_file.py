@@ -5,25 +5,18 @@ usage: test_one_file.py SOURCE CC TEST..., where a TEST is a program's name, its
 linked to it besides thud, between commas"""
 
 import shutil
-import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
+
+from command import run
 
 SOURCE, CC = Path(sys.argv[1]), sys.argv[2]
 TESTS = [words.split(",") for words in sys.argv[3:]]
 # The objects of the one call are kept, and the tests linked to thud's. What clang says of the files in
 # between, which it reads with all warnings, is not about the sources.
 FLAGS = ["-std=c17", "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-save-temps=obj"]
-
-
-def run(*words, **more):
-    done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, text=True,
-                          stderr=subprocess.STDOUT, check=False, **more)
-    if done.returncode != 0:
-        raise AssertionError(f"{' '.join(map(str, words))}\n{done.stdout}")
-    return done.stdout
 
 
 def make(folder):

@@ -5,11 +5,12 @@ usage: test_package.py SOURCE BUILD CC [CXX]"""
 
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
+
+from command import run
 
 sys.path.append(str(Path(__file__).parent.parent / "fuzz"))
 from check_calls import declared  # noqa: E402
@@ -41,14 +42,6 @@ add_executable(game game.cpp)
 target_link_libraries(game PRIVATE thud::thud)
 install(FILES game.cpp DESTINATION share)
 """
-
-
-def run(*words, **more):
-    done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, text=True,
-                          stderr=subprocess.STDOUT, check=False, **more)
-    if done.returncode != 0:
-        raise AssertionError(f"{' '.join(map(str, words))}\n{done.stdout}")
-    return done.stdout
 
 
 def project(folder, text):

@@ -349,6 +349,16 @@ static float distance_of(const image *now, int64_t a, int64_t b) {
     return (float)(now->head.length_scale / TD_FIXED_ONE) * (float)(double)quanta;
 }
 
+/* Reads the normals of the lanes, and both bodies' crosses with them at the point at this offset.
+ */
+static void read_normals(const lanes *l, size_t point, float nx[TD_LANES], float ny[TD_LANES],
+                         float cross_a[TD_LANES], float cross_b[TD_LANES]) {
+    read_row(l, offsetof(td_block, nx), nx);
+    read_row(l, offsetof(td_block, ny), ny);
+    read_row(l, point + offsetof(td_point, cross_a), cross_a);
+    read_row(l, point + offsetof(td_point, cross_b), cross_b);
+}
+
 /* The separations of kept manifolds at point k: td_cached_lanes. */
 static void kept_separations(const lanes *l, int k, float out[TD_LANES]) {
     int points = td_form_points((td_block_form)(l->section - TD_SECTION_BLOCKS));
@@ -359,10 +369,7 @@ static void kept_separations(const lanes *l, int k, float out[TD_LANES]) {
     td_manifold_cache cache;
     memcpy(&cache, l->block + kept, sizeof cache);
     float nx[TD_LANES], ny[TD_LANES], cross_a[TD_LANES], cross_b[TD_LANES];
-    read_row(l, offsetof(td_block, nx), nx);
-    read_row(l, offsetof(td_block, ny), ny);
-    read_row(l, point + offsetof(td_point, cross_a), cross_a);
-    read_row(l, point + offsetof(td_point, cross_b), cross_b);
+    read_normals(l, point, nx, ny, cross_a, cross_b);
     for (int i = 0; i < TD_LANES; i++) {
         start a = start_of(l, 0, i), b = start_of(l, 1, i);
         float dx = distance_of(l->now, a.x, b.x), dy = distance_of(l->now, a.y, b.y);
@@ -436,10 +443,7 @@ static void circle_rows(const lanes *l, size_t at, float out[TD_LANES]) {
 static void speeds_of(const lanes *l, const image *from, int section, size_t point, bool turns,
                       float out[TD_LANES]) {
     float nx[TD_LANES], ny[TD_LANES], cross_a[TD_LANES], cross_b[TD_LANES];
-    read_row(l, offsetof(td_block, nx), nx);
-    read_row(l, offsetof(td_block, ny), ny);
-    read_row(l, point + offsetof(td_point, cross_a), cross_a);
-    read_row(l, point + offsetof(td_point, cross_b), cross_b);
+    read_normals(l, point, nx, ny, cross_a, cross_b);
     for (int i = 0; i < TD_LANES; i++) {
         float v[2][3] = {{0.0f}};
         for (int k = 0; k < 2; k++) {

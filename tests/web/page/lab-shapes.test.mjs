@@ -4,20 +4,10 @@
  */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { BROWSERS, choose, DESKTOP, leftOut, near, openVisitor, PHONE, runAxe, stepBy } from "../support/page.mjs";
+import { BROWSERS, choose, DESKTOP, leftOut, near, openVisitor, PHONE, runAxe, rowsOf, stepBy } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
 const SCREENS = [["desktop", DESKTOP], ["phone", PHONE]];
-
-/** The rows below a control of the panel, by their names. */
-function rowsOf(page, name) {
-  return page.evaluate((control) => {
-    const list = document.querySelector(`[data-readings="${control}"]`);
-    const texts = (tag) => [...(list?.querySelectorAll(tag) ?? [])].map((one) => one.textContent);
-    const values = texts("dd");
-    return Object.fromEntries(texts("dt").map((term, i) => [term, values[i]]));
-  }, name);
-}
 
 /** The values of sliders, by their names. */
 const valuesOf = (page, names) =>

@@ -4,18 +4,8 @@
  */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { BROWSERS, choose, DESKTOP, leftOut, near, openVisitor, PHONE, stepBy } from "../support/page.mjs";
+import { BROWSERS, choose, DESKTOP, leftOut, near, openVisitor, PHONE, rowsOf, stepBy } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
-
-/** The rows below a control of the panel, by their names. */
-function rowsOf(page, name) {
-  return page.evaluate((control) => {
-    const list = document.querySelector(`[data-readings="${control}"]`);
-    const texts = (tag) => [...(list?.querySelectorAll(tag) ?? [])].map((one) => one.textContent);
-    const values = texts("dd");
-    return Object.fromEntries(texts("dt").map((term, i) => [term, values[i]]));
-  }, name);
-}
 
 const valueOf = (page, name) =>
   page.evaluate((control) => document.querySelector(`[name="set-${control}"]`).valueAsNumber, name);

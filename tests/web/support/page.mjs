@@ -219,3 +219,13 @@ export async function runAxeInBothThemes(page, within) {
   }
   return found;
 }
+
+/** The rows below a control of the panel, by their names. */
+export function rowsOf(page, name) {
+  return page.evaluate((control) => {
+    const list = document.querySelector(`[data-readings="${control}"]`);
+    const texts = (tag) => [...(list?.querySelectorAll(tag) ?? [])].map((one) => one.textContent);
+    const values = texts("dd");
+    return Object.fromEntries(texts("dt").map((term, i) => [term, values[i]]));
+  }, name);
+}

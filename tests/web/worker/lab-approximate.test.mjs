@@ -4,24 +4,13 @@
  */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { buildScene } from "../../../web/tools/scenes.mjs";
 import { yOf } from "../../../web/public/scenes/lab_approximate/picture.js";
+import { near, numberOf, openLab, rowOf } from "../support/lab.mjs";
 import { thud } from "../support/package.mjs";
 
 const engine = await thud.load();
 
-const rowOf = (paint, control, name) =>
-  paint.readings[control].find(([label]) => label === name)?.[1];
-const numberOf = (...asked) => Number.parseFloat(rowOf(...asked));
-const near = (actual, expected, tolerance, what) =>
-  assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual}, not ${expected}`);
-
-async function openLab(t, state = {}) {
-  const built = await buildScene(engine, "lab_approximate");
-  t.after(built.close);
-  Object.assign(built.scene.state, state);
-  return built.scene;
-}
+const open = (t, state) => openLab(engine, t, "lab_approximate", state);
 
 const cornersOf = (state) => Array.from({ length: 12 }, (_, i) => [state[`x${i}`], state[`y${i}`]]);
 
@@ -62,7 +51,7 @@ const GRID = 0.04;
 
 for (const [kinds, count] of [["both", 3], ["boxes", 12], ["circles", 8]])
   test(`areas_and_distance_of_${count}_${kinds}_are_those_of_points_sampled`, async (t) => {
-    const scene = await openLab(t, { kinds, count });
+    const scene = await open(t, { kinds, count });
     const paint = scene.paint();
     const points = cornersOf(scene.state);
     const pieces = piecesOf(paint);
@@ -94,7 +83,7 @@ for (const [kinds, count] of [["both", 3], ["boxes", 12], ["circles", 8]])
   });
 
 test("curve_grows_from_picture_to_picture_and_never_rises_with_the_count", async (t) => {
-  const scene = await openLab(t, { kinds: "circles", count: 4 });
+  const scene = await open(t, { kinds: "circles", count: 4 });
   const counts = [1, 2, 4, 8, 16, 24];
   const told = (paint) => counts.map((n) => rowOf(paint, "curve", `${n} ${n === 1 ? "piece" : "pieces"}`));
   assert.ok(told(scene.paint()).includes("being searched"));
@@ -122,7 +111,7 @@ test("curve_grows_from_picture_to_picture_and_never_rises_with_the_count", async
 });
 
 test("corner_is_dragged_and_a_polygon_that_crosses_itself_is_refused_with_the_reason", async (t) => {
-  const scene = await openLab(t, { kinds: "circles", curve: false });
+  const scene = await open(t, { kinds: "circles", curve: false });
   const { state } = scene;
   const missed = () => rowOf(scene.paint(), "missed", "Area missed");
   const before = missed();

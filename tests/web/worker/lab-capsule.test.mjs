@@ -4,23 +4,12 @@
  */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { buildScene } from "../../../web/tools/scenes.mjs";
+import { near, numberOf, openLab, rowOf } from "../support/lab.mjs";
 import { thud } from "../support/package.mjs";
 
 const engine = await thud.load();
 
-const rowOf = (paint, control, name) =>
-  paint.readings[control].find(([label]) => label === name)?.[1];
-const numberOf = (...asked) => Number.parseFloat(rowOf(...asked));
-const near = (actual, expected, tolerance, what) =>
-  assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual}, not ${expected}`);
-
-async function openLab(t, state = {}) {
-  const built = await buildScene(engine, "lab_capsule");
-  t.after(built.close);
-  Object.assign(built.scene.state, state);
-  return built.scene;
-}
+const open = (t, state) => openLab(engine, t, "lab_capsule", state);
 
 const along = ([x1, y1], [x2, y2], part) => [x1 + part * (x2 - x1), y1 + part * (y2 - y1)];
 
@@ -67,7 +56,7 @@ const PLACES = [
 const KINDS = ["circle", "aabb", "obb", "capsule"];
 
 test("distance_is_that_of_the_segment_less_the_radius_for_every_kind", async (t) => {
-  const scene = await openLab(t);
+  const scene = await open(t);
   const seen = { yes: 0, no: 0 };
   for (const kindB of KINDS)
     for (const place of PLACES) {
@@ -94,7 +83,7 @@ test("distance_is_that_of_the_segment_less_the_radius_for_every_kind", async (t)
 });
 
 test("capsule_overlaps_exactly_what_its_circle_hits_on_the_way", async (t) => {
-  const scene = await openLab(t);
+  const scene = await open(t);
   for (const kindB of KINDS)
     for (const place of PLACES) {
       Object.assign(scene.state, { ...place, kindB });
@@ -111,7 +100,7 @@ test("capsule_overlaps_exactly_what_its_circle_hits_on_the_way", async (t) => {
 });
 
 test("pointer_drags_an_end_a_whole_capsule_and_turns_a_box", async (t) => {
-  const scene = await openLab(t);
+  const scene = await open(t);
   const { state } = scene;
   const drag = (from, to) => {
     for (const [[x, y], down] of [[from, false], [from, true], [to, true], [to, false]])
