@@ -172,7 +172,7 @@ static int64_t crowd_threshold(const thud_world *w) {
  * promises (n / 64 steps in a crowd of n); both chosen. */
 enum { CROWD_TESTS_A_SHAPE = 128, CROWD_CONTACTS_A_SHAPE = 32 };
 
-/* Hits that wait while what their test reads is prefetched. Chosen. */
+/* The greatest number of hits that wait while what their test reads is prefetched. Chosen. */
 enum { HELD_MAX = 64 };
 
 /* The search for pairs among awake shapes, as add_hits continues it. */
@@ -180,7 +180,8 @@ typedef struct pair_search {
     thud_world *w;
     int64_t overlaps; /* overlapping pairs found so far */
     bool crowded;     /* pairs wait for their turn */
-    /* Hits whose bounds before are on their way to the cache: of `shapes` so many each. */
+    /* Hits that are kept until the bounds that their test reads have arrived in the cache: of each
+     * of the `shape_count` shapes, `counts` elements of `hits`, one shape after the other. */
     int held, shape_count;
     int hits[HELD_MAX], shapes[HELD_MAX], counts[HELD_MAX];
 } pair_search;
@@ -371,12 +372,13 @@ static bool find_resting_pairs_of(thud_world *w, int shape) {
     return add_new_pairs(w, shape, w->scratch.found_shapes.data, w->scratch.found_shapes.count, 0);
 }
 
-/* Resting shapes query the awake ones where they are fewer than one for so many moved awake ones.
- * Chosen; not tuned. */
+/* Resting shapes query the awake ones where there are fewer than one of them for this many awake
+ * shapes that moved. Chosen; not tuned. */
 enum { MOVED_PER_RESTING = 8 };
-/* The resting shapes near those that moved are looked for where they should be at most so many for
- * each of these, if the resting ones were spread evenly. Chosen: a query costs as much as a hundred
- * shapes that are found, so that what is looked for in vain costs little. */
+/* The resting shapes near those that moved are looked for where fewer than this many are expected
+ * for each of those, as if the resting shapes were spread evenly over their bounds. Chosen: a query
+ * costs as much as a hundred shapes that are found, so that what is looked for in vain costs
+ * little. */
 enum { RESTING_PER_MOVED = 4 };
 
 /* Sets *few to the resting shapes that shall query the awake ones, where these are few beside the

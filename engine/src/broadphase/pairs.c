@@ -16,10 +16,11 @@ bool td_pairs_add(thud_world *w, int a, int b, int child) {
     return true;
 }
 
-/* Shape and body records lie anywhere in memory, so loops over pairs prefetch so many pairs ahead.
- * Distances chosen. */
+/* Shape and body records lie anywhere in memory, so loops over pairs prefetch the records of
+ * the pairs that come this many pairs later. Chosen. */
 enum { FETCH_SHAPES = 16, FETCH_BODIES = 8, FETCH_EDGES = 4 };
 
+/* At pair i of a loop over `count` pairs: prefetches the shapes and bodies of later pairs. */
 static void fetch_ahead(const thud_world *w, const td_new_pair *pair, int count, int i) {
     if (TD_HAS_PREFETCH && i + FETCH_SHAPES < count) {
         __builtin_prefetch(td_shape_at(w, pair[i + FETCH_SHAPES].a));
