@@ -47,6 +47,10 @@ test("tarball_has_every_file_that_the_package_exports_and_no_source", () => {
     assert.match(file, /^(dist\/[\w/-]+\.(js|d\.ts|wasm)|LICENSE|README\.md|package\.json)$/);
 });
 
+test("two_threads_share_the_steps_of_a_large_world_with_the_same_bits", () => {
+  assert.deepEqual(expected.shared, { threads: 2, same: true, helped: true });
+});
+
 test("ball_has_fallen_onto_the_box", () => {
   assert.ok(expected.height > 1.4 && expected.height < 2, String(expected.height));
   assert.match(expected.hash, /^[0-9a-f]{16}$/);

@@ -11,6 +11,7 @@ import { dirname, extname, join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { launch } from "../../../web/tools/browser.mjs";
 import { listenFrom } from "../../../web/tools/serve.mjs";
+import { ISOLATION } from "../../../web/tools/headers.mjs";
 import { PATIENCE } from "./page.mjs";
 import { root } from "./package.mjs";
 
@@ -38,6 +39,29 @@ export async function run(source) {
   if (!(ThudError.prototype instanceof Error)) throw new Error("no ThudError");
   level.close();
   world.close();
+  return { ...told, shared: await share() };
+}
+
+/** A pile that is large enough for threads to share its steps, with and without threads. */
+async function share() {
+  const engines = [await load(), await load({ threads: 2 })];
+  const piles = engines.map((engine) => {
+    const world = engine.createWorld();
+    world.createTerrain(world.createBody(), { kind: "flat" });
+    for (let i = 0; i < 900; i++) {
+      const ball = world.createBody({ kind: "dynamic", position: [i % 30, 0.5 + Math.floor(i / 30)] });
+      world.createCircle(ball, { radius: 0.5 });
+    }
+    for (let i = 0; i < 30; i++) world.step();
+    return world;
+  });
+  const [alone, together] = piles.map((world) => world.hash());
+  const { threads, exports } = engines[1];
+  const helped = () => threads > 1 && exports.api_threads_helped() > 0;
+  // On a busy machine a thread may come late.
+  for (let i = 0; threads > 1 && !helped() && i < 2000; i++) piles[1].step();
+  const told = { threads, same: alone === together, helped: helped() };
+  engines[1].endThreads();
   return told;
 }
 
@@ -125,8 +149,8 @@ const TYPES = {
   ".wasm": "application/wasm",
 };
 
-/** Serves a folder, with the policy on every file. */
-export async function host(folder, policy = POLICY) {
+/** Serves a folder, with the policy and `headers` on every file. */
+export async function host(folder, policy = POLICY, headers = ISOLATION) {
   const server = createServer((request, response) => {
     const path = new URL(request.url, "http://any").pathname;
     const file = join(folder, path.endsWith("/") ? `${path}index.html` : path);
@@ -134,6 +158,7 @@ export async function host(folder, policy = POLICY) {
     response.writeHead(200, {
       "Content-Type": TYPES[extname(file)] ?? "application/octet-stream",
       "Content-Security-Policy": policy,
+      ...headers,
     });
     response.end(readFileSync(file));
   });
