@@ -26,8 +26,9 @@ export async function load(
   if (!areOptions(given)) return instantiateOrFetch(given, rest);
   const threads = threadsOf(given);
   if (threads > 1) {
-    const { defaultThreadsUrl, loadThreads } = await import("./threads.js");
-    const { module = defaultThreadsUrl() } = given.threadFiles ?? {};
+    const { loadThreads } = await import("./threads.js");
+    // The address is made here, since a bundler may put threads.js into another folder.
+    const { module = new URL("./thud-threads.wasm", import.meta.url) } = given.threadFiles ?? {};
     const files = { module: isFile(module) ? await read(module) : module };
     const engine = await loadThreads(threads, files, startThread);
     if (engine) return engine;

@@ -30,7 +30,7 @@ export function serveThread({ module, memory, stack }: ThreadStart, begun: () =>
 }
 
 /** The name of a worker of this script: only a worker of threads.ts has it. */
-if ((globalThis as { name?: string }).name === "thud thread")
+if ((globalThis as { name?: string }).name === "thud-thread")
   addEventListener("message", ({ data }: MessageEvent<ThreadStart>) => {
     serveThread(data, () => postMessage(null));
     close();

@@ -57,7 +57,7 @@ class ThreadedEngine extends Engine {
  */
 export async function loadThreads(
   threads: number,
-  { module = defaultThreadsUrl(), script }: ThreadFiles = {},
+  { module = new URL("./thud-threads.wasm", import.meta.url), script }: ThreadFiles = {},
   start: ThreadStarter = startWorker,
 ): Promise<Engine | null> {
   const memory = sharedMemory();
@@ -73,11 +73,6 @@ export async function loadThreads(
   }
   await engine.start(compiled, memory, threads, (one) => start(one, script));
   return engine;
-}
-
-/** The URL of thud-threads.wasm beside this file, which bundlers recognise. */
-export function defaultThreadsUrl(): URL {
-  return new URL("./thud-threads.wasm", import.meta.url);
 }
 
 /** A memory for several threads; null where there is none. */
@@ -100,10 +95,11 @@ async function bytesOf(source: URL | string | BufferSource): Promise<BufferSourc
 
 /** The ThreadStarter of browsers. */
 function startWorker(start: ThreadStart, script?: URL | string): Promise<void> {
-  // Bundlers recognise `new Worker(new URL("…", import.meta.url), …)`, written like this.
+  // Bundlers recognise `new Worker(new URL("…", import.meta.url), …)`, written like this. webpack
+  // calls the file by this name.
   const worker = script
-    ? new Worker(script, { type: "module", name: "thud thread" })
-    : new Worker(new URL("./thread.js", import.meta.url), { type: "module", name: "thud thread" });
+    ? new Worker(script, { type: "module", name: "thud-thread" })
+    : new Worker(new URL("./thread.js", import.meta.url), { type: "module", name: "thud-thread" });
   return new Promise((done, fail) => {
     worker.onmessage = () => done();
     worker.onerror = ({ message }) => fail(new Error(message || "its script, thread.js, is missing"));
