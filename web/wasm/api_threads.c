@@ -1,5 +1,5 @@
 /* api_threads.c: a pool of threads as the job system of worlds, in thud-threads.wasm alone. The
- * threads are workers of the host: web/package/src/threads starts them, each with an instance of
+ * threads are workers of the host: web/package/src/threads.ts starts them, each with an instance of
  * the module on the same memory and with a stack of its own, and each of them calls
  * api_thread_serve.
  *
