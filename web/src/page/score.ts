@@ -15,11 +15,13 @@ export class Score {
     this.#shown = "";
   }
 
-  /** Shows a frame's figures and message. True if the figures appeared or disappeared: the layout
-   * below them has moved. */
+  /** Shows a frame's figures and message. True if the layout below them has moved: the figures
+   * appeared or disappeared, or the scene begins with a message. One that comes later, as in games,
+   * moves nothing under a hand. */
   show(paint: Paint | null): boolean {
     const { figures = [], message = "" } = paint ?? {};
-    const moved = this.#root.hidden !== (figures.length === 0);
+    const begins = this.#shown === "" && message !== "";
+    const moved = begins || this.#root.hidden !== (figures.length === 0);
     this.#root.hidden = figures.length === 0;
     const text = JSON.stringify([figures, message]);
     if (text === this.#shown) return moved;
