@@ -59,7 +59,7 @@ export default function ({ createWorld, grid }) {
 
   const scene = {
     world,
-    view: { x: 0, y: 2.4, height: 9, width: 9.5, tall: { x: 0, y: 3, height: 10, width: 8.6 } },
+    view: { x: 0, y: 3.1, height: 8.8, width: 9.5, tall: { x: 0, y: 3, height: 10, width: 8.6 } },
     spawn: [2, 6],
     keys: { fire: "drop again" },
     controls: CONTROLS,
