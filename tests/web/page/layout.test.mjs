@@ -187,13 +187,13 @@ test("hint_goes_for_good_when_another_scene_is_chosen", async () => {
   await close();
 });
 
-/** The cradle's figures appear with the first frame, and move the hint down on a phone; the terrain
+/** The cradle's figures appear with the first frame, and move the hint down on a phone; Latency
  * begins with a message. */
 const TOLD = [
   ["hint", "tall_stack", "desktop", DESKTOP],
   ["hint", "tall_stack", "phone", PHONE],
   ["hint", "newtons_cradle", "phone", PHONE],
-  ["message", "lab_terrain", "phone", PHONE],
+  ["message", "lab_latency", "phone", PHONE],
 ];
 for (const [told, scene, size, options] of TOLD)
   test(`${told}_covers_nothing_of_${scene}_on_a_${size}`, async () => {
