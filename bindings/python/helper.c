@@ -1,5 +1,6 @@
-/* helper.c: what the Python package needs beside the engine, in C so that no step waits for Python's
- * lock: the message of a refused call, memory that views outlive, and steps of many worlds. */
+/* helper.c: what the Python package needs beside the engine, in C so that no step waits for
+ * Python's lock: the message of a refused call, memory that views outlive, and steps of many
+ * worlds. */
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -11,7 +11,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-PROJECT, CC = Path(sys.argv[1]), sys.argv[2]
+PROJECT, CC = Path(sys.argv[1]).resolve(), sys.argv[2]
 
 
 def run(*words, **more):
