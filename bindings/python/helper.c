@@ -103,10 +103,6 @@ const char *thud_py_context_message(const thud_py_context *context) {
     return context->message;
 }
 
-void thud_py_context_forget(thud_py_context *context) {
-    context->message[0] = 0;
-}
-
 /* A world whose step fails is not stepped further; the others are. */
 void thud_py_step_all(thud_world **worlds, int count, int steps, thud_result *out_results) {
     for (int i = 0; i < count; i++) {

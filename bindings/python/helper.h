@@ -6,5 +6,4 @@ void thud_py_context_destroy(thud_py_context *context);
 void thud_py_context_hold(thud_py_context *context);
 void thud_py_context_let_go(thud_py_context *context);
 const char *thud_py_context_message(const thud_py_context *context);
-void thud_py_context_forget(thud_py_context *context);
 void thud_py_step_all(thud_world **worlds, int count, int steps, thud_result *out_results);

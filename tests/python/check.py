@@ -33,5 +33,5 @@ with tempfile.TemporaryDirectory() as held:
     wheel = next(folder.glob("thud-*.whl"))
     run(*pip, "install", "--no-index", "--no-deps", "--target", installed, wheel)
     run(sys.executable, "-B", "-m", "pytest", "-q", "-p", "no:cacheprovider", source / "tests", cwd=folder,
-        env={**os.environ, "PYTHONPATH": str(installed), "THUD_PROJECT": str(PROJECT),
+        env={**os.environ, "PYTHONPATH": str(installed), "THUD_PROJECT": str(PROJECT), "MALLOC_PERTURB_": "90",
              "SDL_VIDEODRIVER": "dummy", "SDL_AUDIODRIVER": "dummy", "PYGAME_HIDE_SUPPORT_PROMPT": "1"})

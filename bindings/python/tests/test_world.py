@@ -6,6 +6,7 @@ import io
 import os
 import re
 import threading
+import time
 from pathlib import Path
 
 import numpy
@@ -136,17 +137,15 @@ def test_poses_are_a_view_that_cannot_be_written():
 
 
 def test_views_outlive_their_world():
+    """Under glibc, MALLOC_PERTURB_ overwrites what is freed."""
     world, _ = falling()
-    world.step()
+    world.step(30)
     poses = world.poses()[1:]
-    before = poses.tolist()
-    for number in range(2000):
-        world.body("dynamic", position=(number, 9)).circle(0.1)
-    world.poses()
+    before = poses.copy()
     world.close()
     del world
     gc.collect()
-    assert poses.tolist() == before
+    assert numpy.array_equal(poses, before)
 
 
 def test_closed_worlds_are_refused():
@@ -212,24 +211,23 @@ def test_batches_have_the_bits_of_single_worlds():
 
 
 def test_a_step_leaves_pythons_lock_to_other_threads_and_keeps_them_out():
-    world = tall_stack()
-    world.step(0)
-    refused, begun = [], threading.Event()
+    world, refused = tall_stack(), []
 
     def steps():
-        begun.set()
-        world.step(4000)
+        while not refused and time.monotonic() < end:
+            world.step(10)
 
+    end = time.monotonic() + 20
     thread = threading.Thread(target=steps)
     thread.start()
-    begun.wait()
-    while thread.is_alive():
+    while not refused and thread.is_alive():
         try:
-            world.stats()
+            world.pointer  # pylint: disable=pointless-statement
         except thud.ThudError as error:
             refused.append(error)
     thread.join()
     assert refused and refused[0].result == thud.Result.ERROR_LOCKED
+    world.step()
 
 
 def test_every_public_function_is_there():

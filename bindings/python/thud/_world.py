@@ -91,9 +91,9 @@ class World:
 
     def _check(self, result: int) -> None:
         if result != lib.THUD_OK:
+            # The engine logs the reason of whatever it refuses.
             message = ffi.string(lib.thud_py_context_message(self._context)).decode()
-            lib.thud_py_context_forget(self._context)
-            raise ThudError(Result(result), message or ffi.string(lib.thud_result_text(result)).decode())
+            raise ThudError(Result(result), message)
 
     def call(self, name: str, *arguments: Any) -> None:
         """Calls thud_NAME(world, ...) of the C interface; ThudError if it is refused."""
