@@ -106,10 +106,11 @@ def records(api):
         ready.append(entry["name"])
         text = entry["comment"] + "\n\n" + described(entry["fields"])
         lines.append(f"\n\nclass {camel(entry['name'])}(NamedTuple):\n" + quoted(text, "    "))
-        lines += [f"    {attribute(field['name'])}: {python_type(field['type'], api)}\n"
+        lines += [f"    {attribute(field['name'])}: {python_type(field['type'], api)}"
+                  + "  # type: ignore[assignment]" * hasattr(tuple, field["name"]) + "\n"
                   for field in entry["fields"]]
     for entry in (one for one in api["structs"] if one["name"].endswith("_def")):
-        name = camel(entry["name"]).removesuffix("Def") + "Options"
+        name = camel(entry["name"]) + "Options"
         text = f"Fields of {entry['name']}.\n\n" + described(entry["fields"])
         lines.append(f"\n\nclass {name}(TypedDict, total=False):\n" + quoted(text, "    "))
         lines += [f"    {field['name']}: {option_type(field, api)}\n"
@@ -118,10 +119,10 @@ def records(api):
             lines.append("    along: Dict[str, Any]\n    across: Dict[str, Any]\n    turn: Dict[str, Any]\n")
     names = ", ".join(f'"{name}": {camel(name)}' for name in
                       [*ready, *(entry["name"] for entry in api["enums"])])
-    lines.append(f"\n\nOF_C = {{{names}}}\n")
+    lines.append(f"\n\nOF_C: Dict[str, Any] = {{{names}}}\n")
     objects = {}
     for entry in api["variables"]:
         words = objects.setdefault(entry["type"].removeprefix("const "), {})
         words[entry["name"].split("_", 2)[2]] = entry["name"]
-    lines.append(f"OBJECTS = {objects}\n")
+    lines.append(f"OBJECTS: Dict[str, Dict[str, str]] = {objects}\n")
     return "".join(lines)

@@ -241,6 +241,9 @@ def test_types_are_those_of_the_headers():
     import thud._records as records
     assert records.StepError._fields[:2] == ("penetration_max", "penetration_mean")
     assert "Units" not in records.StepError.__doc__ and "penetration" in records.StepError.__doc__
-    assert set(records.WorldOptions.__annotations__) >= {"gravity", "time_step", "quality"}
-    assert (Path(thud.__file__).parent / "py.typed").is_file()
+    assert set(records.WorldDefOptions.__annotations__) >= {"gravity", "time_step", "quality"}
+    folder = Path(thud.__file__).parent
+    assert (folder / "py.typed").is_file() and (folder / "_native.pyi").is_file()
+    names = re.findall(r"^class (\w+)", (folder / "_records.py").read_text(encoding="utf-8"), re.M)
+    assert len(names) > 90 and len(names) == len(set(names))
     assert thud.BodyKind.DYNAMIC == thud.lib.THUD_BODY_DYNAMIC

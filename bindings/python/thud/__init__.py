@@ -18,8 +18,8 @@ and raises ThudError with the engine's message. All of the C interface is in `ff
 from ._batch import Batch
 from ._native import ffi, lib
 from ._records import *  # noqa: F403
-from ._world import Body, Events, Joint, Shape, ThudError, World
+from ._world import Body, Joint, Shape, StepEvents, ThudError, World
 
 __version__ = ".".join(str(part) for part in (
     lib.THUD_VERSION_MAJOR, lib.THUD_VERSION_MINOR, lib.THUD_VERSION_PATCH))
-__all__ = ["Batch", "Body", "Events", "Joint", "Shape", "ThudError", "World", "ffi", "lib"]
+__all__ = ["Batch", "Body", "Joint", "Shape", "StepEvents", "ThudError", "World", "ffi", "lib"]

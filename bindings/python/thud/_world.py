@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from typing import TYPE_CHECKING, Any, Iterable, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, Iterable, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _convert
 from ._convert import constant, fill, pair, plain
@@ -14,7 +14,7 @@ from ._records import (BodyState, JointState, Measure, Pos, Result, ShapeState, 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._records import BodyOptions, JointOptions, ShapeOptions, WorldOptions
+    from ._records import BodyDefOptions, JointDefOptions, ShapeDefOptions, WorldDefOptions
 
 Point = Union[Tuple[float, float], Sequence[float]]
 
@@ -29,7 +29,7 @@ class ThudError(Exception):
         self.result = result
 
 
-class Events(NamedTuple):
+class StepEvents(NamedTuple):
     """The events of the last step, or of all steps of the last advance, each list a NumPy array
     with the fields of the engine's struct, which is a view of the world's memory."""
 
@@ -49,7 +49,7 @@ class World:
     Options are the fields of thud_world_def. A world is used by one thread at a time; a call during
     a step on another thread is refused. It is freed when nothing refers to it, or by close()."""
 
-    def __init__(self, **options: "Unpack[WorldOptions]"):
+    def __init__(self, **options: "Unpack[WorldDefOptions]"):
         self._world: Any = None
         self._stepping = False
         context = lib.thud_py_context_create()
@@ -131,7 +131,7 @@ class World:
 
     # ---- what is in it ----
 
-    def body(self, kind: str = "static", **options: "Unpack[BodyOptions]") -> "Body":
+    def body(self, kind: str = "static", **options: "Unpack[BodyDefOptions]") -> "Body":
         """A new body: "static", "kinematic" or "dynamic". Options are the fields of thud_body_def."""
         def_ = ffi.new("thud_body_def *", lib.thud_default_body_def())
         fill(def_, {"kind": kind, **options}, "a body")
@@ -140,7 +140,7 @@ class World:
         return Body(self, out[0])
 
     def joint(self, kind: str, body_a: Any, body_b: Any, *places: Any,
-              **options: "Unpack[JointOptions]") -> "Joint":
+              **options: "Unpack[JointDefOptions]") -> "Joint":
         """A new joint at places in the world: "hinge", "weld" and "target" with a point, "slider" and
         "wheel" with a point and an axis, "rod" with the points that it connects, "rope" with these and a
         length. Without places it is of a thud_joint_kind, and its frames are those of the options.
@@ -158,9 +158,9 @@ class World:
             made = make(self.pointer, body_a.handle, body_b.handle, *values)
         else:
             made = lib.thud_default_joint_def(constant("thud_joint_kind", kind))
-            options = {"body_a": body_a, "body_b": body_b, **options}  # type: ignore[assignment, misc]
         def_ = ffi.new("thud_joint_def *", made)
-        given = dict(options)
+        given: Dict[str, Any] = {} if places else {"body_a": body_a, "body_b": body_b}
+        given.update(options)
         for word in ("along", "across", "turn"):
             if word in given:
                 fill(def_.drive[constant("thud_direction", word)], given.pop(word), word)
@@ -214,13 +214,13 @@ class World:
         rows.flags.writeable = False
         return rows
 
-    def events(self) -> Events:
+    def events(self) -> StepEvents:
         """The events of the last step, or of all steps of the last advance; views as of view()."""
         out = ffi.new("thud_events *")
         self.call("world_get_events", out)
         count_of = {"sensor_begin_time": "sensor_begin_count", "sensor_end_time": "sensor_end_count"}
-        return Events(*(self.view(getattr(out, name), getattr(out, count_of.get(name, f"{name}_count")))
-                        for name in Events._fields))
+        return StepEvents(*(self.view(getattr(out, name), getattr(out, count_of.get(name, f"{name}_count")))
+                        for name in StepEvents._fields))
 
     def step_error(self) -> StepError:
         """What the last step got wrong."""
@@ -357,23 +357,23 @@ class Body(_Object):
 
     # ---- shapes: options are the fields of thud_shape_def ----
 
-    def circle(self, radius: float, offset: Point = (0.0, 0.0), **options: "Unpack[ShapeOptions]") -> "Shape":
+    def circle(self, radius: float, offset: Point = (0.0, 0.0), **options: "Unpack[ShapeDefOptions]") -> "Shape":
         return self._shape("circle", options, pair("thud_vec2", offset), radius)
 
     def aabb(self, half_width: float, half_height: float, offset: Point = (0.0, 0.0),
-             **options: "Unpack[ShapeOptions]") -> "Shape":
+             **options: "Unpack[ShapeDefOptions]") -> "Shape":
         """A box that stays parallel to the axes, and keeps its body from turning."""
         return self._shape("aabb", options, pair("thud_vec2", offset),
                            pair("thud_vec2", (half_width, half_height)))
 
     def obb(self, half_width: float, half_height: float, offset: Point = (0.0, 0.0), angle: float = 0.0,
-            **options: "Unpack[ShapeOptions]") -> "Shape":
+            **options: "Unpack[ShapeDefOptions]") -> "Shape":
         """A box that turns with its body."""
         return self._shape("obb", options, pair("thud_vec2", offset),
                            pair("thud_vec2", (half_width, half_height)), angle)
 
     def terrain(self, points: Optional[Iterable[Point]] = None, slope: float = 0.0,
-                **options: "Unpack[ShapeOptions]") -> "Shape":
+                **options: "Unpack[ShapeDefOptions]") -> "Shape":
         """A ground line through points with rising x; without points a straight line of this slope
         through the body's origin. Only on a static body with angle 0."""
         line = ffi.new("thud_terrain *")
