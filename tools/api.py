@@ -232,9 +232,11 @@ class Api:
                     and before[2] == "above":
                 said = before[1]
             self.last[header.name] = (match.end(), said, "above" if above and not behind else "")
+            section = header.section(match.start())
             self.lists["constants"].append(
-                {"name": match[1], "header": header.name, "section": header.section(match.start()),
-                 "value": eval(number), "text": text, "comment": said or header.section(match.start()) or header.head})  # pylint: disable=eval-used
+                {"name": match[1], "header": header.name, "section": section,
+                 "value": eval(number),  # pylint: disable=eval-used; arithmetic alone
+                 "text": text, "comment": said or section or header.head})
 
     def EnumDecl(self, node):  # pylint: disable=invalid-name
         values, value = [], -1
@@ -292,7 +294,7 @@ class Api:
             prototype = (inner(prototype, "ParenType") + inner(prototype, "FunctionProtoType"))[0]
         header = self.headers[node["file"]]
         text = header.text[node["begin"]:node["end"] + 1]
-        inside = COMMENT.sub("", text[text.index("(") + 1:header_close(text)])
+        inside = COMMENT.sub("", text[text.index("(") + 1:text.rindex(")")])
         names = [re.search(r"(\w+)\s*$", part)[1] for part in inside.split(",")]
         types = [child["type"]["qualType"] for child in prototype.get("inner", [])[1:]]
         parameters = [{"name": name, "type": kind} for name, kind in zip(names, types, strict=True)]
@@ -326,11 +328,6 @@ class Api:
             parts.append(f'  {json.dumps(name)}: [\n' + ",\n".join(written(item) for item in items)
                          + "\n  ]")
         return "{\n" + ",\n".join(parts) + "\n}\n"
-
-
-def header_close(text):
-    """The index of the last closing parenthesis of a declaration."""
-    return text.rindex(")")
 
 
 def written(item):
