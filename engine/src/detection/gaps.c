@@ -10,6 +10,7 @@
 
 #include "constraint/lanes.h"
 #include "constraint/tied_bodies.h"
+#include "detection/arrival_rows.h"
 #include "detection/project.h"
 #include "solver/error.h"
 #include "state/body.h"
@@ -38,7 +39,7 @@ enum {
     FINE_PASSES = 20,
     PASSES_MAX = 160,
     FINAL_PASSES = 2,
-    BLOCKS_PER_COLLISION = 2
+    BLOCKS_PER_COLLISION = 1
 };
 #define OVER_RELAXATION 1.8f
 
@@ -93,9 +94,10 @@ static td_block *const *blocks_of(const thud_world *w, const td_run *run) {
     return (td_block **)w->scratch.blocks.data + run->first;
 }
 
-/* One pass over all contacts; at how many points it was not enough, see td_project_context. */
+/* One pass over all contacts and arrivals; at how many points it was not enough, see
+ * td_project_context. */
 static int project_once(thud_world *w, const td_project_context *context) {
-    int unfinished = 0;
+    int unfinished = td_arrival_rows_project(w, context);
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = contact_run_at(w, i);
         if (run) {
