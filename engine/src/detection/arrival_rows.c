@@ -51,7 +51,7 @@ int td_arrival_rows_project(thud_world *w, const td_project_context *c) {
 
 void td_arrival_rows_rub(thud_world *w) {
     for (int i = 0; i < w->scratch.arrivals.count; i++) {
-        const td_arrival *r = TD_AT(td_arrival, &w->scratch.arrivals, i);
+        td_arrival *r = TD_AT(td_arrival, &w->scratch.arrivals, i);
         if (r->velocity > 0.0f) {
             float *a = td_row(&w->velocity, r->a), *b = td_row(&w->velocity, r->b);
             float x = r->ny, y = -r->nx;
@@ -64,6 +64,7 @@ void td_arrival_rows_rub(thud_world *w) {
             float impulse =
                 (float)td_clamp((double)(-slide / inverse_mass), (double)-most, (double)most);
             push(w, r, a, b, impulse * x, impulse * y);
+            r->rubbed = impulse;
         }
     }
 }

@@ -24,6 +24,7 @@ typedef struct td_arrival {
     float inv_inertia[2];           /* of a and b */
     float mass;                     /* effective mass along the normal */
     float motion, velocity;         /* the impulses of td_pushes, >= 0 */
+    float rubbed;                   /* friction impulse on b along (ny, -nx), mass length/s */
     thud_contact_settings settings; /* of the pair; of its restitution nothing is left here */
     td_impact impact;               /* as callbacks will see it; closing_speed is set */
     int32_t contact;                /* its number */

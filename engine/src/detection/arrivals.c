@@ -144,6 +144,7 @@ void td_arrivals_end(thud_world *w) {
         td_arrival *r = TD_AT(td_arrival, &w->scratch.arrivals, i);
         if (r->velocity > 0.0f) {
             r->impact.seen.normal_impulse = r->velocity;
+            r->impact.seen.tangent_impulse = r->rubbed;
             TD_PUSH(td_impact, &w->scratch.impacts) = r->impact;
             w->stats.impacts++;
         }

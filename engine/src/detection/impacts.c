@@ -2,7 +2,9 @@
  * `bisect` or `swept` from impact to impact, in the order of time, and resolves each impact there
  * (Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996).
  *
- * It runs after the solver. Each awake body has a trajectory, at first the motion that the solver
+ * Before the motion of the solver becomes poses, gaps.c takes out of it what moves touching shapes
+ * into each other, together with pairs that would meet on bodies that touch others (arrivals.c).
+ * The rest of this file runs after that. Each awake body has a trajectory, at first the motion that the solver
  * gave it. Pairs that may meet are candidates: contacts, whose fat bounds reach as far as the
  * bodies were expected to move; each body and the ground; and pairs with escaped shapes, which
  * leave those bounds. A queue has the time of impact of each candidate. The earliest is taken out,
