@@ -4,13 +4,13 @@
  *
  * Before the motion of the solver becomes poses, gaps.c takes out of it what moves touching shapes
  * into each other, together with pairs that would meet on bodies that touch others (arrivals.c).
- * The rest of this file runs after that. Each awake body has a trajectory, at first the motion that the solver
- * gave it. Pairs that may meet are candidates: contacts, whose fat bounds reach as far as the
- * bodies were expected to move; each body and the ground; and pairs with escaped shapes, which
- * leave those bounds. A queue has the time of impact of each candidate. The earliest is taken out,
- * both bodies are moved to that time, they get new velocities and trajectories (collide.c), and the
- * times of all their candidates are computed anew. At the end poses, motions and bounds of changed
- * bodies follow, and hit events are made.
+ * The rest of this file runs after that. Each awake body has a trajectory, at first the motion that
+ * the solver gave it. Pairs that may meet are candidates: contacts, whose fat bounds reach as far
+ * as the bodies were expected to move; each body and the ground; and pairs with escaped shapes,
+ * which leave those bounds. A queue has the time of impact of each candidate. The earliest is taken
+ * out, both bodies are moved to that time, they get new velocities and trajectories (collide.c),
+ * and the times of all their candidates are computed anew. At the end poses, motions and bounds of
+ * changed bodies follow, and hit events are made.
  *
  * The work of a step is bounded: a body is held at its place for the rest of the step after
  * IMPACTS_MAX impacts, and at its next impact once TOI_BUDGET is spent (thud_stats.held_bodies).
