@@ -123,6 +123,15 @@ class HouseTest(unittest.TestCase):
                 self.assert_noticed("intrinsics: engine/src/solver/ray.c",
                                     {"engine/src/solver/ray.c": f"int x = {call};\n"})
 
+    def test_only_the_pool_of_the_browser_waits_by_webassembly(self):
+        def told(file, call):
+            found = self.breaches({file: f"int x = {call};\n"})
+            return [line for line in found if line.startswith(f"intrinsics: {file}")]
+        wait = "__builtin_wasm_memory_atomic_wait32(p, 0, -1)"
+        self.assertEqual(told("web/wasm/api_threads.c", wait), [])
+        self.assertEqual(len(told("web/wasm/api_world.c", wait)), 1)
+        self.assertEqual(len(told("web/wasm/api_threads.c", "wasm_f32x4_add(a, b)")), 1)
+
     def test_host_in_the_lock_file_is_noticed(self):
         for name in house.LOCK_FILES:
             self.assert_noticed(f"lock: {name}", {name: f'"resolved": "{HOST}/a.tgz"\n'})

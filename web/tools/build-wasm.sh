@@ -1,6 +1,6 @@
 #!/bin/sh
-# Builds the WebAssembly modules with emcc: thud.wasm and thud-scalar.wasm into the package,
-# thud-demo.wasm for the page. THUD_WASM_BUILD names another build directory than build/wasm.
+# Builds the WebAssembly modules with emcc: thud.wasm, thud-scalar.wasm and thud-threads.wasm into
+# the package, thud-demo.wasm for the page. THUD_WASM_BUILD names another build directory than build/wasm.
 set -eu
 cd "$(dirname "$0")/../.."
 build=${THUD_WASM_BUILD:-build/wasm}
@@ -20,23 +20,28 @@ if [ -z "${EMSDK_PYTHON:-}" ] && [ -d /usr/share/emscripten ] && [ -x /usr/bin/p
     export EMSDK_PYTHON=/usr/bin/python3
 fi
 
-# compile DIRECTORY FLAGS TARGET...: configures and builds targets with these compiler flags.
+# compile DIRECTORY FLAGS THREADS TARGET...: configures and builds targets with these compiler flags,
+# with a pool of threads (ON) or without (OFF).
 # With make: Ninja archives objects in another order, with which the module is 2 % larger
 # compressed.
 compile() {
     directory=$1
     flags=$2
-    shift 2
+    threads=$3
+    shift 3
     emcmake cmake -G "Unix Makefiles" -S . -B "$directory" -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS="$flags" \
-        --log-level=WARNING >/dev/null
+        -DTHUD_WEB_THREADS="$threads" --log-level=WARNING >/dev/null
     cmake --build "$directory" --parallel 2 --target "$@"
 }
 
-compile "$build" -msimd128 thud-web thud-demo
+compile "$build" -msimd128 OFF thud-web thud-demo
 # For browsers without WebAssembly SIMD: the same source gives the same results, but is slower.
-compile "$build-scalar" "" thud-web
+compile "$build-scalar" "" OFF thud-web
+# For pages that are cross-origin isolated, and Node.js: shares large steps among threads.
+compile "$build-threads" "-msimd128 -matomics -mbulk-memory -mmutable-globals" ON thud-web
 
 mkdir -p web/package/dist web/generated
 cp -p "$build/web/thud-web.wasm" web/package/dist/thud.wasm
 cp -p "$build-scalar/web/thud-web.wasm" web/package/dist/thud-scalar.wasm
+cp -p "$build-threads/web/thud-web.wasm" web/package/dist/thud-threads.wasm
 cp -p "$build/web/thud-demo.wasm" web/generated/thud-demo.wasm

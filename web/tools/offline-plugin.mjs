@@ -15,8 +15,9 @@ const ENTRY = fileURLToPath(new URL("../src/offline/sw.ts", import.meta.url));
 function listOf(url) {
   if (url === "sw.js" || url.endsWith(".map")) return null;
   if (/^assets\/thud-(first|rest)-[\w-]{8}\.wasm$/.test(url)) return "simd";
-  // The engine in one file, the package's default, which the page never fetches.
-  if (/^assets\/thud-[\w-]{8}\.wasm$/.test(url)) return null;
+  // The engine in one file, the package's default, which the page never fetches, and the one with
+  // threads, which it fetches where a visitor asks for them.
+  if (/^assets\/(thud-(threads-)?[\w-]{8}\.wasm|thread-[\w-]{8}\.js)$/.test(url)) return null;
   if (/^assets\/(thud-scalar|Box2D\.compat)-[\w-]{8}\.(wasm|js)$/.test(url)) return "scalar";
   return /^assets\/Box2D\.deluxe-/.test(url) ? "simd" : "files";
 }

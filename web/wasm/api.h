@@ -45,6 +45,11 @@ int api_refuse(const char *message);
 /* A world def from the world_options in the slots, with this layer's log and clock. */
 thud_world_def api_world_def(void);
 
+#ifdef API_THREADS
+/* The job system of all worlds of thud-threads.wasm. */
+thud_job_system api_job_system(void);
+#endif
+
 /* The detection of an index into DETECTIONS of web/package/src/types.ts; null, which stands for the
  * default, for other numbers. */
 const thud_detection *api_detection(double number);

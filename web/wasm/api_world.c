@@ -143,6 +143,9 @@ thud_world_def api_world_def(void) {
     def.max_error = s->max_error;
     def.cell_size = (float)s->cell_size;
     def.log = keep_message;
+#ifdef API_THREADS
+    def.job_system = api_job_system();
+#endif
     return def;
 }
 

@@ -9,7 +9,8 @@ import { basename, join } from "node:path";
 import { after, before, test } from "node:test";
 import { runInNewContext } from "node:vm";
 import { BROWSERS } from "../../../web/tools/browser.mjs";
-import { bring, host, makeProject, openBrowser, recipeOf, tell, write } from "../support/packed.mjs";
+import { ISOLATION } from "../../../web/tools/headers.mjs";
+import { ALONE, bring, expectedIn, host, makeProject, openBrowser, POLICY, recipeOf, tell, write } from "../support/packed.mjs";
 
 const project = makeProject();
 const { folder } = project;
@@ -115,11 +116,13 @@ async function bundleWithEsbuild(options, out) {
   copyAsTold("esbuild", out);
 }
 
-/** Copies the wasm file as the README says, except to another folder. */
+/** Copies the engine's files as the README says, except to another folder. */
 function copyAsTold(name, out) {
-  const [, from, to] = recipeOf(name)[0].split(" ");
-  assert.equal(to, "dist/");
-  copyFileSync(inProject(from), join(out, basename(from)));
+  for (const recipe of recipeOf(name)) {
+    const [, ...files] = recipe.split(" ");
+    assert.equal(files.pop(), "dist/");
+    for (const file of files) copyFileSync(inProject(file), join(out, basename(file)));
+  }
 }
 
 function outOf(name) {
@@ -143,10 +146,23 @@ for (const [name, bundle] of Object.entries(WEB))
     t.after(close);
     for (const browser of BROWSERS) {
       const { told, troubles } = await browsers[browser].tell(url);
-      assert.deepEqual(told, [expected, expected], browser);
+      assert.deepEqual(told, expectedIn(browser, expected), browser);
       assert.deepEqual(troubles, [], browser);
     }
   });
+
+test("page_that_is_not_isolated_gets_the_engine_without_threads", async (t) => {
+  const out = outOf("not-isolated");
+  await WEB.esbuild(out);
+  const { url, close } = await host(out, POLICY, {});
+  t.after(close);
+  for (const browser of BROWSERS) {
+    const { told, troubles } = await browsers[browser].tell(url);
+    const alone = { ...expected, shared: ALONE };
+    assert.deepEqual(told, [alone, alone], browser);
+    assert.deepEqual(troubles, [], browser);
+  }
+});
 
 /** The page's own Vite is older than version 8. */
 const SERVERS = {
@@ -162,7 +178,7 @@ for (const [name, [bringVite, options]] of Object.entries(SERVERS)) {
       ...VITE,
       ...options,
       cacheDir: inProject(`cache-${name}`),
-      server: { port: 0, host: "127.0.0.1" },
+      server: { port: 0, host: "127.0.0.1", headers: ISOLATION },
     });
     t.after(() => server.close());
     await server.listen();

@@ -11,6 +11,7 @@ import { dirname, extname, join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { launch } from "../../../web/tools/browser.mjs";
 import { listenFrom } from "../../../web/tools/serve.mjs";
+import { ISOLATION } from "../../../web/tools/headers.mjs";
 import { PATIENCE } from "./page.mjs";
 import { root } from "./package.mjs";
 
@@ -38,6 +39,37 @@ export async function run(source) {
   if (!(ThudError.prototype instanceof Error)) throw new Error("no ThudError");
   level.close();
   world.close();
+  return { ...told, shared: await share(startsNoWorker() ? 1 : 2) };
+}
+
+/**
+ * Whether this is a worker of Firefox. There a worker that starts workers soon stands still for
+ * ever, whatever they do, but only while a program drives the browser, as here.
+ */
+function startsNoWorker() {
+  return !("document" in globalThis) && /Firefox/.test(globalThis.navigator?.userAgent);
+}
+
+/** A pile that is large enough for threads to share its steps, with and without threads. */
+async function share(count) {
+  const engines = [await load(), await load({ threads: count })];
+  const piles = engines.map((engine) => {
+    const world = engine.createWorld();
+    world.createTerrain(world.createBody(), { kind: "flat" });
+    for (let i = 0; i < 900; i++) {
+      const ball = world.createBody({ kind: "dynamic", position: [i % 30, 0.5 + Math.floor(i / 30)] });
+      world.createCircle(ball, { radius: 0.5 });
+    }
+    for (let i = 0; i < 30; i++) world.step();
+    return world;
+  });
+  const [alone, together] = piles.map((world) => world.hash());
+  const { threads, exports } = engines[1];
+  const helped = () => threads > 1 && exports.api_threads_helped() > 0;
+  // On a busy machine a thread may come late.
+  for (let i = 0; threads > 1 && !helped() && i < 2000; i++) piles[1].step();
+  const told = { threads, same: alone === together, helped: helped() };
+  engines[1].endThreads();
   return told;
 }
 
@@ -125,8 +157,8 @@ const TYPES = {
   ".wasm": "application/wasm",
 };
 
-/** Serves a folder, with the policy on every file. */
-export async function host(folder, policy = POLICY) {
+/** Serves a folder, with the policy and `headers` on every file. */
+export async function host(folder, policy = POLICY, headers = ISOLATION) {
   const server = createServer((request, response) => {
     const path = new URL(request.url, "http://any").pathname;
     const file = join(folder, path.endsWith("/") ? `${path}index.html` : path);
@@ -134,6 +166,7 @@ export async function host(folder, policy = POLICY) {
     response.writeHead(200, {
       "Content-Type": TYPES[extname(file)] ?? "application/octet-stream",
       "Content-Security-Policy": policy,
+      ...headers,
     });
     response.end(readFileSync(file));
   });
@@ -144,6 +177,17 @@ export async function host(folder, policy = POLICY) {
   };
   return { url: `http://127.0.0.1:${port}/`, close };
 }
+
+/**
+ * What page and worker tell in a browser where Node.js tells `expected`. No thread helps in
+ * Firefox's worker; see startsNoWorker.
+ */
+export function expectedIn(browser, expected) {
+  return [expected, browser === "firefox" ? { ...expected, shared: ALONE } : expected];
+}
+
+/** What is told of sharing where there are no threads. */
+export const ALONE = { threads: 1, same: true, helped: false };
 
 /** A browser that opens pages; `tell` returns a page's result and its errors. */
 export async function openBrowser(name) {

@@ -28,6 +28,11 @@ export class Engine {
    * arguments; web/wasm/slots.h has their places. Another array after the memory has grown.
    */
   slots: Float64Array;
+  /**
+   * How many threads share the large steps of worlds that are created from now on; 1: the calling
+   * one alone. More than 1 only where `load` was asked for it and threads can share memory.
+   */
+  threads = 1;
   /** The names of the stages of a step in their order: the keys of `Stats.stageSeconds`. */
   readonly stageNames: readonly string[];
   readonly #memory: WebAssembly.Memory;
@@ -38,10 +43,15 @@ export class Engine {
 
   /**
    * Instantiates a compiled module: all of the engine, or thud-first.wasm, whose second file
-   * thud-rest.wasm is then found by `rest`. Rejects with a ThudError "load", or with the browser's
-   * LinkError, for a module that is not thud's.
+   * thud-rest.wasm is then found by `rest`, or thud-threads.wasm, which imports the `memory`.
+   * Rejects with a ThudError "load", or with the browser's LinkError, for a module that is not
+   * thud's.
    */
-  static async instantiate(module: WebAssembly.Module, rest?: RestSource): Promise<Engine> {
+  static async instantiate(
+    module: WebAssembly.Module,
+    rest?: RestSource,
+    memory?: WebAssembly.Memory,
+  ): Promise<Engine> {
     // The module's imports are made before the engine, and reach it through this object.
     const engine: { current?: Engine } = {};
     const callbacks = new CallbackTable();
@@ -49,23 +59,25 @@ export class Engine {
       ...callbacks.imports(() => engine.current!.buffer),
       emscripten_notify_memory_growth: () => engine.current?.memoryGrew(),
       thud_clock: () => performance.now() / 1000,
+      memory,
     };
     const restFile = rest === undefined ? null : new RestFile(rest);
-    const imports: WebAssembly.Imports = { env };
+    const imports = { env } as WebAssembly.Imports;
     // binaryen's wasm-split, which makes the two files, gives the module of these imports its name.
     if (restFile) imports.placeholder = restFile.placeholders;
     const instance = await WebAssembly.instantiate(module, imports);
     restFile?.attach(instance);
-    engine.current = new Engine(instance, restFile, callbacks);
+    engine.current = new this(instance, restFile, callbacks, memory);
     return engine.current;
   }
 
-  private constructor(
+  protected constructor(
     instance: WebAssembly.Instance,
     restFile: RestFile | null,
     readonly callbacks: CallbackTable,
+    shared?: WebAssembly.Memory,
   ) {
-    const { memory, _initialize } = instance.exports as {
+    const { memory = shared, _initialize } = instance.exports as {
       memory?: WebAssembly.Memory;
       _initialize?: () => void;
     };
@@ -114,7 +126,15 @@ export class Engine {
   }
 
   /**
+   * Ends the threads that `load` started; the worlds go on without them, and with the same results.
+   * Without this call they end with the page or the process, and keep the engine's memory until
+   * then. It does nothing where there are none.
+   */
+  endThreads(): void {}
+
+  /**
    * The module's memory. When it grows, another buffer takes its place, and old views are empty.
+   * With threads it is a SharedArrayBuffer.
    */
   get buffer(): ArrayBuffer {
     return this.#memory.buffer;
@@ -140,7 +160,8 @@ export class Engine {
   /** The C string (UTF-8) at an address. */
   text(address: number): string {
     const bytes = new Uint8Array(this.buffer, address);
-    return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
+    // A copy, since TextDecoder refuses shared memory.
+    return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
   }
 
   /**

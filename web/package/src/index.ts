@@ -8,10 +8,13 @@
 import { explainErrors } from "./checks/explain.js";
 import { defaultWasmUrl, type Engine, type WasmSource } from "./engine.js";
 import { load as loadFirst } from "./first.js";
+import { areOptions, type LoadOptions, threadsOf } from "./load-options.js";
 import type { RestSource } from "./rest.js";
 
 export { Engine, type WasmSource } from "./engine.js";
+export { type LoadOptions } from "./load-options.js";
 export { type RestSource } from "./rest.js";
+export { type ThreadFiles } from "./threads.js";
 export { type ErrorCode, ThudError } from "./error.js";
 export * from "./fields/field-types.js";
 export * from "./joint-types.js";
@@ -31,10 +34,20 @@ export { World } from "./world.js";
  * there is the same engine in two files: give thud-first.wasm as the source, thud-rest.wasm as the
  * rest, and call `complete` after the first frame is drawn. Rejects with a ThudError "load".
  */
+export async function load(source?: WasmSource, rest?: RestSource): Promise<Engine>;
+/** The same with options, of which `threads` shares large steps among several threads. */
+export async function load(options: LoadOptions): Promise<Engine>;
 export async function load(
-  source: WasmSource = defaultWasmUrl(),
+  given: WasmSource | LoadOptions = defaultWasmUrl(),
   rest?: RestSource,
 ): Promise<Engine> {
   explainErrors();
-  return loadFirst(source, rest);
+  if (!areOptions(given)) return loadFirst(given, rest);
+  const threads = threadsOf(given);
+  if (threads > 1) {
+    const { loadThreads } = await import("./threads.js");
+    const engine = await loadThreads(threads, given.threadFiles);
+    if (engine) return engine;
+  }
+  return loadFirst(given.source);
 }

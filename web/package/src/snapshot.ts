@@ -11,7 +11,7 @@ import { ListAt } from "./generated/slots.js";
 function listedBytes(engine: Engine): Uint8Array<ArrayBuffer> {
   const address = engine.slots[ListAt.address];
   const bytes = engine.slots[ListAt.count];
-  return new Uint8Array(engine.buffer.slice(address, address + bytes));
+  return new Uint8Array(engine.buffer, address, bytes).slice();
 }
 
 /** A snapshot of the world at an address. */

@@ -62,9 +62,12 @@ export class Client {
     this.#worker = this.#start();
   }
 
-  /** Loads the engine into the worker; must come before any other question. */
-  load({ wasm, rest }: ChosenWasm): Promise<void> {
-    return this.ask("load", { wasm, rest, page: document.baseURI });
+  /**
+   * Loads the engine into the worker; must come before any other question. Resolves to its number
+   * of threads.
+   */
+  load({ wasm, rest, threads }: ChosenWasm): Promise<number> {
+    return this.ask("load", { wasm, rest, threads, page: document.baseURI });
   }
 
   /** Terminates the worker and creates another one, which must `load` the engine again. */

@@ -1,10 +1,49 @@
-/** The panel Options: speed, theme, random seed, and a link to the present view. */
+/** The panel Options: speed, theme, threads, random seed, and a link to the present view. */
 import type { App } from "../page/app";
 import { choiceBar, make } from "../page/dom";
 import type { Panel } from "../page/dock";
 import { notice } from "../page/messages";
 import { applyTheme, chosenTheme, chooseTheme, THEMES } from "../page/theme";
 import { LONGEST_LEVEL, SPEEDS } from "../page/url";
+import { messageOf } from "../shared/error";
+
+/** Numbers of threads that are offered, up to the processors of the machine. Chosen. */
+const THREADS = [1, 2, 3, 4, 6, 8, 12, 16];
+
+/**
+ * Loads the engine with so many threads into a new worker, and starts the scene again. Resolves to
+ * their number, which is 1 where they cannot be had.
+ */
+async function useThreads(app: App, threads: number): Promise<number> {
+  app.wasm = { ...app.wasm, threads: threads > 1 ? threads : undefined };
+  app.scene = null;
+  app.client.restart();
+  const used = await app.client.load(app.wasm);
+  app.client.ask("complete", {}).catch(() => {}); // the first call that needs it tries again
+  await app.restart();
+  return used;
+}
+
+/** The bar that shows and chooses the number of threads. */
+function createThreadBar(app: App): HTMLElement {
+  const most = crossOriginIsolated && app.wasm.simd ? navigator.hardwareConcurrency : 1;
+  const bar = choiceBar(
+    "threads",
+    "Threads",
+    most > 1 ? "for large scenes; the same bits with any number" : "this page cannot share memory",
+    THREADS.filter((count) => count <= most).map((count) => ({ value: String(count), label: String(count) })),
+    async (value) => {
+      try {
+        bar.show(String(await useThreads(app, Number(value))));
+      } catch (error) {
+        notice(`The engine with threads cannot be loaded: ${messageOf(error)}`);
+        bar.show(String(await useThreads(app, 1)));
+      }
+    },
+  );
+  bar.show(String(app.wasm.threads ?? 1));
+  return bar.element;
+}
 
 /** What the copied link contains. A level whose packed text is too long is missing in it. */
 function carried({ state: { level } }: App): string {
@@ -59,6 +98,7 @@ export function createPanel(app: App): Panel {
     {},
     speed.element,
     theme.element,
+    createThreadBar(app),
     make(
       "fieldset",
       {},

@@ -10,6 +10,8 @@ export interface ChosenWasm {
   /** The second file of a module in two files, of which the first suffices for a first picture. */
   rest?: string;
   simd: boolean;
+  /** Threads that the visitor has chosen in place of these files: thud-threads.wasm. */
+  threads?: number;
 }
 
 /** The module with SIMD, or the scalar one in browsers without it (from before about 2021 to 2023).

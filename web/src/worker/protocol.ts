@@ -126,9 +126,10 @@ export interface Rerun extends StateHash {
  */
 export interface Questions {
   /**
-   * Loads the engine. `wasm` and `rest` are the addresses of its two files, `page` is the page's.
+   * Loads the engine. `wasm` and `rest` are the addresses of its two files, `page` is the page's;
+   * `threads` asks for the engine with threads. The answer is how many it has.
    */
-  load: { ask: { wasm: string; rest?: string; page: string }; answer: void };
+  load: { ask: { wasm: string; rest?: string; threads?: number; page: string }; answer: number };
   /** Loads the part of the engine, and of the worker, that the first picture does not need. */
   complete: { ask: Record<string, never>; answer: void };
   /** Runs a scene in place of the present one. */

@@ -33,10 +33,13 @@ type Answers = {
 
 /** The functions that answer the page's questions; see `Questions` in protocol.ts. */
 const answers: Answers = {
-  async load({ wasm, rest, page }) {
+  async load({ wasm, rest, threads, page }) {
     base = page;
-    engine = await load(new URL(wasm, page), rest && new URL(rest, page));
+    engine =
+      (threads && (await (await import("thud/threads")).loadThreads(threads))) ||
+      (await load(new URL(wasm, page), rest && new URL(rest, page)));
     companionKeeper = new CompanionKeeper(engine);
+    return engine.threads;
   },
 
   async complete() {
