@@ -57,14 +57,15 @@ struct thud_world;
 /* Receives the shapes that overlap `shape`; false ends the sweep, which then returns false. */
 typedef bool td_hits_fn(void *context, int shape, const int *hits, int count);
 
-/* Finds each pair of shapes whose bounds overlap and of which one moved, once, and reports those of
- * one shape together; `hits` is memory for them. `every`: every shape searches, which finds each
- * pair from one side and pays where most moved; else only shapes that moved search. False when
- * memory is short, or where `report` returned false. Adds the number of pairs of bounds that it
- * compared to *tested, also where it returns false. */
+/* Finds pairs of shapes whose bounds overlap and of which one moved, and reports those of one shape
+ * that searches together; `hits` is memory for them. `every`: every shape searches, which finds
+ * each pair from one side and pays where most moved; else only shapes that moved do. Of these, only
+ * those with an index in `ids` from `first` to below `end` search: parts that together have all
+ * shapes find each pair once. False when memory is short, or where `report` returned false. Adds
+ * the number of pairs of bounds that it compared to *tested, also where it returns false. */
 typedef bool td_sweep_fn(const td_proxy_set *set, td_memory *memory, const td_shape_proxy *proxy,
-                         bool every, td_array *hits, td_hits_fn *report, void *context,
-                         int64_t *tested);
+                         bool every, int first, int end, td_array *hits, td_hits_fn *report,
+                         void *context, int64_t *tested);
 /* Appends every shape whose bounds overlap `bounds`, which lie near near_place (td_unwrap). False
  * when memory is short. Adds the number of bounds that it compared to *tested, unless that is
  * null. */

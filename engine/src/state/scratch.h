@@ -35,7 +35,7 @@ typedef struct td_scratch {
     td_array impacts;         /* td_impact; before detection, td_pushes by block: gaps.c */
     td_array odd;             /* td_awake_slot: bodies that wide_finalize.c leaves to
                                  finalize.c: not finite, or too fast for its arithmetic */
-    td_array finalize_shares; /* td_finalize_share: state/shared_stages.h */
+    td_array shares;          /* td_share: state/shared_stages.h */
     td_array next_tied;       /* td_awake_slot, by awake slot: constraint/tied_bodies.h */
     td_array before;          /* float[4], by awake slot: velocities, joints/joint_yield.c */
     td_array brace_groups;    /* double[3], by group of tied bodies: joints/joint_brace.c */
