@@ -273,12 +273,11 @@ static bool sweep(td_pair_search *s) {
     s->overlaps = s->held = s->shape_count = 0;
     const td_proxy_set *set = &w->awake_shapes;
     const thud_shared_stages *shared = w->def.job_system.stages;
-    bool every = set->moved_count * 2 > set->ids.count;
     w->scratch.found_shapes.count = w->scratch.pairs.count = 0;
     return (shared ? shared->sweep
-                   : w->def.broadphase->sweep[w->wide])(set, &w->memory, w->proxy.data, every, 0,
-                                                        set->ids.count, &w->scratch.found_shapes,
-                                                        add_hits, s, &w->broadphase.tested) &&
+                   : w->def.broadphase->sweep[w->wide])(set, &w->memory, w->proxy.data,
+                                                        &w->scratch.found_shapes, add_hits, s,
+                                                        &w->broadphase.tested) &&
            (!td_fetches(w) || add_held(s));
 }
 
@@ -293,12 +292,15 @@ static bool was_crowded(const thud_world *w) {
  */
 static bool find_awake_pairs(thud_world *w, bool *crowded) {
     bool before = was_crowded(w);
-    td_pair_search s = {.w = w, .overlaps_max = crowd_threshold(w), .crowded = before};
+    td_pair_search s;
+    s.w = w;
+    s.overlaps_max = crowd_threshold(w);
+    s.crowded = before;
     w->scratch.crowded.count = 0;
     bool done = td_array_reserve(&w->memory, &w->scratch.crowded, w->awake_shapes.ids.count) &&
                 (sweep(&s) || (s.crowded && !before && sweep(&s)));
     w->broadphase.found += s.overlaps;
-    *crowded = s.crowded && s.overlaps > s.overlaps_max / 2;
+    *crowded = s.crowded && 2 * s.overlaps > s.overlaps_max;
     return done;
 }
 

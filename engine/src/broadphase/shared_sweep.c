@@ -20,7 +20,6 @@ enum { HITS_OF_SHAPE = 1024 };
 /* What the workers share. */
 typedef struct sweeping {
     thud_world *w;
-    bool every; /* see td_sweep_fn */
     td_job task;
 } sweeping;
 
@@ -40,21 +39,23 @@ static td_sweep_share *share_at(const thud_world *w, int index) {
 
 /* Whether enough shapes search, bounds tell of all pairs but those of woken shapes, and there is
  * memory: without it the calling thread searches alone. */
-static bool is_shared(thud_world *w, bool every) {
-    int searching = every ? w->awake_shapes.ids.count : w->awake_shapes.moved_count;
+static bool is_shared(thud_world *w) {
+    const td_proxy_set *set = &w->awake_shapes;
+    int searching = td_sweeps_every(set) ? set->ids.count : set->moved_count;
     return w->def.job_system.workers > 1 && searching >= SHARED_SHAPES_MIN && !w->vast &&
            td_array_reserve(&w->memory, &w->scratch.shares, share_count(w));
 }
 
-/* Searches the shapes of one part. */
-static bool sweep_part(const thud_world *w, td_memory *memory, bool every, int index,
-                       td_array *hits, td_hits_fn *report, void *context, int64_t *tested) {
-    const td_proxy_set *set = &w->awake_shapes;
+/* Searches the shapes of one part, as a td_sweep_fn. */
+static bool sweep_part(const thud_world *w, td_memory *memory, int index, td_array *hits,
+                       td_hits_fn *report, void *context, int64_t *tested) {
+    td_proxy_set part = w->awake_shapes;
     int first = index * TD_SHARE_SHAPES;
-    int end = td_min_int(first + TD_SHARE_SHAPES, set->ids.count);
+    part.head = first;
+    part.tail = td_max_int(part.ids.count - first - TD_SHARE_SHAPES, 0);
     hits->count = 0;
-    return w->def.broadphase->sweep[w->wide](set, memory, w->proxy.data, every, first, end, hits,
-                                             report, context, tested);
+    return w->def.broadphase->sweep[w->wide](&part, memory, w->proxy.data, hits, report, context,
+                                             tested);
 }
 
 /* ---- a worker ---- */
@@ -116,9 +117,8 @@ static void sweep_share(void *work, int index) {
     td_sweep_share *share = s.share;
     share->count = share->new_count = 0;
     share->overlaps = share->tested = 0;
-    share->done =
-        sweep_part(shared->w, &none, shared->every, index, &hits, note_hits, &s, &share->tested) &&
-        keep_new_pairs(&s);
+    share->done = sweep_part(shared->w, &none, index, &hits, note_hits, &s, &share->tested) &&
+                  keep_new_pairs(&s);
 }
 
 static void sweep_as_worker(void *argument) {
@@ -154,19 +154,18 @@ static bool join(const sweeping *shared, td_memory *memory, td_array *hits, td_h
     for (int i = 0; i < share_count(w) && done; i++) {
         const td_sweep_share *share = share_at(w, i);
         done = share->done ? add_share(search, share, tested)
-                           : sweep_part(w, memory, shared->every, i, hits, report, search, tested);
+                           : sweep_part(w, memory, i, hits, report, search, tested);
     }
     return done && search->overlaps <= search->overlaps_max;
 }
 
 bool td_shared_sweep(const td_proxy_set *set, td_memory *memory, const td_shape_proxy *proxy,
-                     bool every, int first, int end, td_array *hits, td_hits_fn *report,
-                     void *context, int64_t *tested) {
+                     td_array *hits, td_hits_fn *report, void *context, int64_t *tested) {
     td_pair_search *search = context;
     thud_world *w = search->w;
-    if (!search->crowded && is_shared(w, every)) {
+    if (!search->crowded && is_shared(w)) {
         atomic_int counters[1 + THUD_WORKERS_MAX] = {0};
-        sweeping shared = {w, every, {.counters = counters, .workers = w->def.job_system.workers}};
+        sweeping shared = {w, {.counters = counters, .workers = w->def.job_system.workers}};
         td_job_run(w, &shared.task, sweep_as_worker, &shared);
         int64_t tested_before = *tested;
         if (join(&shared, memory, hits, report, search, tested)) {
@@ -179,6 +178,5 @@ bool td_shared_sweep(const td_proxy_set *set, td_memory *memory, const td_shape_
         search->crowded = false;
         w->scratch.pairs.count = hits->count = 0;
     }
-    return w->def.broadphase->sweep[w->wide](set, memory, proxy, every, first, end, hits, report,
-                                             context, tested);
+    return w->def.broadphase->sweep[w->wide](set, memory, proxy, hits, report, context, tested);
 }

@@ -58,13 +58,12 @@ TD_INLINE void scan_unmoved_before(scan *s, int i) {
 
 td_sweep_fn TD_WIDE(td_sorted_axis_sweep);
 bool TD_WIDE(td_sorted_axis_sweep)(const td_proxy_set *set, td_memory *memory,
-                                   const td_shape_proxy *proxy, bool every, int first, int end,
-                                   td_array *hits, td_hits_fn *report, void *context,
-                                   int64_t *tested) {
+                                   const td_shape_proxy *proxy, td_array *hits, td_hits_fn *report,
+                                   void *context, int64_t *tested) {
     (void)proxy;
     scan s = begin_scan(set, memory, hits);
-    bool done = true;
-    for (int i = first; i < end && done; i++) {
+    bool done = true, every = td_sweeps_every(set);
+    for (int i = set->head; i < set->ids.count - set->tail && done; i++) {
         if (!every && !s.moved[i]) {
             continue;
         }
