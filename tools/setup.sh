@@ -146,8 +146,20 @@ need_fuzz() {
     need "Python 3" python3 have python3
 }
 
+# Whether Python makes environments, and extensions of C can be compiled for it.
+have_python_environments() {
+    python3 -c 'import ensurepip, venv'
+}
+
+have_python_header() {
+    python3 -c 'import os, sysconfig
+os.stat(os.path.join(sysconfig.get_path("include"), "Python.h"))'
+}
+
 need_test() {
     [ "${full:-no}" = no ] || need_fuzz
+    need "Python's environments" python3-venv have_python_environments
+    need "Python's headers" python3-dev have_python_header
     need_play
     need_demo
     need "Ninja" ninja-build have ninja

@@ -12,7 +12,7 @@ usage: ./run test [--full] [PART...]
 
 Builds and tests everything, or only the parts that are named:
 
-  native      the library, the examples and the tools, by the system's compiler
+  native      the library, the examples, the tools and Python's package, by the system's compiler
   sanitizers  most tests of the engine once more, compiled by clang with the address and
               undefined-behaviour sanitizers: the same golden hashes and bits as by the system's
               compiler. Long ones run one of 7 of their cases; all cases: cmake -DTHUD_TEST_SHARE=1
@@ -63,6 +63,7 @@ check_test_options() {
 
 # test_PART: builds and tests a part.
 test_native() {
+    python_packages
     build release --preset release -DTHUD_WERROR=ON
     ctest --preset release --parallel "$jobs"
     [ "$full" = no ] || {

@@ -1,7 +1,7 @@
 # Fails if a C file is not formatted by .clang-format; clang-format-16 -i formats it.
 get_filename_component(ROOT ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
 set(FILES)
-foreach(TREE engine demo tests web/wasm examples)
+foreach(TREE engine demo tests web/wasm examples bindings/python)
     file(GLOB_RECURSE FOUND ${ROOT}/${TREE}/*.c ${ROOT}/${TREE}/*.h ${ROOT}/${TREE}/*.inl)
     list(APPEND FILES ${FOUND})
 endforeach()

@@ -407,7 +407,7 @@ function layOut(app: App, stage: Stage): void {
 /** What the controls leave free of the page. */
 function freeOf(): { top: number; right: number; bottom: number; left: number } {
   // A hint that is closed gives its room back with the next scene: nothing moves under a hand.
-  const top = Math.max(atRest("top").bottom, atRest("hint").bottom);
+  const top = Math.max(...["top", "hint", score?.told ?? "top"].map((id) => atRest(id).bottom));
   const bottom = innerHeight - atRest("bottom").top;
   const dock = atRest("dock");
   const free = { top: top + 8, right: 16, bottom: bottom + 8, left: 16 };

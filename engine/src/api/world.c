@@ -7,6 +7,7 @@
 
 #include "state/awake.h"
 #include "state/body.h"
+#include "detection/arrival_rows.h"
 #include "detection/collide.h"
 #include "state/handles.h"
 #include "state/shared_stages.h"
@@ -148,6 +149,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.trajectories, td_trajectory),
     ARRAY(scratch.extra_candidates, td_toi_candidate),
     ARRAY(scratch.escaped, td_escaped_shape),
+    ARRAY(scratch.arrivals, td_arrival),
     ARRAY(scratch.impacts, td_impact),
     ARRAY(scratch.test_list, td_block *),
     ARRAY(scratch.fast, td_awake_slot),

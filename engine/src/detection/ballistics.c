@@ -24,7 +24,7 @@ void td_ballistics_save_velocities(thud_world *w) {
         const float *velocity = td_row(&w->velocity, slot);
         *f = (td_trajectory){.body = td_body_of(w, slot)};
         for (int k = 0; k < 3; k++) {
-            f->motion[k] = (double)velocity[k];
+            f->before[k] = (double)velocity[k];
         }
     }
 }
@@ -43,10 +43,10 @@ static bool gained_only_gravity(const thud_world *w, td_awake_slot slot, double 
     bool free = true;
     for (int k = 0; k < 3 && free; k++) {
         double v1 = (double)velocity[k], gain = n * (double)substep_gain[k];
-        double rounding = 0x1p-22 * n * (td_abs(f->motion[k]) + td_abs(gain));
+        double rounding = 0x1p-22 * n * (td_abs(f->before[k]) + td_abs(gain));
         double tolerance = rounding + (k < 2 ? share : share / (double)td_row(&w->reach, slot)[1]);
         double deviation = (double)delta[k] / w->def.time_step - (v1 - 0.25 * gain);
-        free = tolerance < (double)FLT_MAX && td_abs(v1 - f->motion[k] - gain) <= tolerance &&
+        free = tolerance < (double)FLT_MAX && td_abs(v1 - f->before[k] - gain) <= tolerance &&
                td_abs(deviation) <= 0.25 * td_abs(gain) + tolerance;
     }
     return free;
@@ -62,8 +62,8 @@ static void set_parabola(thud_world *w, td_awake_slot slot, bool touched) {
         float *velocity = td_row(&w->velocity, slot) + axis;
         double gain = w->substeps * (double)td_row(&w->substep_gain, slot)[axis];
         if (!touched) {
-            *velocity = (float)(f->motion[axis] + gain);
-            gain = (double)*velocity - f->motion[axis];
+            *velocity = (float)(f->before[axis] + gain);
+            gain = (double)*velocity - f->before[axis];
         }
         f->fall[axis] = gain * dt;
         td_row(&w->delta, slot)[axis] = (float)((double)*velocity * dt - 0.5 * f->fall[axis]);
@@ -75,7 +75,7 @@ static void set_fall(const thud_world *w, td_awake_slot slot) {
     td_trajectory *f = td_trajectory_at(w, slot);
     const float *velocity = td_row(&w->velocity, slot);
     for (int axis = 0; axis < 2; axis++) {
-        f->fall[axis] = ((double)velocity[axis] - f->motion[axis]) * w->def.time_step;
+        f->fall[axis] = ((double)velocity[axis] - f->before[axis]) * w->def.time_step;
     }
 }
 

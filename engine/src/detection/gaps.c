@@ -10,6 +10,7 @@
 
 #include "constraint/lanes.h"
 #include "constraint/tied_bodies.h"
+#include "detection/arrival_rows.h"
 #include "detection/project.h"
 #include "solver/error.h"
 #include "state/body.h"
@@ -20,25 +21,24 @@
 TD_DECLARE_WIDE(td_project_fn, td_project_points);
 TD_DECLARE_WIDE(td_find_open_fn, td_find_open_points);
 
-/* Passes of projected Gauss-Seidel: up to PLAIN_PASSES plain ones, which finish single contacts.
- * If any point falls short then, contacts are stacked deep, where a plain pass carries a
- * correction one contact further: over-relaxed ones follow (SOR with the factor OVER_RELAXATION,
+/* Passes of projected Gauss-Seidel: up to PLAIN_PASSES plain ones, which finish single contacts and
+ * low stacks. If any point falls short then, contacts are stacked deep, where a plain pass carries
+ * a correction one contact further: over-relaxed ones follow (SOR with the factor OVER_RELAXATION,
  * which must be below 2), until no point falls short or PASSES_MAX are done, and at last
  * FINAL_PASSES plain ones, which take back what over-relaxation has moved too far. The first
  * FINE_PASSES go on while a single point falls short by more than SHORTFALL_TOLERANCE. The others
  * are there to spare collisions, each of which costs as much as a pass over forty blocks; few of
  * them are spared by one more pass, so that they go on only while there are more collisions than
- * one for BLOCKS_PER_COLLISION blocks. Measured by the impacts a step in the scenes circle_pit
- * (2,000, 200 steps), smash (300, 40 steps) and tumbler_half (500, 100 steps): 1,172, 116, 564.
- * With one tolerance for all of at most 40 passes they were 1,716, 157, 588. With
- * BLOCKS_PER_COLLISION 8 they are 1,044, 128, 501, but circle_pit took 1.8 times as long while it
- * settled, and fell asleep 200 steps later. */
+ * BLOCKS_PER_COLLISION allows: one for so many blocks. Measured with 1/4 to 3 collisions a block in
+ * circle_pit (2,000, steps 100 to 150): 372, 379, 425, 520, 969, 3,729 impacts a step with 0.25,
+ * 0.5, 1, 1.5, 2, 3; with 1 the step took four fifths of the time with 0.5, and half of it once the
+ * heap settled. */
 enum {
-    PLAIN_PASSES = 2,
+    PLAIN_PASSES = 8,
     FINE_PASSES = 20,
     PASSES_MAX = 160,
     FINAL_PASSES = 2,
-    BLOCKS_PER_COLLISION = 2
+    BLOCKS_PER_COLLISION = 1
 };
 #define OVER_RELAXATION 1.8f
 
@@ -93,9 +93,10 @@ static td_block *const *blocks_of(const thud_world *w, const td_run *run) {
     return (td_block **)w->scratch.blocks.data + run->first;
 }
 
-/* One pass over all contacts; at how many points it was not enough, see td_project_context. */
+/* One pass over all contacts and arrivals; at how many points it was not enough, see
+ * td_project_context. */
 static int project_once(thud_world *w, const td_project_context *context) {
-    int unfinished = 0;
+    int unfinished = td_arrival_rows_project(w, context);
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = contact_run_at(w, i);
         if (run) {

@@ -2,13 +2,15 @@
  * `bisect` or `swept` from impact to impact, in the order of time, and resolves each impact there
  * (Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996).
  *
- * It runs after the solver. Each awake body has a trajectory, at first the motion that the solver
- * gave it. Pairs that may meet are candidates: contacts, whose fat bounds reach as far as the
- * bodies were expected to move; each body and the ground; and pairs with escaped shapes, which
- * leave those bounds. A queue has the time of impact of each candidate. The earliest is taken out,
- * both bodies are moved to that time, they get new velocities and trajectories (collide.c), and the
- * times of all their candidates are computed anew. At the end poses, motions and bounds of changed
- * bodies follow, and hit events are made.
+ * Before the motion of the solver becomes poses, gaps.c takes out of it what moves touching shapes
+ * into each other, together with pairs that would meet on bodies that touch others (arrivals.c).
+ * The rest of this file runs after that. Each awake body has a trajectory, at first the motion that
+ * the solver gave it. Pairs that may meet are candidates: contacts, whose fat bounds reach as far
+ * as the bodies were expected to move; each body and the ground; and pairs with escaped shapes,
+ * which leave those bounds. A queue has the time of impact of each candidate. The earliest is taken
+ * out, both bodies are moved to that time, they get new velocities and trajectories (collide.c),
+ * and the times of all their candidates are computed anew. At the end poses, motions and bounds of
+ * changed bodies follow, and hit events are made.
  *
  * The work of a step is bounded: a body is held at its place for the rest of the step after
  * IMPACTS_MAX impacts, and at its next impact once TOI_BUDGET is spent (thud_stats.held_bodies).
@@ -17,6 +19,7 @@
  * Times are shares, in [0, 1], of the step. */
 #include "constraint/joint_hooks.h"
 #include "constraint/tied_bodies.h"
+#include "detection/arrivals.h"
 #include "detection/ballistics.h"
 #include "state/body.h"
 #include "solver/bounces.h"
@@ -117,7 +120,7 @@ static bool is_tied(const thud_world *w, const td_toi_candidate *e) {
 /* Whether the prologue refuses the pair, or has decided its velocities; then the candidate is
  * marked and is not computed again in this step. It fills `settings` with the surface of the pair,
  * where it is seen to meet. The prologue is not called again for pairs that touched at the start of
- * the step, whose settings are in their lane. */
+ * the step, whose settings are in their lane, nor for arrivals. */
 static bool is_vetoed(thud_world *w, int number, const thud_contact *seen,
                       thud_contact_settings *settings, bool *decided) {
     *decided = false;
@@ -127,6 +130,16 @@ static bool is_vetoed(thud_world *w, int number, const thud_contact *seen,
         *settings =
             td_surface_get(at.block, td_form_points(w->kinds[contact->kind]->form), at.lane);
         return false;
+    }
+    const td_arrival *arrival = td_arrival_of(w, number);
+    if (arrival) {
+        *settings = arrival->settings;
+        *decided = arrival->decided;
+        if (arrival->decided) {
+            w->decisions->impact = arrival->decision;
+            td_contact_at(w, number)->vetoed = TD_VETOED;
+        }
+        return arrival->decided;
     }
     *settings = td_surface_of_impact(w, seen);
     if (w->decisions) {
@@ -226,30 +239,6 @@ static bool is_bisected_or_swept(const thud_world *w, td_awake_slot slot) {
     return body->kind == THUD_BODY_DYNAMIC && body->detection->time_of_impact;
 }
 
-/* Sets a trajectory to the motion that the solver gave the body, from the start of the step. Of
- * the one before, `fall` and `free` are kept (ballistics.c). */
-static void begin_trajectory(thud_world *w, td_awake_slot slot) {
-    td_body_index index = td_body_of(w, slot);
-    const td_pose *pose = td_pose_at(w, index);
-    const float *delta = td_row(&w->delta, slot);
-    td_trajectory f = *td_trajectory_at(w, slot);
-    /* A body was quarantined since, and this one was moved into its slot. */
-    if (!td_same_body(f.body, index)) {
-        f = (td_trajectory){.body = index};
-    }
-    *td_trajectory_at(w, slot) =
-        (td_trajectory){.place = {pose->center.x - td_length_from(w, delta[0]),
-                                  pose->center.y - td_length_from(w, delta[1])},
-                        .angle = pose->angle - td_angle_between((double)delta[2]),
-                        .body = index,
-                        .extras = TD_NONE,
-                        .escaped = TD_NONE,
-                        .motion = {(double)delta[0] - 0.5 * f.fall[0],
-                                   (double)delta[1] - 0.5 * f.fall[1], (double)delta[2]},
-                        .fall = {f.fall[0], f.fall[1]},
-                        .free = f.free};
-}
-
 /* Writes the end of a changed trajectory to pose, motion and shapes of the body. False: it was not
  * changed. */
 static bool end_trajectory(thud_world *w, td_awake_slot slot) {
@@ -286,23 +275,13 @@ static void extend_fat_bounds(thud_world *w, td_awake_slot slot) {
     }
 }
 
-/* Adds a touching contact to the contact_count of its bodies. */
-static void count_contacts(thud_world *w, const td_constraint *contact) {
-    for (int side = 0; side < 2 && contact->state == TD_TOUCHING; side++) {
-        td_awake_slot slot = td_body_at(w, contact->body[side])->awake;
-        if (slot.at > 0) {
-            td_trajectory_at(w, slot)->contact_count++;
-        }
-    }
-}
-
 /* Sets all trajectories to the start of the step, and queues all candidates by their times of
  * impact. */
 static void schedule_candidates(thud_world *w) {
-    w->scratch.extra_candidates.count = w->scratch.escaped.count = w->scratch.impacts.count = 0;
+    w->scratch.extra_candidates.count = w->scratch.escaped.count = 0;
     td_event_queue_clear(&w->scratch.queue, w->constraints.count);
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
-        begin_trajectory(w, slot);
+        td_trajectory_begin(w, slot, true);
     }
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         td_trajectory *f = td_trajectory_at(w, slot);
@@ -312,13 +291,6 @@ static void schedule_candidates(thud_world *w) {
             hold_body(w, f);
         }
         w->stats.unbisectable += td_is_unbisectable(w, slot);
-    }
-    for (int i = 0; i < w->constraints.count; i++) {
-        td_constraint *contact = td_constraint_at(w, i);
-        if (contact->live) {
-            contact->vetoed = contact->state == TD_TOUCHING ? contact->vetoed : 0;
-            count_contacts(w, contact);
-        }
     }
     td_gaps_find_open(w);
     for (int i = 0; i < w->constraints.count; i++) {
@@ -351,7 +323,8 @@ static void hit_events(thud_world *w) {
 /* Reserves all memory that the stage uses; see td_detection_stage. */
 static bool reserve(thud_world *w) {
     /* Each impact has a body that is not held yet, and is counted for it. */
-    int awake = w->body_of.count, impacts_max = (ELASTIC_IMPACTS_MAX + 1) * awake;
+    int awake = w->body_of.count;
+    int impacts_max = (ELASTIC_IMPACTS_MAX + 1) * awake + td_arrivals_max(w);
     int extras = awake * (w->terrains.live + 1) + SPARE_CANDIDATES;
     /* Hit events of contacts that begin in the step. */
     int hits = w->scratch.begins.count;
@@ -363,6 +336,7 @@ static bool reserve(thud_world *w) {
     return td_held_reserve(w) && td_array_reserve(&w->memory, &w->scratch.legs, legs) &&
            td_array_reserve(&w->memory, &w->scratch.found_shapes, 2 * shapes + 4 * TD_LANES) &&
            td_array_reserve(&w->memory, &w->scratch.trajectories, awake) &&
+           td_array_reserve(&w->memory, &w->scratch.arrivals, td_arrivals_max(w)) &&
            td_array_reserve(&w->memory, &w->scratch.escaped, awake) &&
            td_array_reserve(&w->memory, &w->scratch.impacts,
                             td_max_int(impacts_max, td_gaps_room(w))) &&
@@ -381,12 +355,34 @@ static void run_before_solving(thud_world *w) {
     td_bounces_take(w);
 }
 
-/* After the solver: removes motion of touching shapes into each other (gaps.c), and sets the paths
- * of bodies in free flight. */
+/* Counts the touching contacts of each body, and forgets which pairs that do not touch were refused
+ * in the step before. */
+static void visit_contacts(thud_world *w) {
+    for (int i = 0; i < w->constraints.count; i++) {
+        td_constraint *contact = td_constraint_at(w, i);
+        if (contact->live && contact->state != TD_TOUCHING) {
+            contact->vetoed = 0;
+        }
+        for (int side = 0; contact->live && contact->state == TD_TOUCHING && side < 2; side++) {
+            td_awake_slot slot = td_body_at(w, contact->body[side])->awake;
+            if (slot.at > 0) {
+                td_trajectory_at(w, slot)->contact_count++;
+            }
+        }
+    }
+}
+
+/* After the solver: removes motion of touching shapes into each other (gaps.c), with that of pairs
+ * that arrive (arrivals.c), and sets the paths of bodies in free flight. */
 static void run_before_moving(thud_world *w) {
+    w->scratch.arrivals.count = 0;
+    visit_contacts(w);
     if (w->skin > 0.0f) {
+        td_arrivals_find(w);
         td_gaps_project(w);
     }
+    w->scratch.impacts.count = 0;
+    td_arrivals_end(w);
     td_ballistics_set_parabolas(w);
 }
 

@@ -116,10 +116,7 @@ static bool stays_on_ground(const thud_world *w, const td_toi_candidate *e) {
            way * left < TD_LOAD_CLOSING_MAX * (double)(TD_IMPACT_DISTANCE * w->length_scale);
 }
 
-/* The time for the queue, see next_check; false if the pair does not meet in this step. Ghosts are
- * passed over, and so are pairs that the prologue refused, that have no detection on the way, or
- * of which no body can stop. */
-static bool meeting_time(thud_world *w, const td_toi_candidate *e, double *time) {
+bool td_toi_queue_meeting_time(thud_world *w, const td_toi_candidate *e, double *time) {
     const thud_detection *detection = td_detection_of(w, e->body[0], e->body[1]);
     double now =
         max_time(td_trajectory_of(w, e->body[0]).since, td_trajectory_of(w, e->body[1]).since);
@@ -153,7 +150,7 @@ static bool contact_stays_open(const thud_world *w, int number) {
 void td_toi_queue_set(thud_world *w, int number) {
     td_toi_candidate e = td_toi_candidate_at(w, number);
     double time;
-    if (!contact_stays_open(w, number) && meeting_time(w, &e, &time)) {
+    if (!contact_stays_open(w, number) && td_toi_queue_meeting_time(w, &e, &time)) {
         td_event_queue_set(&w->scratch.queue, number, time);
     } else {
         td_event_queue_strike(&w->scratch.queue, number);
@@ -163,7 +160,7 @@ void td_toi_queue_set(thud_world *w, int number) {
 void td_toi_queue_set_first(thud_world *w, int number) {
     td_toi_candidate e = td_toi_candidate_at(w, number);
     double time;
-    if (!td_toi_candidate_is_far(w, &e) && meeting_time(w, &e, &time)) {
+    if (!td_toi_candidate_is_far(w, &e) && td_toi_queue_meeting_time(w, &e, &time)) {
         td_event_queue_set(&w->scratch.queue, number, time);
     }
 }

@@ -10,6 +10,10 @@
  * extra candidates. */
 bool td_toi_queue_accepts(const thud_world *w, int contact);
 
+/* Finds when a pair meets, or when it is to be tested again since only a part of its path was
+ * tested; false if the pair does not meet in this step. Ghosts are passed over, and so are pairs
+ * that the prologue refused, that have no detection on the way, or of which no body can stop. */
+bool td_toi_queue_meeting_time(thud_world *w, const td_toi_candidate *e, double *time);
 /* Queues a contact for the trajectories at the start of the step. */
 void td_toi_queue_set_first(thud_world *w, int number);
 /* Queues a candidate for the present trajectories of its two bodies, or takes it out of the queue.

@@ -17,6 +17,36 @@ const thud_detection *td_detection_of(const thud_world *w, td_body_index body_a,
                                                                             : b->detection;
 }
 
+void td_trajectory_begin(thud_world *w, td_awake_slot slot, bool moved) {
+    td_body_index index = td_body_of(w, slot);
+    const td_pose *pose = td_pose_at(w, index);
+    const float *delta = td_row(&w->delta, slot);
+    td_trajectory f = *td_trajectory_at(w, slot);
+    /* A body was quarantined since, and this one was moved into its slot. */
+    if (!td_same_body(f.body, index)) {
+        f = (td_trajectory){.body = index};
+    }
+    td_position place = pose->center;
+    uint32_t angle = pose->angle;
+    if (moved) {
+        place.x -= td_length_from(w, delta[0]);
+        place.y -= td_length_from(w, delta[1]);
+        angle -= td_angle_between((double)delta[2]);
+    }
+    *td_trajectory_at(w, slot) =
+        (td_trajectory){.place = place,
+                        .angle = angle,
+                        .body = index,
+                        .extras = TD_NONE,
+                        .escaped = TD_NONE,
+                        .motion = {(double)delta[0] - 0.5 * f.fall[0],
+                                   (double)delta[1] - 0.5 * f.fall[1], (double)delta[2]},
+                        .before = {f.before[0], f.before[1], f.before[2]},
+                        .fall = {f.fall[0], f.fall[1]},
+                        .free = f.free,
+                        .contact_count = f.contact_count};
+}
+
 td_trajectory td_trajectory_of(const thud_world *w, td_body_index body) {
     td_awake_slot slot = td_body_at(w, body)->awake;
     if (slot.at > 0) {

@@ -31,6 +31,7 @@ typedef struct td_trajectory {
     int32_t impacts;  /* of the body in this step so far */
     double since;     /* in [0, 1] of the step */
     double motion[3]; /* x, y (lengths), angle (radians) a step, at `since` */
+    double before[3]; /* velocity at the start of the step: x, y (length/s), angle (rad/s) */
     double fall[2];   /* change of `motion` by gravity and forces in a whole step, lengths; 0 unless
                          in free flight */
     bool free;      /* only gravity and forces acted on the body: its motion follows its velocity */
@@ -129,6 +130,10 @@ static inline td_trajectory *td_trajectory_at(const thud_world *w, td_awake_slot
 const thud_detection *td_detection_of(const thud_world *w, td_body_index body_a,
                                       td_body_index body_b);
 
+/* Sets a trajectory to the motion of the step that the solver gave the body, from the start of the
+ * step. `moved`: the pose is that of the end already. Of the one before, `before`, `fall`, `free`
+ * and `contact_count` are kept. */
+void td_trajectory_begin(thud_world *w, td_awake_slot slot, bool moved);
 /* A copy of the trajectory of any body. A body that is not awake has a trajectory without motion.
  */
 td_trajectory td_trajectory_of(const thud_world *w, td_body_index body);

@@ -32,6 +32,7 @@ typedef struct td_scratch {
     td_array trajectories;        /* td_trajectory, by awake slot */
     td_array extra_candidates;    /* td_toi_candidate: those that are not contacts */
     td_array escaped;      /* td_escaped_shape: shapes that may leave their bounds of the step */
+    td_array arrivals;     /* td_arrival: detection/arrival_rows.h */
     td_array impacts;      /* td_impact; before detection, td_pushes by block: gaps.c */
     td_array odd;          /* td_awake_slot: bodies that wide_finalize.c leaves to
                               finalize.c: not finite, or too fast for its arithmetic */

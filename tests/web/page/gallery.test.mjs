@@ -1,8 +1,10 @@
 /** Tests the gallery: search, keyboard navigation, and starting a scene from it. */
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { importTypeScript } from "../../../web/tools/scenes.mjs";
 import { BROWSERS, DESKTOP, leftOut, openVisitor, PHONE, runAxe, untilRunning } from "../support/page.mjs";
+import { root } from "../support/package.mjs";
 import { until } from "../support/wait.mjs";
 
 const visitor = openVisitor();
@@ -57,7 +59,11 @@ const IDEAS = {
   "normal depth": "geometry",
   "time of collision": "lab_bisection",
   tunnelling: "lab_bisection",
+  "overlap testing": "lab_bisection",
+  tunneling: "bullets",
   "time of impact": "lab_swept",
+  "times of impact": "lab_swept",
+  projectile: "lab_swept",
   roots: "lab_swept",
   parabola: "lab_swept",
   "extruded circle": "lab_capsule",
@@ -66,22 +72,29 @@ const IDEAS = {
   rollback: "lab_latency",
   "complex shape": "lab_approximate",
   "circles and boxes": "lab_approximate",
+  "simple shapes": "lab_approximate",
   "point against shape": "lab_minkowski",
   "false alarms": "lab_volumes",
   "cell size": "lab_broadphase",
   "plane sweep": "lab_broadphase",
   insertion: "lab_broadphase",
   "n^2": "lab_broadphase",
+  "counts of tests": "lab_broadphase",
   irregular: "lab_terrain",
   weights: "lab_terrain",
+  barycentric: "lab_terrain",
   "foot friction": "lab_terrain",
   kicker: "lab_callbacks",
   portal: "lab_callbacks",
   epilogue: "lab_callbacks",
+  "pre-solve": "lab_callbacks",
   microscope: "lab_microscope",
   "960 hz": "lab_prices",
   priced: "lab_prices",
   advice: "detection",
+  "trade accuracy": "detection",
+  "model only what a scene requires": "detection",
+  "stability extremes": "far_away",
 };
 
 test("gallery_search_finds_a_scene_by_what_a_lecture_calls_its_idea", async () => {
@@ -177,6 +190,20 @@ test("scene_that_is_chosen_runs_although_the_one_before_was_paused", async () =>
   await still.page.waitForTimeout(500);
   assert.equal(await still.page.evaluate(() => document.querySelector("#hud").dataset.steps ?? "0"), "0");
   await still.close();
+});
+
+test("every_idea_of_the_lecture_has_its_cells_filled_and_names_scenes_that_there_are", async () => {
+  const { SCENES } = await importTypeScript("src/scene/registry.ts");
+  const page = readFileSync(`${root}docs/lecture.md`, "utf8");
+  const lists = [...page.matchAll(/\bscenes? ((?:`\w+`(?:, )?)+)/g)].flatMap(([, list]) => list.match(/\w+/g));
+  const levels = [...page.matchAll(/\blevel \*([^*]+)\*/g)].map(([, title]) => title);
+  assert.ok(lists.length > 40 && levels.length > 0, `${lists.length} scenes, ${levels.length} levels`);
+  const missing = [
+    ...lists.filter((one) => !SCENES.some(({ name }) => name === one)),
+    ...levels.filter((one) => !SCENES.some(({ title }) => title === one)),
+  ];
+  assert.deepEqual(missing, []);
+  assert.deepEqual(page.split("\n").filter((line) => /\|\s*[—-]?\s*\|/.test(line)), []);
 });
 
 test("gallery_keywords_are_of_scenes_that_there_are", async () => {

@@ -174,18 +174,33 @@ test("hint_is_shown_once_and_goes_for_good_when_a_body_is_dragged", async () => 
   await close();
 });
 
-/** The cradle's figures appear with the first frame, and move the hint down on a phone. */
-const HINTED = [
-  ["tall_stack", "desktop", DESKTOP],
-  ["tall_stack", "phone", PHONE],
-  ["newtons_cradle", "phone", PHONE],
+test("hint_goes_for_good_when_another_scene_is_chosen", async () => {
+  const { page, close } = await visitor.open("?scene=tall_stack");
+  await untilRunning(page);
+  assert.equal(await page.locator("#hint").isVisible(), true);
+  await page.click("#scenes-button");
+  await page.click('[data-entry="pyramid"]');
+  await page.waitForSelector("#hint", { state: "hidden" });
+  await page.reload();
+  await untilRunning(page);
+  assert.equal(await page.locator("#hint").isVisible(), false);
+  await close();
+});
+
+/** The cradle's figures appear with the first frame, and move the hint down on a phone; Latency
+ * begins with a message. */
+const TOLD = [
+  ["hint", "tall_stack", "desktop", DESKTOP],
+  ["hint", "tall_stack", "phone", PHONE],
+  ["hint", "newtons_cradle", "phone", PHONE],
+  ["message", "lab_latency", "phone", PHONE],
 ];
-for (const [scene, size, options] of HINTED)
-  test(`hint_covers_nothing_of_${scene}_on_a_${size}`, async () => {
+for (const [told, scene, size, options] of TOLD)
+  test(`${told}_covers_nothing_of_${scene}_on_a_${size}`, async () => {
     const { page, close } = await visitor.open(`?scene=${scene}&paused=1`, options);
     await stepBy(page, 1);
     await untilStill(page);
-    const hint = await page.locator("#hint").boundingBox();
+    const line = await page.locator(`#${told}`).boundingBox();
     const highest = () =>
       page.evaluate(() => {
         const canvas = document.getElementById("bodies");
@@ -197,8 +212,8 @@ for (const [scene, size, options] of HINTED)
         const first = data.findIndex((value, i) => i % 4 === 3 && value >= 128);
         return Math.floor(first / 4 / width) * (innerHeight / height);
       });
-    // The view begins 8 pixels below the hint.
-    const top = hint.y + hint.height + 8;
+    // The view begins 8 pixels below the line.
+    const top = line.y + line.height + 8;
     await until(highest, (y) => y >= top, `below ${top}`);
     await close();
   });

@@ -89,14 +89,15 @@ test("pricing_is_cancelled_by_keyboard_and_leaves_nothing", async () => {
   await close();
 });
 
-test("section_on_detections_is_the_last_of_the_panel_elsewhere", async () => {
+test("section_on_detections_is_alone_in_its_scene_and_the_last_of_the_panel_elsewhere", async () => {
   const { page, close } = await openVisitor().open("?scene=pyramid&size=8&panel=trade", DESKTOP);
   await untilRunning(page);
-  const heads = () => page.locator("#dock .trade-part > h3").allTextContents();
+  const heads = () => page.locator("#dock .trade-part > h3:visible").allTextContents();
   await page.waitForSelector("#prices-heading", { state: "attached" });
   assert.deepEqual(await heads(), ["Measure", "Heavier", "Detection, priced"]);
   await page.evaluate(() => document.querySelector('[data-entry="lab_prices"]').click());
   await page.waitForFunction(() => document.title.startsWith("Detection, priced"));
-  assert.deepEqual(await heads(), ["Detection, priced", "Measure", "Heavier"]);
+  assert.deepEqual(await heads(), ["Detection, priced"]);
+  assert.equal(await page.isVisible("#dock .live-plane"), false);
   await close();
 });

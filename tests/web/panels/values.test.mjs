@@ -53,7 +53,7 @@ async function openRoom(visitor, browser, options) {
 async function placesOf(page) {
   const [x, y] = await page.evaluate(() => {
     const box = (id) => document.getElementById(id).getBoundingClientRect();
-    const top = Math.max(box("top").bottom, box("hint").bottom) + 8;
+    const top = Math.max(...["top", "hint", "message"].map((id) => box(id).bottom)) + 8;
     const dock = box("dock");
     const beside = dock.width < 0.6 * innerWidth;
     const right = beside ? dock.left - 8 : innerWidth - 16;

@@ -53,6 +53,17 @@ test("kicker_gives_the_speed_that_is_set_and_says_what_energy_it_decided", async
   }
 });
 
+test("another_answer_drops_the_ball_anew", async () => {
+  const { session, scene } = await played({ answer: "kicker" }, parted);
+  assert.ok(scene.state.fall.after[1] > 10);
+  session.do({ kind: "set", name: "answer", value: "veto" });
+  session.makeStep();
+  assert.deepEqual([scene.state.fall.asked, scene.state.fall.after], [0, null]);
+  assert.ok(scene.world.positionOf(scene.world.bodies()[1])[1] > HEIGHT - 0.1);
+  assert.match(scene.paint().message, /^The ball falls/);
+  scene.world.close();
+});
+
 test("surface_that_the_prologue_sets_bounces_by_its_restitution", async () => {
   for (const restitution of [0.5, 1, 1.4]) {
     const { scene, velocity, row } = await played({ answer: "surface", friction: 0, restitution }, parted);

@@ -97,6 +97,12 @@ test("bullet_passes_paper_by_overlap_and_bisection_only_beyond_the_bound", async
         assert.equal(bisect, poses > 0 ? "is caught" : "passes", where);
         if (poses === 0) assert.equal(overlap, "passes", where);
         if (bisect === "passes") passed++;
+        // Poses behind the paper are drawn in the lanes of those that pass alone.
+        const behind = paint.marks.filter(
+          ({ kind, x, y, opacity }) => kind === "circle" && y < -2 && x > 0 && opacity < 1,
+        );
+        const passing = [overlap, bisect].filter((outcome) => outcome === "passes").length;
+        assert.equal(new Set(behind.map(({ y }) => y)).size, passing, where);
       }
   assert.ok(passed > 3, "some settings let it pass");
 });

@@ -3,7 +3,7 @@
 
 export const title = "Broadphases";
 export const about =
-  "How pairs are found: the grid’s cells or, with the plane sweep, intervals sorted along x.";
+  "How pairs are found: the grid’s cells or, once Trade sets the plane sweep, intervals sorted along x.";
 export const menu = { group: "How it is done", place: 660 };
 export const size = { means: "bodies", usual: 90, least: 1, most: 100000 };
 

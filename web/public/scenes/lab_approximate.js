@@ -50,7 +50,7 @@ export default async function ({ createWorld, loadGeometry, thud }) {
   };
   return {
     world: createWorld({ gravity: [0, 0] }),
-    view: { x: 0, y: -0.2, height: 11.6, width: 13 },
+    view: { x: 0, y: 0.2, height: 12.4, width: 13 },
     pointer: true,
     controls: CONTROLS,
     state,

@@ -59,19 +59,23 @@ export default function ({ createWorld, grid }) {
 
   const scene = {
     world,
-    view: { x: 0, y: 2.4, height: 9, width: 9.5, tall: { x: 0, y: 3, height: 10, width: 8.6 } },
+    view: { x: 0, y: 3.1, height: 8.8, width: 9.5, tall: { x: 0, y: 3, height: 10, width: 8.6 } },
     spawn: [2, 6],
     keys: { fire: "drop again" },
     controls: CONTROLS,
     state: {
       ...{ answer: "kicker", friction: 0, restitution: 1, speed: 11, turn: 90, slow: 12 },
       ...{ asks: true, toWorld: true, toBall: true, toPads: true },
-      ...{ time: 0, wasDown: false, isAsked: false, trail: [], fall: nothing() },
+      ...{ time: 0, wasDown: false, isAsked: false, trail: [], fall: nothing(), answers: null },
     },
     update({ held }) {
       const { state } = scene;
       listen(state);
-      if (state.time > FLIGHT || isLost() || (held.fire && !state.wasDown)) drop(state);
+      // What is shown of a fall is of one answer: another one begins with the next fall.
+      const answers = [state.asks, state.answer, state.friction, state.restitution, state.speed, state.turn].join();
+      const isNew = state.answers !== null && state.answers !== answers;
+      state.answers = answers;
+      if (isNew || state.time > FLIGHT || isLost() || (held.fire && !state.wasDown)) drop(state);
       state.wasDown = held.fire;
       state.isAsked = false;
       const gap = world.positionOf(ball)[1] - START.radius;

@@ -37,7 +37,8 @@ const CONTROLS = [
   check("foot", "Feet on the ground",
     "Each sole stands on the highest ground under it; the character leans by the line between its ends."),
   check("box", "A box on textured ground",
-    "Its friction is read where it touches: weights give the texture coordinate, and the texture the friction."),
+    "Its friction is read where it touches: weights give the texture coordinate, and the texture the friction. " +
+    "The sum is of a box that never leaves the ground: where the line bends down, this one flies."),
   check("cost", "What a look-up costs",
     "Flat ground needs no search, equal distances a division, any others a binary search."),
   slider("x", "Place, x", -7.9, 7.9, 0.05, "Set by numbers"),

@@ -1,6 +1,7 @@
 /**
  * The hint of a first visit: a line that says what the page is and how to begin. It disappears for
- * good when the visitor closes it or drags a body; after dragging a notice says what to try next.
+ * good when the visitor closes it, drags a body or goes to another scene; after dragging a notice
+ * says what to try next.
  */
 import type { App } from "./app";
 import { byId } from "./dom";
@@ -33,8 +34,12 @@ export function addHint(app: App): boolean {
     }
   };
   button.addEventListener("click", goAway);
+  let begun = false;
   const stopListening = app.listen({
     run(scene) {
+      // Who chooses a scene knows how to begin.
+      if (begun) return goAway();
+      begun = true;
       // A game shows its own instructions.
       hint.hidden = scene.pointer || Object.keys(scene.keys).length > 0;
     },

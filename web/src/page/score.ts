@@ -4,6 +4,8 @@ import { byId, make } from "./dom";
 import { say } from "./messages";
 
 export class Score {
+  /** The id of an element that the scene stands below. */
+  told = "top";
   readonly #root = byId("figures");
   readonly #line = byId("message");
   /** Figures and message as shown, as JSON: an equal frame changes no element. */
@@ -12,14 +14,18 @@ export class Score {
   /** Hides everything, as another scene begins. */
   reset(): void {
     this.#root.hidden = this.#line.hidden = true;
+    this.told = "top";
     this.#shown = "";
   }
 
-  /** Shows a frame's figures and message. True if the figures appeared or disappeared: the layout
-   * below them has moved. */
+  /** Shows a frame's figures and message. True if the layout below them has moved: the figures
+   * appeared or disappeared, or a scene with readings begins, whose message stays. Messages of games
+   * come and go, and move nothing under a hand. */
   show(paint: Paint | null): boolean {
     const { figures = [], message = "" } = paint ?? {};
-    const moved = this.#root.hidden !== (figures.length === 0);
+    const begins = this.#shown === "" && message !== "" && paint?.readings !== undefined;
+    if (begins) this.told = "message";
+    const moved = begins || this.#root.hidden !== (figures.length === 0);
     this.#root.hidden = figures.length === 0;
     const text = JSON.stringify([figures, message]);
     if (text === this.#shown) return moved;

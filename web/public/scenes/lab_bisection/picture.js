@@ -57,8 +57,10 @@ function paintLanes(marks, state, { motion, thinnest, bisectable, lanes }) {
   const count = Math.floor((-2 * START) / motion);
   for (const { detection, y, x, outcome } of lanes) {
     marks.push(line([[START, y], [-START, y]], "soft", { width: 1 }));
+    // A bullet that is caught takes none of the poses behind the paper.
+    const poses = outcome === "is caught" ? Math.floor(-START / motion) : count;
     if (count <= MOST_POSES)
-      for (let i = 0; i <= count; i++)
+      for (let i = 0; i <= poses; i++)
         marks.push({ kind: "circle", x: START + i * motion, y, radius: RADIUS, ink, opacity: 0.6 });
     marks.push({ kind: "box", x: 0, y, halfWidth: 0.5 * state.thickness, halfHeight: HALF_HEIGHT, ink: "ink" });
     marks.push({ kind: "circle", x, y, radius: RADIUS, ink: "player", filled: true });

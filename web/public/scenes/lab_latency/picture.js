@@ -43,7 +43,7 @@ export function picture(state) {
 function paintPeer(marks, state, peer, middle) {
   const method = METHODS.indexOf(state.method);
   const shift = middle - MIDDLE;
-  marks.push(text(middle, 0.45 - WIDE, `The ${peer === 0 ? "left" : "right"} peer’s view`, "ink"));
+  marks.push(text(middle, 0.45 - WIDE, `${peer === 0 ? "Left" : "Right"} peer’s view`, "ink"));
   marks.push(line([[middle, -WIDE], [middle, WIDE]], "soft", { width: 1 }));
   for (const side of [-1, 1])
     marks.push(line([[middle + side * LONG, -GOAL], [middle + side * LONG, GOAL]], "soft", { width: 1 }));
@@ -74,7 +74,7 @@ const height = (error) => BOTTOM + (Math.min(error, TOP) / TOP) * HEIGHT;
 
 /** The error of each method in the last seconds, the mean of `EACH` steps a point. */
 function paintTime(marks, state, middle) {
-  axes(marks, middle, "Error of the puck, lengths", `${DRAWN * TIME_STEP} s ago`, "now");
+  axes(marks, middle, "Puck’s error, lengths", `${DRAWN * TIME_STEP} s ago`, "now");
   METHODS.forEach((name, method) => {
     const points = [];
     for (let back = DRAWN - EACH; back >= 0; back -= EACH) {

@@ -43,7 +43,9 @@ export function resolutionPictures(found: Collision): HTMLElement {
 
 function picturesOf(found: Collision): Picture[] {
   const { resolution: r, formula, normal, timeStep } = found;
-  const share = (fraction: number) => `${numberText(fraction)} of the step`;
+  // An overlap that was there before the step has come about in the one before it.
+  const step = found.arriving ? "the step" : "the step before";
+  const share = (fraction: number) => `${numberText(fraction)} of ${step}`;
   const speeds = (first: Vec2, second: Vec2): Arrow[] => [
     { from: r.apart[0].center, along: first },
     { from: r.apart[1].center, along: second },
@@ -52,8 +54,8 @@ function picturesOf(found: Collision): Picture[] {
     {
       title: "Overlap found.",
       text: r.found
-        ? `At the end of the motion they are ${numberText(r.depth)} deep in each other.`
-        : "They do not overlap at the end of the motion.",
+        ? `At the end of ${step} they are ${numberText(r.depth)} deep in each other.`
+        : `They do not overlap at the end of ${step}.`,
       places: r.end,
       ghosts: r.start,
     },
@@ -78,7 +80,7 @@ function picturesOf(found: Collision): Picture[] {
       title: "The rest moved.",
       text:
         r.time === null
-          ? "Nothing is left of the step."
+          ? `Nothing is left of ${step}.`
           : `With the new velocities for the other ${share(1 - r.time)}.`,
       places: r.rest,
       ghosts: r.apart,

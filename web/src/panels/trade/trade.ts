@@ -69,9 +69,7 @@ export function createPanel(app: App): Panel {
     controls.inert = laboratory.busy;
   });
   const controls = createControls(app);
-  const element = make(
-    "div",
-    { class: "trade" },
+  const sections = [
     make(
       "div",
       {},
@@ -89,13 +87,14 @@ export function createPanel(app: App): Panel {
     ),
     createSeries(app, laboratory),
     createHeavier(app, laboratory),
-  );
+  ];
   const prices = createPrices(laboratory);
-  /** The section on detections comes first in the scene that it is of. */
+  const element = make("div", { class: "trade" }, ...sections, prices);
+  /** The section on detections stands alone in the scene that it is of, whose own world is empty. */
   const place = () => {
-    if (app.state.scene !== PRICED) return element.append(prices);
-    element.prepend(prices);
-    prices.scrollIntoView();
+    const priced = app.state.scene === PRICED;
+    for (const section of sections) section.hidden = priced;
+    if (priced) prices.scrollIntoView();
   };
   app.listen({ run: place });
   place();

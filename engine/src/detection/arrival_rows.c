@@ -1,0 +1,70 @@
+/* arrival_rows.c: see arrival_rows.h. Its pass is that of wide_project.c, one row at a time, since
+ * arrivals are few, and bodies have several. */
+#include "detection/arrival_rows.h"
+
+#include "solver/friction.h"
+
+/* The relative value of b against a at the point along (x, y): of motions or of velocities. */
+static float along(const td_arrival *r, const float *a, const float *b, float x, float y) {
+    float px = b[0] - b[2] * r->by - a[0] + a[2] * r->ay;
+    float py = b[1] + b[2] * r->bx - a[1] - a[2] * r->ax;
+    return px * x + py * y;
+}
+
+/* Adds an impulse along (x, y), times the inverse masses, to the records of both bodies. */
+static void push(thud_world *w, const td_arrival *r, float *a, float *b, float x, float y) {
+    float mass_a = td_row(&w->velocity, r->a)[3], mass_b = td_row(&w->velocity, r->b)[3];
+    a[0] -= mass_a * x;
+    a[1] -= mass_a * y;
+    a[2] -= r->inv_inertia[0] * (r->ax * y - r->ay * x);
+    b[0] += mass_b * x;
+    b[1] += mass_b * y;
+    b[2] += r->inv_inertia[1] * (r->bx * y - r->by * x);
+}
+
+/* Corrects by a change of the accumulated impulse `sum`, which stays >= 0, what the records of both
+ * bodies lack along the normal. */
+static void correct(thud_world *w, const td_arrival *r, float *a, float *b, float *sum,
+                    float lack) {
+    float before = *sum;
+    *sum = td_max_float(before + lack * r->mass, 0.0f);
+    float change = *sum - before;
+    push(w, r, a, b, change * r->nx, change * r->ny);
+}
+
+int td_arrival_rows_project(thud_world *w, const td_project_context *c) {
+    int unfinished = 0;
+    for (int i = 0; i < w->scratch.arrivals.count; i++) {
+        td_arrival *r = TD_AT(td_arrival, &w->scratch.arrivals, i);
+        float *a = td_row(&w->delta, r->a), *b = td_row(&w->delta, r->b);
+        float gap = r->start + along(r, a, b, r->nx, r->ny), lack = r->least - gap;
+        if (!r->decided && (lack > 0.0f || r->motion > 0.0f)) {
+            float *va = td_row(&w->velocity, r->a), *vb = td_row(&w->velocity, r->b);
+            float closing = -along(r, va, vb, r->nx, r->ny);
+            correct(w, r, a, b, &r->motion, c->over_relaxation * lack);
+            correct(w, r, va, vb, &r->velocity, c->over_relaxation * closing);
+            unfinished += lack > c->closing;
+        }
+    }
+    return unfinished;
+}
+
+void td_arrival_rows_rub(thud_world *w) {
+    for (int i = 0; i < w->scratch.arrivals.count; i++) {
+        td_arrival *r = TD_AT(td_arrival, &w->scratch.arrivals, i);
+        if (r->velocity > 0.0f) {
+            float *a = td_row(&w->velocity, r->a), *b = td_row(&w->velocity, r->b);
+            float x = r->ny, y = -r->nx;
+            float turn_a = r->ax * y - r->ay * x, turn_b = r->bx * y - r->by * x;
+            float slide = along(r, a, b, x, y) - r->settings.surface_speed;
+            float inverse_mass = a[3] + b[3] + r->inv_inertia[0] * turn_a * turn_a +
+                                 r->inv_inertia[1] * turn_b * turn_b;
+            float most =
+                (float)td_friction_ratio((double)r->settings.friction, (double)slide) * r->velocity;
+            float impulse =
+                (float)td_clamp((double)(-slide / inverse_mass), (double)-most, (double)most);
+            push(w, r, a, b, impulse * x, impulse * y);
+            r->rubbed = impulse;
+        }
+    }
+}
