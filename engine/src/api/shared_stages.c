@@ -2,6 +2,6 @@
 #include "state/shared_stages.h"
 
 const thud_shared_stages thud_shared_stages_all = {
-    .finalize_reserve = td_shared_finalize_reserve,
     .finalize = td_shared_finalize,
+    .sweep = td_shared_sweep,
 };

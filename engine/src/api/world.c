@@ -154,7 +154,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.test_list, td_block *),
     ARRAY(scratch.fast, td_awake_slot),
     ARRAY(scratch.odd, td_awake_slot),
-    ARRAY(scratch.finalize_shares, td_finalize_share),
+    ARRAY(scratch.shares, td_share),
     ARRAY(scratch.order, int32_t),
     ARRAY(scratch.next_tied, td_awake_slot),
     ARRAY(scratch.before, float[4]),

@@ -19,6 +19,7 @@
 #include "broadphase/pairs.h"
 #include "contact/internal_edges.h"
 #include "state/shape.h"
+#include "state/shared_stages.h"
 #include "api/step.h"
 
 #include <string.h>
@@ -130,15 +131,15 @@ static bool add_new_pairs(thud_world *w, int a, const int *hits, int count, unsi
             continue;
         }
         int marks = own | *td_marks_at(w, hits[i]);
-        bool existed = false;
+        bool existed;
         if (td_bounds_tell_nothing(w, marks)) {
             if (!stamped) {
                 stamp_partners(w, a);
                 stamped = true;
             }
             existed = stamps[hits[i]] == w->scratch.stamp;
-        } else if (!(marks & TD_MARK_FRESH)) {
-            existed = td_bounds_overlap(before, td_bounds_before(w, hits[i]));
+        } else {
+            existed = td_bounds_had_met(w, marks, before, hits[i]);
         }
         if (!existed && !td_pairs_add(w, a, hits[i], 0)) {
             return false;
@@ -172,20 +173,6 @@ static int64_t crowd_threshold(const thud_world *w) {
  * promises (n / 64 steps in a crowd of n); both chosen. */
 enum { CROWD_TESTS_A_SHAPE = 128, CROWD_CONTACTS_A_SHAPE = 32 };
 
-/* The greatest number of hits that wait while what their test reads is prefetched. Chosen. */
-enum { HELD_MAX = 64 };
-
-/* The search for pairs among awake shapes, as add_hits continues it. */
-typedef struct pair_search {
-    thud_world *w;
-    int64_t overlaps; /* overlapping pairs found so far */
-    bool crowded;     /* pairs wait for their turn */
-    /* Hits that are kept until the bounds that their test reads have arrived in the cache: of each
-     * of the `shape_count` shapes, `counts` elements of `hits`, one shape after the other. */
-    int held, shape_count;
-    int hits[HELD_MAX], shapes[HELD_MAX], counts[HELD_MAX];
-} pair_search;
-
 /* 2^k - 1 for the least 2^k with count <= 2^k max: a mask for turn_number. */
 static unsigned turn_mask(int count, int max) {
     unsigned turns = 1;
@@ -215,15 +202,8 @@ static bool keep_pairs_in_turn(thud_world *w, int shape, int first, unsigned ski
     return skip_mask != 0;
 }
 
-/* Prefetches what td_bounds_before reads of a shape. */
-static void fetch_bounds_before(const thud_world *w, int shape) {
-    __builtin_prefetch(td_marks_at(w, shape));
-    __builtin_prefetch(td_previous_fat_at(w, shape));
-    __builtin_prefetch(td_fat_at(w, shape));
-}
-
 /* Adds the new pairs of all hits that are held. False when memory is short. */
-static bool add_held(pair_search *s) {
+static bool add_held(td_pair_search *s) {
     int first = 0;
     bool done = true;
     for (int i = 0; i < s->shape_count && done; i++) {
@@ -236,19 +216,19 @@ static bool add_held(pair_search *s) {
 
 /* Holds the hits of a shape, or adds their pairs at once where they are too many. False when memory
  * is short. */
-static bool hold_hits(pair_search *s, int shape, const int *hits, int count) {
+static bool hold_hits(td_pair_search *s, int shape, const int *hits, int count) {
     if (!td_fetches(s->w)) {
         return add_new_pairs(s->w, shape, hits, count, 0);
     }
-    if (s->held + count > HELD_MAX && !add_held(s)) {
+    if (s->held + count > TD_HELD_MAX && !add_held(s)) {
         return false;
     }
-    if (count > HELD_MAX) {
+    if (count > TD_HELD_MAX) {
         return add_new_pairs(s->w, shape, hits, count, 0);
     }
-    fetch_bounds_before(s->w, shape);
+    td_bounds_before_fetch(s->w, shape);
     for (int i = 0; i < count; i++) {
-        fetch_bounds_before(s->w, hits[i]);
+        td_bounds_before_fetch(s->w, hits[i]);
         s->hits[s->held++] = hits[i];
     }
     s->shapes[s->shape_count] = shape;
@@ -259,7 +239,7 @@ static bool hold_hits(pair_search *s, int shape, const int *hits, int count) {
 /* The sweep's td_hits_fn: adds the new pairs of one shape. False, which ends the sweep, when memory
  * is short, and when the pairs make an uncrowded world crowded (the sweep is then done again). */
 static bool add_hits(void *context, int shape, const int *hits, int count) {
-    pair_search *s = context;
+    td_pair_search *s = context;
     thud_world *w = s->w;
     int first = w->scratch.pairs.count;
     s->overlaps += count;
@@ -273,7 +253,7 @@ static bool add_hits(void *context, int shape, const int *hits, int count) {
         }
         return true;
     }
-    s->crowded = s->overlaps > crowd_threshold(w);
+    s->crowded = s->overlaps > s->overlaps_max;
     return !s->crowded && hold_hits(s, shape, hits, count);
 }
 
@@ -288,15 +268,16 @@ static bool query(thud_world *w, const td_proxy_set *set, const td_bounds *bound
 
 /* Searches all pairs of awake shapes of which one moved. False where add_hits ended it or memory is
  * short. */
-static bool sweep(pair_search *s) {
+static bool sweep(td_pair_search *s) {
     thud_world *w = s->w;
     s->overlaps = s->held = s->shape_count = 0;
     const td_proxy_set *set = &w->awake_shapes;
-    bool every = set->moved_count * 2 > set->ids.count;
+    const thud_shared_stages *shared = w->def.job_system.stages;
     w->scratch.found_shapes.count = w->scratch.pairs.count = 0;
-    return w->def.broadphase->sweep[w->wide](set, &w->memory, w->proxy.data, every,
-                                             &w->scratch.found_shapes, add_hits, s,
-                                             &w->broadphase.tested) &&
+    return (shared ? shared->sweep
+                   : w->def.broadphase->sweep[w->wide])(set, &w->memory, w->proxy.data,
+                                                        &w->scratch.found_shapes, add_hits, s,
+                                                        &w->broadphase.tested) &&
            (!td_fetches(w) || add_held(s));
 }
 
@@ -311,12 +292,15 @@ static bool was_crowded(const thud_world *w) {
  */
 static bool find_awake_pairs(thud_world *w, bool *crowded) {
     bool before = was_crowded(w);
-    pair_search s = {.w = w, .crowded = before};
+    td_pair_search s;
+    s.w = w;
+    s.overlaps_max = crowd_threshold(w);
+    s.crowded = before;
     w->scratch.crowded.count = 0;
     bool done = td_array_reserve(&w->memory, &w->scratch.crowded, w->awake_shapes.ids.count) &&
                 (sweep(&s) || (s.crowded && !before && sweep(&s)));
     w->broadphase.found += s.overlaps;
-    *crowded = s.crowded && s.overlaps > crowd_threshold(w) / 2;
+    *crowded = s.crowded && 2 * s.overlaps > s.overlaps_max;
     return done;
 }
 

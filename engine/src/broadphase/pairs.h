@@ -10,6 +10,21 @@ typedef struct td_new_pair {
     int32_t a, b, child;
 } td_new_pair;
 
+/* The greatest number of hits that wait while what their test reads is prefetched. Chosen. */
+enum { TD_HELD_MAX = 64 };
+
+/* The search for pairs among awake shapes, as add_hits of broadphase.c continues it. */
+typedef struct td_pair_search {
+    thud_world *w;
+    int64_t overlaps;     /* overlapping pairs found so far */
+    int64_t overlaps_max; /* with more of them the world is crowded */
+    bool crowded;         /* pairs wait for their turn */
+    /* Hits that are kept until the bounds that their test reads have arrived in the cache: of each
+     * of the `shape_count` shapes, `counts` elements of `hits`, one shape after the other. */
+    int held, shape_count;
+    int hits[TD_HELD_MAX], shapes[TD_HELD_MAX], counts[TD_HELD_MAX];
+} td_pair_search;
+
 /* Appends a pair to scratch.pairs. False when memory is short. */
 bool td_pairs_add(thud_world *w, int a, int b, int child);
 
@@ -45,6 +60,21 @@ static inline bool td_bounds_tell_nothing(const thud_world *w, int marks) {
 static inline const td_bounds *td_bounds_before(const thud_world *w, int shape) {
     return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_previous_fat_at(w, shape)
                                                   : td_fat_at(w, shape);
+}
+
+/* Whether the bounds of a pair overlapped at the last broadphase, so that it has a contact. Only
+ * where bounds tell. `marks`: the union of both shapes' marks; `before`: td_bounds_before of one.
+ */
+static inline bool td_bounds_had_met(const thud_world *w, int marks, const td_bounds *before,
+                                     int other) {
+    return !(marks & TD_MARK_FRESH) && td_bounds_overlap(before, td_bounds_before(w, other));
+}
+
+/* Prefetches what td_bounds_before reads of a shape. */
+static inline void td_bounds_before_fetch(const thud_world *w, int shape) {
+    __builtin_prefetch(td_marks_at(w, shape));
+    __builtin_prefetch(td_previous_fat_at(w, shape));
+    __builtin_prefetch(td_fat_at(w, shape));
 }
 
 #endif

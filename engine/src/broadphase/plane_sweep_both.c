@@ -78,9 +78,10 @@ static td_bounds bounds_at(const td_proxy_set *set, int i) {
 /* td_sweep_fn. A pair of which one moved is reported by the first of those of the two that search.
  */
 static bool sweep(const td_proxy_set *set, td_memory *memory, const td_shape_proxy *proxy,
-                  bool every, td_array *hits, td_hits_fn *report, void *context, int64_t *tested) {
+                  td_array *hits, td_hits_fn *report, void *context, int64_t *tested) {
     const int32_t *ids = set->ids.data, *moved = set->moved.data;
-    for (int i = 0; i < set->ids.count; i++) {
+    bool every = td_sweeps_every(set);
+    for (int i = set->head; i < set->ids.count - set->tail; i++) {
         if (!every && !moved[i]) {
             continue;
         }

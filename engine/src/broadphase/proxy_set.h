@@ -25,9 +25,11 @@ typedef struct td_proxy_set {
     td_array min_x, min_y, max_x, max_y; /* int32, in the order of ids, and eight more of room */
     td_array moved;                      /* int32: -1 where the shape is on the moved list */
     int moved_count;                     /* how many of `moved` are -1 */
-    bool listed; /* `list` is up to date: no shape has entered or left the set since */
-    bool loose;  /* built so that thud_broadphase.follow can update it */
-    bool valid;  /* the arrays hold the present bounds */
+    int head, tail; /* so many of the first and last ids do not search in a sweep: 0, but where
+                       workers share it (shared_sweep.c) */
+    bool listed;    /* `list` is up to date: no shape has entered or left the set since */
+    bool loose;     /* built so that thud_broadphase.follow can update it */
+    bool valid;     /* the arrays hold the present bounds */
 
     td_array cells;    /* grid: int, index of each shape's cell within its level */
     td_array starts;   /* grid: int, by level and cell: index in ids of the cell's first shape */
@@ -57,14 +59,18 @@ struct thud_world;
 /* Receives the shapes that overlap `shape`; false ends the sweep, which then returns false. */
 typedef bool td_hits_fn(void *context, int shape, const int *hits, int count);
 
+/* Whether every shape searches in a sweep, which finds each pair from one side and pays where most
+ * moved; else only shapes that moved search. */
+static inline bool td_sweeps_every(const td_proxy_set *set) {
+    return set->moved_count * 2 > set->ids.count;
+}
+
 /* Finds each pair of shapes whose bounds overlap and of which one moved, once, and reports those of
- * one shape together; `hits` is memory for them. `every`: every shape searches, which finds each
- * pair from one side and pays where most moved; else only shapes that moved search. False when
- * memory is short, or where `report` returned false. Adds the number of pairs of bounds that it
- * compared to *tested, also where it returns false. */
+ * one shape that searches together; `hits` is memory for them. False when memory is short, or where
+ * `report` returned false. Adds the number of pairs of bounds that it compared to *tested, also
+ * where it returns false. */
 typedef bool td_sweep_fn(const td_proxy_set *set, td_memory *memory, const td_shape_proxy *proxy,
-                         bool every, td_array *hits, td_hits_fn *report, void *context,
-                         int64_t *tested);
+                         td_array *hits, td_hits_fn *report, void *context, int64_t *tested);
 /* Appends every shape whose bounds overlap `bounds`, which lie near near_place (td_unwrap). False
  * when memory is short. Adds the number of bounds that it compared to *tested, unless that is
  * null. */

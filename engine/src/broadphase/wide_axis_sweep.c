@@ -58,21 +58,21 @@ TD_INLINE void scan_unmoved_before(scan *s, int i) {
 
 td_sweep_fn TD_WIDE(td_sorted_axis_sweep);
 bool TD_WIDE(td_sorted_axis_sweep)(const td_proxy_set *set, td_memory *memory,
-                                   const td_shape_proxy *proxy, bool every, td_array *hits,
-                                   td_hits_fn *report, void *context, int64_t *tested) {
+                                   const td_shape_proxy *proxy, td_array *hits, td_hits_fn *report,
+                                   void *context, int64_t *tested) {
     (void)proxy;
     scan s = begin_scan(set, memory, hits);
-    bool done = true;
-    for (int i = 0; i < set->ids.count && done; i++) {
+    bool done = true, every = td_sweeps_every(set);
+    for (int i = set->head; i < set->ids.count - set->tail && done; i++) {
         if (!every && !s.moved[i]) {
             continue;
         }
         td_bounds b = bounds_at(&s, i);
         set_query(&s, &b);
-        int end = end_of_overlaps(set, i + 1, max_of(&s, i));
-        done = reserve_hits(&s, every ? end - i : end);
-        if (done && i + 1 < end) {
-            scan_span(&s, i + 1, end, s.moved[i] ? SCAN_ALL : SCAN_MOVED);
+        int reach = end_of_overlaps(set, i + 1, max_of(&s, i));
+        done = reserve_hits(&s, every ? reach - i : reach);
+        if (done && i + 1 < reach) {
+            scan_span(&s, i + 1, reach, s.moved[i] ? SCAN_ALL : SCAN_MOVED);
         }
         if (done && !every) {
             scan_unmoved_before(&s, i);

@@ -195,18 +195,19 @@ static int levels_in_use(const td_proxy_set *grid) {
 
 td_sweep_fn TD_WIDE(td_grid_sweep);
 bool TD_WIDE(td_grid_sweep)(const td_proxy_set *grid, td_memory *memory,
-                            const td_shape_proxy *proxy, bool every, td_array *hits,
-                            td_hits_fn *report, void *context, int64_t *tested) {
+                            const td_shape_proxy *proxy, td_array *hits, td_hits_fn *report,
+                            void *context, int64_t *tested) {
     scan s = begin_scan(grid, memory, hits);
     const int32_t *cells = grid->cells.data;
-    bool one_level = levels_in_use(grid) == 1;
+    bool every = td_sweeps_every(grid), one_level = levels_in_use(grid) == 1;
     for (int l = 0; l < TD_LEVELS; l++) {
         const td_level *level = &grid->levels[l];
         if (level->count == 0) {
             continue;
         }
         const int32_t *starts = s.starts + level->starts;
-        for (int i = level->first; i < level->first + level->count; i++) {
+        int stop = td_min_int(grid->ids.count - grid->tail, level->first + level->count);
+        for (int i = td_max_int(grid->head, level->first); i < stop; i++) {
             if (!every && !s.moved[i]) {
                 continue;
             }

@@ -66,10 +66,8 @@ static void move(thud_world *w, td_body_index index, const float *delta) {
 }
 
 bool td_finalize_reserve(thud_world *w) {
-    const thud_shared_stages *shared = w->def.job_system.stages;
     return td_array_reserve(&w->memory, &w->scratch.fast, w->body_of.count) &&
-           td_array_reserve(&w->memory, &w->scratch.odd, w->body_of.count) &&
-           (!shared || shared->finalize_reserve(w));
+           td_array_reserve(&w->memory, &w->scratch.odd, w->body_of.count);
 }
 
 /* Moves all bodies but those that it lists in scratch.odd. */

@@ -14,17 +14,15 @@ static int share_count(const thud_world *w) {
     return (w->body_of.count + TD_SHARE_BODIES - 1) / TD_SHARE_BODIES;
 }
 
-static bool is_shared(const thud_world *w) {
-    return w->def.job_system.workers > 1 && w->body_of.count >= SHARED_BODIES_MIN;
+/* Whether there are enough bodies, and memory for what is found of them: without it the calling
+ * thread finalizes them alone. */
+static bool is_shared(thud_world *w) {
+    return w->def.job_system.workers > 1 && w->body_of.count >= SHARED_BODIES_MIN &&
+           td_array_reserve(&w->memory, &w->scratch.shares, share_count(w));
 }
 
 static td_finalize_share *share_at(const thud_world *w, int index) {
-    return TD_AT(td_finalize_share, &w->scratch.finalize_shares, index);
-}
-
-bool td_shared_finalize_reserve(thud_world *w) {
-    return !is_shared(w) ||
-           td_array_reserve(&w->memory, &w->scratch.finalize_shares, share_count(w));
+    return &TD_AT(td_share, &w->scratch.shares, index)->finalize;
 }
 
 /* What the workers share. */

@@ -31,22 +31,22 @@ typedef struct td_scratch {
     td_event_queue queue;         /* candidates in the order of their time of impact */
     td_array trajectories;        /* td_trajectory, by awake slot */
     td_array extra_candidates;    /* td_toi_candidate: those that are not contacts */
-    td_array escaped;         /* td_escaped_shape: shapes that may leave their bounds of the step */
-    td_array arrivals;        /* td_arrival: detection/arrival_rows.h */
-    td_array impacts;         /* td_impact; before detection, td_pushes by block: gaps.c */
-    td_array odd;             /* td_awake_slot: bodies that wide_finalize.c leaves to
-                                 finalize.c: not finite, or too fast for its arithmetic */
-    td_array finalize_shares; /* td_finalize_share: state/shared_stages.h */
-    td_array next_tied;       /* td_awake_slot, by awake slot: constraint/tied_bodies.h */
-    td_array before;          /* float[4], by awake slot: velocities, joints/joint_yield.c */
-    td_array brace_groups;    /* double[3], by group of tied bodies: joints/joint_brace.c */
-    td_array held_at;         /* double, by awake slot: see td_held_count */
-    td_array legs;            /* td_leg, parts of paths in the order of time: sensing.c */
-    td_array first_legs;      /* int, by awake slot: the first of its legs, or TD_NONE */
-    td_array sensing;         /* td_awake_slot: awake bodies with sensors */
-    int sensed_room;          /* new sensor pairs for which this step has reserved memory; 0:
-                                 it began without sensors */
-    td_array order;           /* any type: while a proxy set is sorted */
+    td_array escaped;      /* td_escaped_shape: shapes that may leave their bounds of the step */
+    td_array arrivals;     /* td_arrival: detection/arrival_rows.h */
+    td_array impacts;      /* td_impact; before detection, td_pushes by block: gaps.c */
+    td_array odd;          /* td_awake_slot: bodies that wide_finalize.c leaves to
+                              finalize.c: not finite, or too fast for its arithmetic */
+    td_array shares;       /* td_share: state/shared_stages.h */
+    td_array next_tied;    /* td_awake_slot, by awake slot: constraint/tied_bodies.h */
+    td_array before;       /* float[4], by awake slot: velocities, joints/joint_yield.c */
+    td_array brace_groups; /* double[3], by group of tied bodies: joints/joint_brace.c */
+    td_array held_at;      /* double, by awake slot: see td_held_count */
+    td_array legs;         /* td_leg, parts of paths in the order of time: sensing.c */
+    td_array first_legs;   /* int, by awake slot: the first of its legs, or TD_NONE */
+    td_array sensing;      /* td_awake_slot: awake bodies with sensors */
+    int sensed_room;       /* new sensor pairs for which this step has reserved memory; 0:
+                              it began without sensors */
+    td_array order;        /* any type: while a proxy set is sorted */
 } td_scratch;
 
 #endif

@@ -3,14 +3,15 @@
 #ifndef TD_SHARED_STAGES_H
 #define TD_SHARED_STAGES_H
 
+#include "broadphase/pairs.h"
 #include "solver/motion.h"
 #include "state/world.h"
 
 struct thud_shared_stages {
-    /* Makes room for `finalize`. False when memory is short. */
-    bool (*finalize_reserve)(thud_world *w);
     /* As td_finalize_bodies for `all` bodies, with the same results to the bit. */
     td_finalize_bodies_fn *finalize;
+    /* As the world's sweep of all shapes, with the same pairs, for a td_pair_search as context. */
+    td_sweep_fn *sweep;
 };
 
 /* Bodies that a worker takes at once: a multiple of TD_LANES. Chosen. */
@@ -24,8 +25,27 @@ typedef struct td_finalize_share {
     int room[3][TD_SHARE_BODIES]; /* data of these three */
 } td_finalize_share;
 
-/* shared_finalize.c: see above. */
-bool td_shared_finalize_reserve(thud_world *w);
+/* Shapes whose pairs a worker searches at once, and their pairs that there is room for: in a heap
+ * of like circles each has 3 of its own. Chosen. */
+enum { TD_SHARE_SHAPES = 256, TD_SHARE_PAIRS = 4 * TD_SHARE_SHAPES };
+
+/* What is found of a part of the shapes. */
+typedef struct td_sweep_share {
+    bool done;            /* false: the calling thread has to search the part */
+    int count, new_count; /* elements of `pairs`, and how many of them, the first ones, are known to
+                             be new */
+    int64_t overlaps, tested;
+    td_new_pair pairs[TD_SHARE_PAIRS];
+} td_sweep_share;
+
+/* An element of td_scratch.shares. */
+typedef union td_share {
+    td_finalize_share finalize;
+    td_sweep_share sweep;
+} td_share;
+
+/* shared_finalize.c, shared_sweep.c: see above. */
 td_finalize_bodies_fn td_shared_finalize;
+td_sweep_fn td_shared_sweep;
 
 #endif

@@ -2,12 +2,15 @@
  * another, give the same bits. */
 #include "engine_support.h"
 
+#include <thud/thud_reads.h>
+
 #include "build_thud.h"
 #include "some_threads.h"
 #include "scenes.h"
 #include "share.h"
 
-/* The hash of a scene's world after some steps, and of the change of energy that each reports. */
+/* The hash of a scene's world after some steps, and of the change of energy and the work of the
+ * broadphase that each reports. */
 static uint64_t hash_after(const char *name, int size, int steps, thud_job_system job_system) {
     scene s;
     assert_true(scenes_fill(scenes_find(name), size, &s));
@@ -22,6 +25,9 @@ static uint64_t hash_after(const char *name, int size, int steps, thud_job_syste
         uint64_t bits;
         memcpy(&bits, &change, sizeof bits);
         energies = energies * 31 + bits;
+        thud_broadphase_counts counts;
+        OK(thud_world_get_broadphase_counts(world, &counts));
+        energies = energies * 31 + (uint64_t)counts.tested * 7 + (uint64_t)counts.found;
     }
     uint64_t hash = thud_hash_of(world) ^ energies;
     thud_world_destroy(world);
@@ -41,7 +47,8 @@ static const struct {
     const char *name;
     int size, steps;
 } SCENES[] = {{"pyramid", 40, 60},    {"circle_pit", 3000, 120}, {"mixed_terrain", 2000, 120},
-              {"tumbler", 1000, 100}, {"platformer", 1000, 80},  {"sizes", 1000, 80}};
+              {"tumbler", 1000, 100}, {"platformer", 1000, 80},  {"sizes", 1000, 80},
+              {"gas", 4000, 20},      {"one_spot", 1500, 30},    {"asleep", 3000, 60}};
 
 static void any_number_of_workers_gives_the_same_bits(void **state) {
     (void)state;
@@ -85,6 +92,84 @@ static void the_most_workers_share_more_stages_to_the_same_bits(void **state) {
     assert_true(more_calls >= calls + STEPS);
 }
 
+/* The hash of a step's result, and of the work of its broadphase. */
+static uint64_t hash_of_step(thud_world *world) {
+    OK(thud_world_step(world));
+    thud_broadphase_counts counts;
+    OK(thud_world_get_broadphase_counts(world, &counts));
+    return thud_hash_of(world) * 31 + (uint64_t)counts.tested * 7 + (uint64_t)counts.found;
+}
+
+/* The hash of some steps of circles of which `clump` at a time overlap. On their way they sleep for
+ * a step and wake, so that bounds do not tell which pairs have a contact. */
+static uint64_t hash_of_clumps(int count, int clump, thud_job_system job_system) {
+    enum { MAX = 1260, WAY = 3 };
+    thud_world_def def = weightless();
+    def.sleeping = true;
+    def.job_system = job_system;
+    thud_world *world = make_world(def);
+    thud_body_id ids[MAX];
+    for (int i = 0; i < count; i++) {
+        int place = i / clump, at = i % clump;
+        ids[i] = add_body(world, THUD_BODY_DYNAMIC, 3.0 * (place % 40) + 0.002 * at,
+                          3.0 * (place / 40), 0);
+        add_shape(world, ids[i], 0.5f, 0, false, NULL);
+        OK(thud_body_set_velocity(world, ids[i], (thud_vec2){(float)(i % 3), 1}, 0));
+    }
+    uint64_t hash = 0;
+    for (int way = 0; way < WAY; way++) {
+        for (int i = 0; i < 3; i++) {
+            hash = hash * 31 + hash_of_step(world);
+        }
+        for (int awake = 0; awake < 2; awake++) {
+            for (int i = 0; i < count; i++) {
+                OK(thud_body_set_awake(world, ids[i], awake));
+            }
+            hash = hash * 31 + hash_of_step(world);
+        }
+    }
+    thud_world_destroy(world);
+    return hash;
+}
+
+/* Pairs for which workers have no room, those of woken shapes, and those of a crowd are left to the
+ * calling thread. */
+static void pairs_that_workers_leave_are_found(void **state) {
+    (void)state;
+    const struct {
+        int count, clump;
+    } cases[] = {{1200, 3}, {1200, 40}, {1260, 210}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        int calls = 0;
+        thud_job_system all = {one_after_the_other, &calls, 3, &thud_shared_stages_all};
+        uint64_t shared = hash_of_clumps(cases[i].count, cases[i].clump, all);
+        if (shared != hash_of_clumps(cases[i].count, cases[i].clump, (thud_job_system){0})) {
+            fail_msg("%d circles, %d in a clump, differ", cases[i].count, cases[i].clump);
+        }
+    }
+}
+
+/* What workers need room for is kept from step to step. */
+static void workers_allocate_nothing_in_a_settled_world(void **state) {
+    (void)state;
+    int calls = 0;
+    scene s;
+    assert_true(scenes_fill(scenes_find("gas"), 4000, &s));
+    thud_world_def def = thud_default_world_def();
+    def.job_system = (thud_job_system){one_after_the_other, &calls, 5, &thud_shared_stages_all};
+    thud_world *world;
+    OK(scene_build_thud(&s, &def, &world, NULL, NULL));
+    uint64_t allocations = 0;
+    for (int i = 0; i < 40; i++) {
+        OK(thud_world_step(world));
+        allocations = i < 30 ? 0 : allocations + thud_stats_of(world).step_allocations;
+    }
+    assert_true(calls >= 40 * 2);
+    assert_int_equal(allocations, 0);
+    thud_world_destroy(world);
+    scene_free(&s);
+}
+
 /* A world with little work does not call the job system. */
 static void small_worlds_ask_nobody(void **state) {
     (void)state;
@@ -112,6 +197,8 @@ int main(void) {
         cmocka_unit_test(any_number_of_workers_gives_the_same_bits),
         cmocka_unit_test(workers_one_after_the_other_give_the_same_bits),
         cmocka_unit_test(the_most_workers_share_more_stages_to_the_same_bits),
+        cmocka_unit_test(pairs_that_workers_leave_are_found),
+        cmocka_unit_test(workers_allocate_nothing_in_a_settled_world),
         cmocka_unit_test(small_worlds_ask_nobody),
         cmocka_unit_test(absurd_job_systems_are_refused),
     };
