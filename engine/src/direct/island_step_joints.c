@@ -98,6 +98,7 @@ static void update_joint_rows(td_island_work *work, double start, bool ended) {
         clear_arms(&work->problem, c);
     }
     td_direct_update_speeds(&work->problem);
+    work->problem.measured = true;
 }
 
 /* Adds the geometric stiffness k of the joints' impulses to the moments of inertia. The moment of
