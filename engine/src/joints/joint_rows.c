@@ -91,7 +91,7 @@ static double target_speed_for_gap(const thud_world *w, td_direct_row *row, cons
         double change =
             width * (GAP_SHARE_PER_STEP * s->time / w->def.time_step) + GAP_CLOSED_MIN * unit;
         change = td_min_double(max_change, change);
-        left = before > change ? before - change : before < -change ? before + change : 0.0;
+        left = before - td_max_double(-change, td_min_double(change, before));
         row->closing = td_abs(before - left) / s->time;
     }
     return (displacement_along(row, s) - (after - left)) / s->time;
@@ -105,42 +105,28 @@ static double target_speed_for_gap(const thud_world *w, td_direct_row *row, cons
  * angle `start` to `end`: the arm in the middle, shortened by the ratio of chord to arc, sin(half)
  * / half. Multiplied by the rotation, it gives the chord by which its end moves. */
 static void average_arm(double start, double end, double *u, double *v) {
-    double middle = 0.5 * (start + end), half = 0.5 * (end - start), s, c, x = *u, y = *v;
-    td_joint_sincos(middle, &s, &c);
-    *u = c * x - s * y;
-    *v = c * y + s * x;
-    if (half * half < CHORD_IS_ARC) {
-        return;
-    }
-    if (start != 0.0) {
+    double half = 0.5 * (end - start), s, c;
+    td_joint_rotate_arm(0.5 * (start + end), u, v);
+    if (half * half >= CHORD_IS_ARC) {
         td_joint_sincos(half, &s, &c);
+        *u *= s / half;
+        *v *= s / half;
     }
-    *u *= s / half;
-    *v *= s / half;
 }
 
-/* The frame of a part, whose axes do not turn: u and v of the block, and the lever arms averaged
+/* The frame of a part whose axes do not turn: u and v of the block, and the lever arms averaged
  * over the part. Its gap is not set. */
 static td_joint_frame average_frame(const td_block *block, int lane, const td_span *s) {
-    const td_point *p = &block->point[0], *q = &block->point[1];
-    td_joint_frame f = {.x = (double)block->nx[lane],
-                        .y = (double)block->ny[lane],
-                        .a_u = (double)p->cross_a[lane],
-                        .a_v = (double)q->cross_a[lane],
-                        .b_u = (double)p->cross_b[lane],
-                        .b_v = (double)q->cross_b[lane]};
+    td_joint_frame f = td_joint_frame_at(block, lane, 0.0, 0.0);
     average_arm(s->a[0][2], s->a[1][2], &f.a_u, &f.a_v);
     average_arm(s->b[0][2], s->b[1][2], &f.b_u, &f.b_v);
     return f;
 }
 
-/* The frame in the middle of the part: with `turns`, one that turns with body a. */
-static td_joint_frame midpoint_frame(const td_block *block, int lane, double gap_u, double gap_v,
-                                     bool turns, const td_span *s) {
+/* The frame in the middle of the part, which turns with body a. */
+static td_joint_frame middle_frame(const td_block *block, int lane, double gap_u, double gap_v,
+                                   const td_span *s) {
     double a[3], b[3];
-    if (!turns) {
-        return average_frame(block, lane, s);
-    }
     for (int k = 0; k < 3; k++) {
         a[k] = 0.5 * (s->a[0][k] + s->a[1][k]);
         b[k] = 0.5 * (s->b[0][k] + s->b[1][k]);
@@ -231,10 +217,12 @@ void td_lock_update_rows(const thud_world *w, const td_block *block, int lane, c
     bool turns = rows->frame_turns[lane] > 0.0f;
     td_joint_frame start = {.gap_u = u, .gap_v = v};
     td_joint_frame end = td_joint_frame_after(block, lane, u, v, turns, s->a[1], s->b[1]);
-    if (s->time > 0.0 && s->start > 0.0) {
+    if (s->start > 0.0) {
         start = td_joint_frame_after(block, lane, u, v, turns, s->a[0], s->b[0]);
     }
-    td_joint_frame f = s->time == 0.0 ? end : midpoint_frame(block, lane, u, v, turns, s);
+    td_joint_frame f = s->time == 0.0 ? end
+                       : turns        ? middle_frame(block, lane, u, v, s)
+                                      : average_frame(block, lane, s);
     set_direction(&c->row[0], f.x, f.y, f.a_u, f.b_u);
     set_direction(&c->row[1], -f.y, f.x, f.a_v, f.b_v);
     c->row[0].target_speed = target_speed_for_gap(w, &c->row[0], s, start.gap_u, end.gap_u, unit);
@@ -402,7 +390,7 @@ static td_joint_frame midpoint_drive(const thud_world *w, const td_block *block,
                        : td_joint_frame_after(block, lane, u, v, true, s->a[i], s->b[i]).gap_u;
     }
     return kind == TD_CONSTRAINT_DRIVE_TURN ? (td_joint_frame){.a_u = sign, .b_u = sign}
-                                            : midpoint_frame(block, lane, u, v, true, s);
+                                            : middle_frame(block, lane, u, v, s);
 }
 
 /* td_update_rows_fn of a driven direction. A limit that is not reached at the start of the part
