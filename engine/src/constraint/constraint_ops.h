@@ -21,8 +21,10 @@ typedef struct td_span {
     /* Motions (x, y, turn) of sides a and b since the start of the step: [0] to the start of the
      * part, [1] to its end, by the present iteration. */
     double a[2][3], b[2][3];
-    double time; /* length of the part, s; 0: [0] and [1] are equal, and describe the poses at the
-                    end of a part */
+    double start; /* time of the part's start, s from the start of the step; at 0 the motions of [0]
+                     are 0 */
+    double time;  /* length of the part, s; 0: [0] and [1] are equal, and describe the poses at the
+                     end of a part */
 } td_span;
 
 /* Computes the Jacobian and the target speeds of a joint's rows for a part of the step. The

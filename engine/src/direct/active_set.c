@@ -127,7 +127,10 @@ static bool has_no_impulses(const td_direct *d) {
 static int warm_start(td_direct *d, double hysteresis) {
     int rows = 0;
     double margin = d->soft_warm_start || has_no_impulses(d) ? hysteresis : -hysteresis;
-    td_direct_update_speeds(d);
+    if (!d->measured) {
+        td_direct_update_speeds(d);
+    }
+    d->measured = false;
     for (int i = 0; i < d->constraint_count; i++) {
         td_direct_constraint *c = &d->constraints[i];
         set_penalties(d, c);

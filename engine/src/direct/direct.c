@@ -7,18 +7,21 @@ static double inverse_share(const double *j, const td_direct_body *b) {
     return (j[0] * j[0] + j[1] * j[1]) * b->inverse_mass + j[2] * j[2] * b->inverse_inertia;
 }
 
-/* Sets the effective mass of every row, and copies the warm start. A row whose bodies have infinite
- * mass in its direction is not used. */
+/* Sets the effective mass of every row that is used, and copies the warm start. A row whose bodies
+ * have infinite mass in its direction is not used. */
 static void set_effective_masses(td_direct *d) {
     for (int i = 0; i < d->constraint_count; i++) {
         td_direct_constraint *c = &d->constraints[i];
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &c->row[k];
+            r->warm_start = r->impulse;
+            if (!r->used) {
+                continue;
+            }
             double inverse = (c->a == TD_NONE ? 0.0 : inverse_share(r->a, &d->bodies[c->a])) +
                              (c->b == TD_NONE ? 0.0 : inverse_share(r->b, &d->bodies[c->b]));
-            r->used = r->used && inverse > 0.0;
+            r->used = inverse > 0.0;
             r->mass = inverse > 0.0 ? 1.0 / inverse : 0.0;
-            r->warm_start = r->impulse;
         }
     }
 }

@@ -126,6 +126,8 @@ typedef struct td_direct {
     int64_t effort;       /* budget of work that is left, in operations on 3 x 3 blocks */
     bool spent;           /* the budget of work was too small, so that the solve failed */
     bool soft_warm_start; /* the warm start comes from the soft solver, or the impulses are 0 */
+    bool measured;        /* in: speeds are those of the present rows and velocities already;
+                             td_direct_solve sets it to false */
     bool factored;        /* the matrix holds the factor of the active rows */
 } td_direct;
 

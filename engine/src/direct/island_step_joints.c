@@ -87,7 +87,7 @@ static void update_joint_rows(td_island_work *work, double start, bool ended) {
             continue;
         }
         td_lane at = td_island_lane(work, i);
-        td_span span = {.time = ended ? 0.0 : work->time};
+        td_span span = {.start = start, .time = ended ? 0.0 : work->time};
         span_of_side(work, c->a, at.block->a[at.lane], start, span.a);
         span_of_side(work, c->b, at.block->b[at.lane], start, span.b);
         for (int k = 0; k < 3 && ended; k++) {
@@ -98,6 +98,7 @@ static void update_joint_rows(td_island_work *work, double start, bool ended) {
         clear_arms(&work->problem, c);
     }
     td_direct_update_speeds(&work->problem);
+    work->problem.measured = true;
 }
 
 /* Adds the geometric stiffness k of the joints' impulses to the moments of inertia. The moment of

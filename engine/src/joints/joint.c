@@ -118,13 +118,8 @@ void td_joint_sincos(double angle, double *s, double *c) {
         1.0 + xx * (-0.5 + xx * (1.0 / 24 + xx * (-1.0 / 720 + xx * (1.0 / 40320 - xx / 3628800))));
 }
 
-/* Rotates a lever arm relative to a frame that does not turn; *u, *v are its cross products with u
- * and v. */
-static void rotate_arm(double angle, double *u, double *v) {
+void td_joint_rotate_arm(double angle, double *u, double *v) {
     double c, s, x = *u, y = *v;
-    if (angle == 0.0) {
-        return;
-    }
     td_joint_sincos(angle, &s, &c);
     *u = c * x - s * y;
     *v = c * y + s * x;
@@ -142,16 +137,25 @@ static td_joint_frame rotate_frame(td_joint_frame f, double c, double s) {
                             .gap_v = c * f.gap_v - s * f.gap_u};
 }
 
+td_joint_frame td_joint_frame_at(const td_block *block, int lane, double gap_u, double gap_v) {
+    const td_point *p = &block->point[0], *q = &block->point[1];
+    return (td_joint_frame){(double)block->nx[lane],
+                            (double)block->ny[lane],
+                            (double)p->cross_a[lane],
+                            (double)q->cross_a[lane],
+                            (double)p->cross_b[lane],
+                            (double)q->cross_b[lane],
+                            gap_u,
+                            gap_v};
+}
+
 td_joint_frame td_joint_frame_after(const td_block *block, int lane, double gap_u, double gap_v,
                                     bool turns, const double a[3], const double b[3]) {
-    const td_point *p = &block->point[0], *q = &block->point[1];
-    double a_u = (double)p->cross_a[lane], a_v = (double)q->cross_a[lane];
-    double b_u = (double)p->cross_b[lane], b_v = (double)q->cross_b[lane];
-    td_joint_frame f = {
-        (double)block->nx[lane], (double)block->ny[lane], a_u, a_v, b_u, b_v, gap_u, gap_v};
+    td_joint_frame f = td_joint_frame_at(block, lane, gap_u, gap_v);
+    double a_u = f.a_u, a_v = f.a_v, b_u = f.b_u, b_v = f.b_v;
     double x = b[0] - a[0], y = b[1] - a[1];
-    rotate_arm(a[2], &f.a_u, &f.a_v);
-    rotate_arm(b[2], &f.b_u, &f.b_v);
+    td_joint_rotate_arm(a[2], &f.a_u, &f.a_v);
+    td_joint_rotate_arm(b[2], &f.b_u, &f.b_v);
     f.gap_u += x * f.x + y * f.y + (f.b_v - b_v) - (f.a_v - a_v);
     f.gap_v += y * f.x - x * f.y - (f.b_u - b_u) + (f.a_u - a_u);
     if (turns) {

@@ -183,6 +183,11 @@ typedef struct td_joint_frame {
 
 /* joint.c. Sine and cosine, by their series for small angles. */
 void td_joint_sincos(double angle, double *s, double *c);
+/* Rotates a lever arm relative to a frame that does not turn; *u, *v are its cross products with u
+ * and v. */
+void td_joint_rotate_arm(double angle, double *u, double *v);
+/* The frame at the start of the step, with this gap. */
+td_joint_frame td_joint_frame_at(const td_block *block, int lane, double gap_u, double gap_v);
 /* The frame after motions a, b (x, y, turn) of both sides since the start of the step. gap_u,
  * gap_v: the gap at the start. `turns`: the frame turns with a, and a's lever arm ends at b's
  * anchor; false: u and v do not change. */

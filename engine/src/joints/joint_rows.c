@@ -81,64 +81,57 @@ static double displacement_along(const td_direct_row *row, const td_span *s) {
  * is not closed. */
 static double target_speed_for_gap(const thud_world *w, td_direct_row *row, const td_span *s,
                                    double before, double after, double unit) {
-    double width = td_abs(before);
-    double max_change = (double)TD_JOINT_CLOSING_SPEED * unit * s->time;
-    double change =
-        width * (GAP_SHARE_PER_STEP * s->time / w->def.time_step) + GAP_CLOSED_MIN * unit;
-    change = td_min_double(max_change, change);
-    double left = width <= GAP_IGNORED * unit ? before
-                  : before > change           ? before - change
-                  : before < -change          ? before + change
-                                              : 0.0;
-    row->closing = s->time > 0.0 ? td_abs(before - left) / s->time : row->closing;
-    return s->time > 0.0 ? (displacement_along(row, s) - (after - left)) / s->time : 0.0;
+    double width = td_abs(before), left = before;
+    if (s->time == 0.0) {
+        return 0.0;
+    }
+    row->closing = 0.0;
+    if (width > GAP_IGNORED * unit) {
+        double max_change = (double)TD_JOINT_CLOSING_SPEED * unit * s->time;
+        double change =
+            width * (GAP_SHARE_PER_STEP * s->time / w->def.time_step) + GAP_CLOSED_MIN * unit;
+        change = td_min_double(max_change, change);
+        left = before - td_max_double(-change, td_min_double(change, before));
+        row->closing = td_abs(before - left) / s->time;
+    }
+    return (displacement_along(row, s) - (after - left)) / s->time;
 }
-
-/* The motion half way through a part. */
-typedef struct midpoint {
-    double a[3], b[3];       /* x, y, turn since the start of the step */
-    double chord_a, chord_b; /* chord over arc of each side's rotation in the part */
-} midpoint;
 
 /* Square of half a rotation, rad^2, below which its chord counts as long as its arc: sin(x) / x is
  * 1 - x^2 / 6, here within 2e-13 of 1. Avoids 0 / 0. */
 #define CHORD_IS_ARC 1e-12
 
-/* The chord of a rotation over its arc: sin(turn / 2) / (turn / 2). */
-static double chord_ratio(double turn) {
-    double half = 0.5 * turn, s, c;
-    if (half * half < CHORD_IS_ARC) {
-        return 1.0;
+/* A lever arm, by its cross products with u and v, averaged over the rotation of a part from the
+ * angle `start` to `end`: the arm in the middle, shortened by the ratio of chord to arc, sin(half)
+ * / half. Multiplied by the rotation, it gives the chord by which its end moves. */
+static void average_arm(double start, double end, double *u, double *v) {
+    double half = 0.5 * (end - start), s, c;
+    td_joint_rotate_arm(0.5 * (start + end), u, v);
+    if (half * half >= CHORD_IS_ARC) {
+        td_joint_sincos(half, &s, &c);
+        *u *= s / half;
+        *v *= s / half;
     }
-    td_joint_sincos(half, &s, &c);
-    return s / half;
 }
 
-static midpoint midpoint_of(const td_span *s) {
-    midpoint m;
-    for (int k = 0; k < 3; k++) {
-        m.a[k] = 0.5 * (s->a[0][k] + s->a[1][k]);
-        m.b[k] = 0.5 * (s->b[0][k] + s->b[1][k]);
-    }
-    m.chord_a = chord_ratio(s->a[1][2] - s->a[0][2]);
-    m.chord_b = chord_ratio(s->b[1][2] - s->b[0][2]);
-    return m;
-}
-
-/* The frame in the middle of the part. In a frame that does not turn, the lever arms are averaged
- * over the rotation, which shortens them by the ratio of chord to arc: multiplied by the rotation,
- * they give the chord by which their ends move. */
-static td_joint_frame midpoint_frame(const td_block *block, int lane, double gap_u, double gap_v,
-                                     bool turns, const td_span *s) {
-    midpoint m = midpoint_of(s);
-    td_joint_frame f = td_joint_frame_after(block, lane, gap_u, gap_v, turns, m.a, m.b);
-    if (!turns) {
-        f.a_u *= m.chord_a;
-        f.a_v *= m.chord_a;
-        f.b_u *= m.chord_b;
-        f.b_v *= m.chord_b;
-    }
+/* The frame of a part whose axes do not turn: u and v of the block, and the lever arms averaged
+ * over the part. Its gap is not set. */
+static td_joint_frame average_frame(const td_block *block, int lane, const td_span *s) {
+    td_joint_frame f = td_joint_frame_at(block, lane, 0.0, 0.0);
+    average_arm(s->a[0][2], s->a[1][2], &f.a_u, &f.a_v);
+    average_arm(s->b[0][2], s->b[1][2], &f.b_u, &f.b_v);
     return f;
+}
+
+/* The frame in the middle of the part, which turns with body a. */
+static td_joint_frame middle_frame(const td_block *block, int lane, double gap_u, double gap_v,
+                                   const td_span *s) {
+    double a[3], b[3];
+    for (int k = 0; k < 3; k++) {
+        a[k] = 0.5 * (s->a[0][k] + s->a[1][k]);
+        b[k] = 0.5 * (s->b[0][k] + s->b[1][k]);
+    }
+    return td_joint_frame_after(block, lane, gap_u, gap_v, true, a, b);
 }
 
 /* The direction of a distance for a part: the mean d of the gap vectors at its start and end, over
@@ -146,7 +139,7 @@ static td_joint_frame midpoint_frame(const td_block *block, int lane, double gap
  * lengths. */
 static td_joint_frame midpoint_line(const td_block *block, int lane, double gap_u, double gap_v,
                                     const td_span *s, double length[2]) {
-    td_joint_frame f = midpoint_frame(block, lane, gap_u, gap_v, false, s), end[2];
+    td_joint_frame f = average_frame(block, lane, s), end[2];
     for (int i = 0; i < 2; i++) {
         end[i] = td_joint_frame_after(block, lane, gap_u, gap_v, false, s->a[i], s->b[i]);
         length[i] = __builtin_sqrt(end[i].gap_u * end[i].gap_u + end[i].gap_v * end[i].gap_v);
@@ -222,21 +215,24 @@ void td_lock_update_rows(const thud_world *w, const td_block *block, int lane, c
            v = (double)block->point[1].start_separation[lane];
     double sign = (double)rows->turn_sign[lane], unit = (double)w->length_scale;
     bool turns = rows->frame_turns[lane] > 0.0f;
-    td_joint_frame end[2];
-    double angle[2];
-    for (int i = 0; i < 2; i++) {
-        bool same = i == 1 && s->time == 0.0;
-        end[i] = same ? end[0] : td_joint_frame_after(block, lane, u, v, turns, s->a[i], s->b[i]);
-        angle[i] = (double)rows->start_turn_gap[lane] + sign * (s->b[i][2] - s->a[i][2]);
+    td_joint_frame start = {.gap_u = u, .gap_v = v};
+    td_joint_frame end = td_joint_frame_after(block, lane, u, v, turns, s->a[1], s->b[1]);
+    if (s->start > 0.0) {
+        start = td_joint_frame_after(block, lane, u, v, turns, s->a[0], s->b[0]);
     }
-    td_joint_frame f = s->time == 0.0 ? end[0] : midpoint_frame(block, lane, u, v, turns, s);
+    td_joint_frame f = s->time == 0.0 ? end
+                       : turns        ? middle_frame(block, lane, u, v, s)
+                                      : average_frame(block, lane, s);
     set_direction(&c->row[0], f.x, f.y, f.a_u, f.b_u);
     set_direction(&c->row[1], -f.y, f.x, f.a_v, f.b_v);
-    c->row[0].target_speed =
-        target_speed_for_gap(w, &c->row[0], s, end[0].gap_u, end[1].gap_u, unit);
-    c->row[1].target_speed =
-        target_speed_for_gap(w, &c->row[1], s, end[0].gap_v, end[1].gap_v, unit);
-    c->row[2].target_speed = target_speed_for_gap(w, &c->row[2], s, angle[0], angle[1], 1.0);
+    c->row[0].target_speed = target_speed_for_gap(w, &c->row[0], s, start.gap_u, end.gap_u, unit);
+    c->row[1].target_speed = target_speed_for_gap(w, &c->row[1], s, start.gap_v, end.gap_v, unit);
+    if (c->row[2].used) {
+        double gap = (double)rows->start_turn_gap[lane];
+        c->row[2].target_speed =
+            target_speed_for_gap(w, &c->row[2], s, gap + sign * (s->b[0][2] - s->a[0][2]),
+                                 gap + sign * (s->b[1][2] - s->a[1][2]), 1.0);
+    }
     set_geometric_stiffness(c, &f, s, c->row[0].impulse, c->row[1].impulse);
 }
 
@@ -394,7 +390,7 @@ static td_joint_frame midpoint_drive(const thud_world *w, const td_block *block,
                        : td_joint_frame_after(block, lane, u, v, true, s->a[i], s->b[i]).gap_u;
     }
     return kind == TD_CONSTRAINT_DRIVE_TURN ? (td_joint_frame){.a_u = sign, .b_u = sign}
-                                            : midpoint_frame(block, lane, u, v, true, s);
+                                            : middle_frame(block, lane, u, v, s);
 }
 
 /* td_update_rows_fn of a driven direction. A limit that is not reached at the start of the part
