@@ -6,7 +6,6 @@ import type { Engine } from "thud";
 import { load } from "thud/first";
 import { CompanionKeeper } from "./companion-keeper";
 import { bringSums, Frames, readyFor, transferables } from "./frames";
-import { inspect } from "./inspect";
 import { importScene } from "./module";
 import type { Progress, QuestionName, Questions, SceneRequest, ToPage, ToWorker } from "./protocol";
 import type { Session } from "./session";
@@ -89,7 +88,8 @@ const answers: Answers = {
 
   bisectionLimit: () => needSession().world.bisectionLimit(),
 
-  inspect({ slot }) {
+  async inspect({ slot }) {
+    const { inspect } = await import("./inspect");
     const { world, step } = needSession();
     return inspect(world, step, slot);
   },
