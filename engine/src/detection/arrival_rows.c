@@ -11,15 +11,23 @@ static float along(const td_arrival *r, const float *a, const float *b, float x,
     return px * x + py * y;
 }
 
-/* Adds an impulse along (x, y), times the inverse masses, to the records of both bodies. */
+/* Adds an impulse along (x, y) at the arm (rx, ry), times the inverse masses, to a body's record. A
+ * body that no impulse moves keeps its own, whatever the impulse is, an overflow too: slot 0 stands
+ * for all static bodies. */
+static void push_one(float *record, float inv_mass, float inv_inertia, float rx, float ry, float x,
+                     float y) {
+    if (inv_mass > 0.0f) {
+        record[0] += inv_mass * x;
+        record[1] += inv_mass * y;
+        record[2] += inv_inertia * (rx * y - ry * x);
+    }
+}
+
+/* Adds an impulse along (x, y) to the records of b, and its opposite to those of a. */
 static void push(thud_world *w, const td_arrival *r, float *a, float *b, float x, float y) {
     float mass_a = td_row(&w->velocity, r->a)[3], mass_b = td_row(&w->velocity, r->b)[3];
-    a[0] -= mass_a * x;
-    a[1] -= mass_a * y;
-    a[2] -= r->inv_inertia[0] * (r->ax * y - r->ay * x);
-    b[0] += mass_b * x;
-    b[1] += mass_b * y;
-    b[2] += r->inv_inertia[1] * (r->bx * y - r->by * x);
+    push_one(a, mass_a, r->inv_inertia[0], r->ax, r->ay, -x, -y);
+    push_one(b, mass_b, r->inv_inertia[1], r->bx, r->by, x, y);
 }
 
 /* Corrects by a change of the accumulated impulse `sum`, which stays >= 0, what the records of both

@@ -21,10 +21,15 @@ int td_arrivals_max(const thud_world *w) {
     return ARRIVALS_MAX + w->body_of.count / BODIES_PER_ARRIVAL;
 }
 
-/* The awake slot of a body, or 0 where it is static or sleeps. */
-static td_awake_slot slot_of(const thud_world *w, td_body_index body) {
-    td_awake_slot slot = td_body_at(w, body)->awake;
-    return slot.at > 0 ? slot : (td_awake_slot){0};
+/* Whether the motion of a body in the step is within the bounds of motions, and a number:
+ * td_finalize removes a body of which that is not so. Slot 0 does not move. */
+static bool has_path(const thud_world *w, td_awake_slot slot) {
+    const float *delta = td_row(&w->delta, slot);
+    bool bounded = true;
+    for (int k = 0; k < 3; k++) {
+        bounded &= td_motion_held(w, k, (double)delta[k]) == (double)delta[k];
+    }
+    return bounded;
 }
 
 /* Whether a contact may be an arrival, before the time at which its shapes meet is known. */
@@ -33,11 +38,12 @@ static bool may_arrive(const thud_world *w, int contact) {
     if (!c->live || c->state == TD_TOUCHING || !td_toi_queue_accepts(w, contact)) {
         return false;
     }
-    td_awake_slot a = slot_of(w, c->body[0]), b = slot_of(w, c->body[1]);
+    td_awake_slot a = td_moving_slot(w, c->body[0]), b = td_moving_slot(w, c->body[1]);
     int contacts = (a.at ? td_trajectory_at(w, a)->contact_count : 0) +
                    (b.at ? td_trajectory_at(w, b)->contact_count : 0);
     return contacts >= CONTACTS_MIN && !td_body_sleeps(w, c->body[0]) &&
            !td_body_sleeps(w, c->body[1]) && !td_is_tied(w, a) && !td_is_tied(w, b) &&
+           has_path(w, a) && has_path(w, b) &&
            td_detection_of(w, c->body[0], c->body[1])->rank == TD_RANK_SWEPT;
 }
 
@@ -86,8 +92,8 @@ static void add_arrival(thud_world *w, int contact, const td_toi_candidate *e, d
     if (!td_impact_point_of(w, e, time, &at)) {
         return;
     }
-    td_arrival r = {.a = slot_of(w, e->body[0]),
-                    .b = slot_of(w, e->body[1]),
+    td_arrival r = {.a = td_moving_slot(w, e->body[0]),
+                    .b = td_moving_slot(w, e->body[1]),
                     .nx = (float)at.nx,
                     .ny = (float)at.ny,
                     .start = (float)(at.distance + at.speed * time),

@@ -186,14 +186,8 @@ static bool rests(const thud_world *w, td_awake_slot a, td_awake_slot b) {
     return rest;
 }
 
-/* The awake slot of a body, or 0 where it is static or sleeps. */
-static td_awake_slot slot_of(const thud_world *w, td_body_index body) {
-    td_awake_slot slot = td_body_at(w, body)->awake;
-    return slot.at > 0 ? slot : (td_awake_slot){0};
-}
-
 bool td_gap_is_left_to_solver(const thud_world *w, const td_constraint *contact) {
-    td_awake_slot a = slot_of(w, contact->body[0]), b = slot_of(w, contact->body[1]);
+    td_awake_slot a = td_moving_slot(w, contact->body[0]), b = td_moving_slot(w, contact->body[1]);
     return td_is_tied(w, a) || td_is_tied(w, b) || rests(w, a, b);
 }
 

@@ -125,6 +125,12 @@ static inline td_trajectory *td_trajectory_at(const thud_world *w, td_awake_slot
     return TD_AT(td_trajectory, &w->scratch.trajectories, slot.at);
 }
 
+/* The awake slot of a body, or 0, that of a body at rest, where it is static or sleeps. */
+static inline td_awake_slot td_moving_slot(const thud_world *w, td_body_index body) {
+    td_awake_slot slot = td_body_at(w, body)->awake;
+    return slot.at > 0 ? slot : (td_awake_slot){0};
+}
+
 /* The detection that decides on a pair: of two dynamic bodies that of the higher rank, else that
  * of the dynamic one. */
 const thud_detection *td_detection_of(const thud_world *w, td_body_index body_a,

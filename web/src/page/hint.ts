@@ -34,12 +34,12 @@ export function addHint(app: App): boolean {
     }
   };
   button.addEventListener("click", goAway);
-  let begun = false;
+  let first = "";
   const stopListening = app.listen({
     run(scene) {
-      // Who chooses a scene knows how to begin.
-      if (begun) return goAway();
-      begun = true;
+      // Who chooses a scene knows how to begin. One that begins anew keeps its place below the hint.
+      first ||= app.state.scene;
+      if (app.state.scene !== first) return goAway();
       // A game shows its own instructions.
       hint.hidden = scene.pointer || Object.keys(scene.keys).length > 0;
     },
