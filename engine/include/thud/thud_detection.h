@@ -22,7 +22,7 @@ extern "C" {
 typedef struct thud_broadphase thud_broadphase;
 
 /* A hashed grid for shapes of any sizes, with one level for each factor of eight in size: in a gas
- * (docs/catalogue.md) a shape costs 100 ns a step among 1,000 and 153 ns among 100,000. The number
+ * (docs/catalogue.md) a shape costs 35 ns a step among 1,000 and 59 ns among 100,000. The number
  * of bounds that are tested for a shape does not grow with the world
  * (thud_world_get_broadphase_counts), but its time does, since more memory is visited. The
  * default. */
@@ -89,8 +89,8 @@ extern THUD_API const thud_detection thud_detection_bisect;
  * may let the shapes overlap (thud_joint.h), also under bisect: ten boxes 40 times as heavy as a
  * plank, dropped on a hinged bridge of twenty, overlap others by up to 0.43, 0.12, 0.17, 0.13 at
  * draft, default, high, exact, and open a hinge by up to 2.1, 0.24, 0.037, 0.038 length scales
- * (bisect 2.6, 0.23, 0.057, 0.029, continuous 4.6, 0.19, 0.009, 0.014). A step takes 2.9 times as
- * long as with overlap in a gas, 6.1 times in a heap (docs/catalogue.md).
+ * (bisect 2.6, 0.23, 0.057, 0.029, continuous 4.6, 0.19, 0.009, 0.014). A step takes 3.2 times as
+ * long as with overlap in a gas, 3.5 times in a heap (docs/catalogue.md).
  *
  * Bisection treats the path of a step as straight, although gravity g bends it by up to g *
  * time_step^2 / 8. Swept bodies in free flight meet others on their exact parabola, and elastic
