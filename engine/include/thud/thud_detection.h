@@ -78,12 +78,12 @@ extern THUD_API const thud_detection thud_detection_bisect;
  * a pair would meet in a step without bouncing, and its bodies touch at least two others together,
  * it is solved with all contacts of these at once, and comes to rest against them at the end of the
  * step in place of the time of impact; its prologue, epilogue and hit event are those of an impact.
- * A
- * body stops at its position for the rest of the step, and is counted in thud_stats.held_bodies, in
- * three cases: it has impacts more than 8 times, 16 if elastic, in a step (in a pile under impact
- * up to three in a hundred bodies); it has an impact after the step has worked out 8192 times of
- * collision, and 48 more for each awake body (thud_stats.motion_exact); or it leaves the predicted
- * bounds of its path, and there is no memory to find the shapes that it may meet there.
+ * A body stops at its position for the rest of the step, and is counted in thud_stats.held_bodies,
+ * in three cases: it has impacts more than 8 times, 16 if elastic, in a step (in the mean of a
+ * fall one circle of seven hundred in a pit, one box of twenty in a full drum); it has an impact
+ * after the step has worked out 8192 times of collision, and 48 more for each awake body
+ * (thud_stats.motion_exact); or it leaves the predicted bounds of its path, and there is no memory
+ * to find the shapes that it may meet there.
  *
  * Contacts that a body with joints has at the start of a step are left to the contact solver, which
  * may let the shapes overlap (thud_joint.h), also under bisect: ten boxes 40 times as heavy as a
@@ -104,10 +104,9 @@ extern THUD_API const thud_detection thud_detection_bisect;
  * and 0.035 m). Larger islands are left to the soft solver. Their contacts rest 0.003 length scales
  * apart, at high and exact 0.001, so that shapes that a load presses together do not overlap; under
  * a higher load they do: in a pit of a thousand bodies by 0.02 m in the mean of a step, under
- * continuous by 0.05 m. Swept has no advantage in large heaps that collapse, where a step executes
- * three (circles) to twelve times (boxes) the instructions of one under continuous, or between
- * bodies with joints. docs/tradeoff.md has the
- * figures. */
+ * continuous by 0.05 m. Swept has no advantage in large heaps that collapse, where a step takes
+ * seven times (circles in a pit) to thirty times (boxes in a full drum) as long as under
+ * continuous, or between bodies with joints. docs/tradeoff.md has the figures. */
 extern THUD_API const thud_detection thud_detection_swept;
 
 THUD_API const char *thud_detection_name(const thud_detection *detection); /* "" for null */

@@ -134,12 +134,17 @@ void td_arrivals_find(thud_world *w) {
     }
 }
 
+/* By bisection: td_arrivals_find lists arrivals by rising numbers of their contacts. */
 const td_arrival *td_arrival_of(const thud_world *w, int contact) {
-    for (int i = 0; i < w->scratch.arrivals.count; i++) {
-        const td_arrival *r = TD_AT(td_arrival, &w->scratch.arrivals, i);
+    int low = 0, end = w->scratch.arrivals.count;
+    while (low < end) {
+        int middle = (low + end) / 2;
+        const td_arrival *r = TD_AT(td_arrival, &w->scratch.arrivals, middle);
         if (r->contact == contact) {
             return r;
         }
+        low = r->contact < contact ? middle + 1 : low;
+        end = r->contact < contact ? end : middle;
     }
     return NULL;
 }

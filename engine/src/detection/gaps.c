@@ -29,17 +29,11 @@ TD_DECLARE_WIDE(td_find_open_fn, td_find_open_points);
  * FINE_PASSES go on while a single point falls short by more than SHORTFALL_TOLERANCE. The others
  * are there to spare collisions, each of which costs as much as a pass over forty blocks; few of
  * them are spared by one more pass, so that they go on only while there are more collisions than
- * BLOCKS_PER_COLLISION allows: one for so many blocks. Measured with 1/4 to 3 collisions a block in
+ * blocks. Measured with 1/4 to 3 collisions a block as that bound in
  * circle_pit (2,000, steps 100 to 150): 372, 379, 425, 520, 969, 3,729 impacts a step with 0.25,
  * 0.5, 1, 1.5, 2, 3; with 1 the step took four fifths of the time with 0.5, and half of it once the
  * heap settled. */
-enum {
-    PLAIN_PASSES = 8,
-    FINE_PASSES = 20,
-    PASSES_MAX = 160,
-    FINAL_PASSES = 2,
-    BLOCKS_PER_COLLISION = 1
-};
+enum { PLAIN_PASSES = 8, FINE_PASSES = 20, PASSES_MAX = 160, FINAL_PASSES = 2 };
 #define OVER_RELAXATION 1.8f
 
 /* In multiples of TD_IMPACT_DISTANCE. td_gaps_project leaves no gap below TARGET_DISTANCE, or below
@@ -135,7 +129,7 @@ void td_gaps_project(thud_world *w) {
         if (passes == FINE_PASSES) {
             context.enough = context.collision_distance;
             context.closing = context.closing_max;
-            most = w->scratch.blocks.count / BLOCKS_PER_COLLISION;
+            most = w->scratch.blocks.count;
         }
     }
     context.over_relaxation = 1.0f;
