@@ -58,6 +58,7 @@ static void measure_one_by_one(const thud_world *w, td_grid_measures *m) {
     int64_t ref_y = td_shape_proxy_at(w, m->list[0])->center.y >> TD_COARSE_SHIFT;
     m->min_x = m->min_y = 0x1p62;
     m->max_x = m->max_y = -0x1p62;
+    m->extent_max = 0;
     memset(m->has_size, 0, sizeof m->has_size);
     for (int i = 0; i < m->count; i++) {
         const td_shape_proxy *proxy = td_shape_proxy_at(w, m->list[i]);
@@ -71,21 +72,13 @@ static void measure_one_by_one(const thud_world *w, td_grid_measures *m) {
         m->min_y = y < m->min_y ? y : m->min_y;
         m->max_x = x > m->max_x ? x : m->max_x;
         m->max_y = y > m->max_y ? y : m->max_y;
+        m->extent_max = td_max_int(m->extent_max, m->extent[i]);
         m->has_size[size_class_of(m->extent[i])] = 1;
     }
 }
 
-/* Extends the range of a level's centres by one; called before the level counts the shape. */
-static void add_center(td_level *level, int64_t x, int64_t y) {
-    bool first = level->count == 0;
-    level->min_x = first || x < level->min_x ? x : level->min_x;
-    level->min_y = first || y < level->min_y ? y : level->min_y;
-    level->max_x = first || x > level->max_x ? x : level->max_x;
-    level->max_y = first || y > level->max_y ? y : level->max_y;
-}
-
 /* Measures all shapes, sets the range of the whole set, and assigns each shape to a level, whose
- * count, range and greatest extent (in `cell`) are updated. */
+ * count and greatest extent (in `cell`) are updated. */
 static void measure(const thud_world *w, td_proxy_set *grid, td_grid_measures *m) {
     uint8_t level_of_size[TD_SIZE_CLASSES];
     if (!TD_PICK_WIDE(w, td_grid_measure)(w->proxy.data, m)) {
@@ -101,14 +94,19 @@ static void measure(const thud_world *w, td_proxy_set *grid, td_grid_measures *m
     if (own > 0) {
         drop_small(m, own);
     }
-    int own_level = choose_levels(m->has_size, level_of_size) - 1;
+    int lowest = choose_levels(m->has_size, level_of_size), own_level = lowest - 1;
+    if (lowest == TD_LEVELS - 1 && own <= 0) {
+        memset(m->level, lowest, (size_t)m->count);
+        grid->levels[lowest].count = m->count;
+        grid->levels[lowest].cell = m->extent_max;
+        return;
+    }
     for (int i = 0; i < m->count; i++) {
         bool small = m->extent[i] <= own;
         m->level[i] = small ? (uint8_t)own_level : level_of_size[size_class_of(m->extent[i])];
         td_level *level = &grid->levels[m->level[i]];
         int32_t width = small ? own : m->extent[i];
         level->cell = width > level->cell ? width : level->cell;
-        add_center(level, ref_x + (int64_t)m->x[i], ref_y + (int64_t)m->y[i]);
         level->count++;
     }
 }
@@ -178,22 +176,26 @@ static bool reserve(thud_world *w, td_proxy_set *grid, bool few_moved) {
 /* Counting sort of `ids` and `cells` by level and cell. Stable. */
 static void sort(td_proxy_set *grid, const td_grid_measures *m, int starts_count) {
     int *starts = grid->starts.data, *ids = grid->ids.data, *cells = grid->cells.data;
+    int *level_starts[TD_LEVELS];
+    for (int l = 0; l < TD_LEVELS; l++) {
+        level_starts[l] = starts + grid->levels[l].starts;
+    }
     memset(starts, 0, (size_t)starts_count * sizeof(int));
     for (int i = 0; i < m->count; i++) {
-        starts[grid->levels[m->level[i]].starts + m->cell[i]]++;
+        level_starts[m->level[i]][m->cell[i]]++;
     }
     /* Prefix sums: the end of each cell. Filling cells from the last shape down lowers each to its
      * start. */
     for (int l = 0; l < TD_LEVELS; l++) {
         const td_level *level = &grid->levels[l];
-        int sum = level->first, *of_level = starts + level->starts;
-        for (uint32_t c = 0; level->count && c <= level->mask + 1; c++) {
-            sum += of_level[c];
-            of_level[c] = sum;
+        int sum = level->first, ends = level->count ? (int)level->mask + 2 : 0;
+        for (int c = 0; c < ends; c++) {
+            sum += level_starts[l][c];
+            level_starts[l][c] = sum;
         }
     }
     for (int i = m->count - 1; i >= 0; i--) {
-        int at = --starts[grid->levels[m->level[i]].starts + m->cell[i]];
+        int at = --level_starts[m->level[i]][m->cell[i]];
         ids[at] = m->list[i];
         cells[at] = m->cell[i];
     }

@@ -40,8 +40,6 @@ typedef struct td_level {
     int32_t slack;  /* by which a centre may leave its anchor along an axis, bounds quanta */
     int64_t cell;   /* width of a cell, bounds quanta */
     double inv_cell; /* a little less than 1 / cell: choose_tables in grid.c */
-    /* Range of its shapes' centres when they were sorted, bounds quanta. */
-    int64_t min_x, min_y, max_x, max_y;
 } td_level;
 
 /* The size class 4 e + m, with m in 0..3, holds the extents from 2^e (4 + m) / 4 up to
@@ -61,16 +59,17 @@ enum { TD_GRID_NEAR = 1 << 15 };
 typedef struct td_grid_measures {
     const int32_t *list; /* indices of the shapes */
     int count;
-    double *x, *y;   /* centres of the fat bounds, bounds quanta from the first shape's centre */
-    int32_t *extent; /* the larger of width and height, bounds quanta */
-    int32_t *cell;   /* index of the cell within its level */
+    double *x, *y;      /* centres of the fat bounds, bounds quanta from the first shape's centre */
+    int32_t *extent;    /* the larger of width and height, bounds quanta */
+    int32_t extent_max; /* the greatest of them */
+    int32_t *cell;      /* index of the cell within its level */
     uint8_t *level;
     int has_size[TD_SIZE_CLASSES];     /* 1 for the size classes that occur; zeroed by the caller */
     double min_x, min_y, max_x, max_y; /* range of x and y */
 } td_grid_measures;
 
-/* Fills x, y, extent, has_size and the range. False where a centre is beyond TD_GRID_NEAR; what it
- * wrote is then void. */
+/* Fills x, y, extent, extent_max, has_size and the range. False where a centre is beyond
+ * TD_GRID_NEAR; what it wrote is then void. */
 typedef bool td_grid_measure_fn(const td_shape_proxy *proxy, td_grid_measures *measures);
 /* Fills `cell` from x, y and level. */
 typedef void td_grid_cells_fn(const td_level *levels, td_grid_measures *measures);

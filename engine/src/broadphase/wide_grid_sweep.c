@@ -132,7 +132,7 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b,
     int64_t y0 = td_unwrap(b->min_y, near_position.y) - half;
     int64_t x1 = td_unwrap(b->max_x, near_position.x) + half;
     int64_t y1 = td_unwrap(b->max_y, near_position.y) + half;
-    if (x0 > level->max_x || x1 < level->min_x || y0 > level->max_y || y1 < level->min_y) {
+    if (x0 > grid->end_x || x1 < grid->origin_x || y0 > grid->end_y || y1 < grid->origin_y) {
         return true;
     }
     int64_t c0 = td_grid_index(x0, grid->origin_x, level->inv_cell);
