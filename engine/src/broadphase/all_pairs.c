@@ -10,7 +10,7 @@
 static bool build(thud_world *w, td_proxy_set *set, bool few_moved) {
     (void)few_moved;
     set->valid = false;
-    if (!td_proxy_set_reserve(w, set)) {
+    if (!td_proxy_set_reserve(w, set, set->list.count)) {
         return false;
     }
     if (set->list.count) {

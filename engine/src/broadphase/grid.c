@@ -165,7 +165,7 @@ enum { MEASURES_BYTES = 2 * (int)sizeof(double) + 2 * (int)sizeof(int32_t) + 8 }
 static bool reserve(thud_world *w, td_proxy_set *grid, bool few_moved) {
     int count = grid->list.count;
     w->scratch.order.stride = MEASURES_BYTES;
-    return td_proxy_set_reserve(w, grid) &&
+    return td_proxy_set_reserve(w, grid, count) &&
            td_array_reserve(&w->memory, &grid->cells, count + TD_LANES) &&
            td_array_reserve(&w->memory, &w->scratch.order, count + TD_LANES) &&
            (!few_moved || (td_array_reserve(&w->memory, &grid->index_of, w->shapes.count) &&
@@ -230,7 +230,7 @@ static td_grid_measures measures_in(const td_array *scratch, const td_array *lis
 
 /* thud_broadphase.build: measures, chooses levels and tables, sorts. */
 static bool build(thud_world *w, td_proxy_set *grid, bool few_moved) {
-    grid->valid = grid->loose = false;
+    grid->valid = grid->loose = grid->left = grid->woken = false;
     grid->moved_count = 0;
     memset(grid->levels, 0, sizeof grid->levels);
     if (!reserve(w, grid, few_moved)) {
@@ -295,10 +295,7 @@ static bool follow(thud_world *w, td_proxy_set *grid, const int *moved, int coun
             !is_near_anchor(anchor_y[at], b->min_y, b->max_y, level->slack)) {
             return false;
         }
-        ((int32_t *)grid->min_x.data)[at] = b->min_x;
-        ((int32_t *)grid->min_y.data)[at] = b->min_y;
-        ((int32_t *)grid->max_x.data)[at] = b->max_x;
-        ((int32_t *)grid->max_y.data)[at] = b->max_y;
+        td_proxy_set_put(grid, at, b);
         ((int32_t *)grid->moved.data)[at] = -1;
         grid->moved_count++;
     }
@@ -306,10 +303,45 @@ static bool follow(thud_world *w, td_proxy_set *grid, const int *moved, int coun
     return true;
 }
 
+/* ---- shapes that come to rest ---- */
+
+/* Shapes that stand in no cell, at the end of ids. With more, each query would test more of them
+ * than it saves to build the grid seldom. Chosen. */
+enum { STRAYS_MAX = 64 };
+
+/* The centre of bounds near the shape, bounds quanta, along x or y. */
+static int64_t center_of(int32_t low, int32_t high, int64_t near) {
+    return td_unwrap(td_middle(low, high), near);
+}
+
+/* thud_broadphase.enter: adds the shape to the strays. False where there are too many of them, the
+ * shape is left of the first column or below the first row, or memory is short. */
+static bool enter(thud_world *w, td_proxy_set *grid, int shape) {
+    const td_shape_proxy *proxy = td_shape_proxy_at(w, shape);
+    const td_bounds *b = &proxy->fat;
+    int at = grid->ids.count;
+    int64_t x = center_of(b->min_x, b->max_x, proxy->center.x);
+    int64_t y = center_of(b->min_y, b->max_y, proxy->center.y);
+    if (grid->levels[TD_LEVELS - 1].count == 0 || at - td_grid_sorted(grid) >= STRAYS_MAX ||
+        x < grid->origin_x || y < grid->origin_y ||
+        !td_array_reserve(&w->memory, &grid->cells, at + 1 + TD_LANES) ||
+        !td_proxy_set_reserve(w, grid, at + 1)) {
+        return false;
+    }
+    grid->end_x = x > grid->end_x ? x : grid->end_x;
+    grid->end_y = y > grid->end_y ? y : grid->end_y;
+    ((int32_t *)grid->ids.data)[at] = shape;
+    ((int32_t *)grid->cells.data)[at] = 0;
+    ((int32_t *)grid->moved.data)[at] = 0;
+    td_proxy_set_put(grid, at, b);
+    return true;
+}
+
 const thud_broadphase thud_broadphase_grid = {
     .name = "grid",
     .build = build,
     .follow = follow,
+    .enter = enter,
     .sweep = TD_BOTH_WIDE(td_grid_sweep),
     .find = TD_BOTH_WIDE(td_grid_find),
 };

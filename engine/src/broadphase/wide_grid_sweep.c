@@ -235,10 +235,22 @@ bool TD_WIDE(td_grid_sweep)(const td_proxy_set *grid, td_memory *memory,
     return true;
 }
 
+/* Drops the hits, from index `first` on, that are shapes which left the set. Their bounds overlap
+ * those of others only where both span half of the range of bounds. */
+static void drop_left(td_array *hits, int first) {
+    int *data = hits->data, count = first;
+    for (int i = first; i < hits->count; i++) {
+        data[count] = data[i];
+        count += data[i] != TD_NONE;
+    }
+    hits->count = count;
+}
+
 td_find_fn TD_WIDE(td_grid_find);
 bool TD_WIDE(td_grid_find)(const td_proxy_set *grid, td_memory *memory, const td_bounds *bounds,
                            td_position near_position, td_array *hits, int64_t *tested) {
     scan s = begin_scan(grid, memory, hits);
+    int first = hits->count;
     set_query(&s, bounds);
     /* Levels in use follow each other, the last one first. */
     for (int l = TD_LEVELS - 1; l >= 0 && grid->levels[l].count; l--) {
@@ -246,7 +258,17 @@ bool TD_WIDE(td_grid_find)(const td_proxy_set *grid, td_memory *memory, const td
             return false;
         }
     }
+    int sorted = td_grid_sorted(grid), strays = grid->ids.count - sorted;
+    if (strays > 0) {
+        if (!reserve_hits(&s, strays)) {
+            return false;
+        }
+        scan_span(&s, sorted, grid->ids.count, SCAN_ALL);
+    }
     count_hits(&s);
+    if (grid->left) {
+        drop_left(hits, first);
+    }
     if (tested) {
         *tested += s.tested;
     }

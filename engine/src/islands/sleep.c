@@ -56,8 +56,7 @@ static void put_to_sleep(thud_world *w) {
         td_body_at(w, td_body_in(bodies, i))->rest_epoch =
             w->rest_epoch - (w->scratch.crowded.count > 0);
     }
-    td_proxy_set_forget(&w->awake_shapes);
-    td_proxy_set_forget(&w->rest_shapes);
+    td_proxy_sets_asleep(w, bodies);
 }
 
 /* Whether this step looks for islands to put to sleep. `bodies`: the number of bodies that have

@@ -154,7 +154,7 @@ static void solve_in_turn(const solving *s, td_solve_fn *solve, td_block *const 
 static void solve_part(const solving *s, const td_run *run, td_solve_fn *solve,
                        td_block *const *blocks, int count) {
     td_block *const *all = s->w->scratch.blocks.data;
-    if (s->worker.job && blocks + count == all + run->first + run->count) {
+    if (td_worker_shares(&s->worker) && blocks + count == all + run->first + run->count) {
         solve_in_turn(s, solve, blocks, count);
     } else {
         solve(blocks, count, &s->contacts);
@@ -215,7 +215,7 @@ static void walk(solving *s, pass which) {
 enum { BODIES_OF_CHUNK = 512 };
 
 static int bodies_at_once(const solving *s) {
-    return s->worker.job ? BODIES_OF_CHUNK : s->motion.count;
+    return td_worker_shares(&s->worker) ? BODIES_OF_CHUNK : s->motion.count;
 }
 
 /* The motion context of one chunk of bodies. */

@@ -41,7 +41,7 @@ static int run_part(atomic_int *taken, int before, int first, int end, td_chunk_
  * at the end. */
 void td_worker_take(td_worker *worker, int chunks, td_chunk_fn *run, void *work) {
     td_job *job = worker->job;
-    if (!job) {
+    if (!td_worker_shares(worker)) {
         for (int i = 0; i < chunks; i++) {
             run(work, i);
         }
@@ -63,7 +63,8 @@ void td_worker_take(td_worker *worker, int chunks, td_chunk_fn *run, void *work)
 
 void td_worker_wait(const td_worker *worker) {
     td_job *job = worker->job;
-    while (job && atomic_load_explicit(&job->done.value, memory_order_acquire) < worker->before) {
+    while (td_worker_shares(worker) &&
+           atomic_load_explicit(&job->done.value, memory_order_acquire) < worker->before) {
         td_pause();
     }
 }

@@ -16,6 +16,14 @@
 
 #include <stdatomic.h>
 
+/* Whether the program can have more than one thread: WebAssembly without atomics cannot, and links
+ * nothing of what workers share. */
+#if defined(__wasm__) && !defined(__wasm_atomics__)
+enum { TD_HAS_THREADS = 0 };
+#else
+enum { TD_HAS_THREADS = 1 };
+#endif
+
 /* A counter that different processors write, alone in its two cache lines: processors fetch lines
  * in pairs, and a line travels to whoever writes it. */
 typedef struct td_counter {
@@ -50,7 +58,12 @@ int td_workers_for_blocks(const thud_world *w);
 
 /* Whether several workers run the task. */
 static inline bool td_job_is_shared(const td_job *job) {
-    return job->workers > 1;
+    return TD_HAS_THREADS && job->workers > 1;
+}
+
+/* Whether the worker has others beside it. */
+static inline bool td_worker_shares(const td_worker *worker) {
+    return TD_HAS_THREADS && worker->job;
 }
 
 /* The calling thread as a new worker of the task. */
