@@ -306,7 +306,7 @@ class Call:
         others = ", ".join(declared for declared, _ in self.parameters if declared != kept)
         others += ", " * bool(others)
         const = " const" * self.const
-        return f"template <class F> result<> {self.name}({others}const F &&) = delete;\n" \
+        return f"template <class F> result<> {self.name}({others}const F &&){const} = delete;\n" \
                f"result<> {self.name}({others}std::nullptr_t){const};\n"
 
     def without_callable(self, scope):

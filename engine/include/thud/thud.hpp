@@ -537,7 +537,7 @@ struct body {
     result<> apply_grip(thud_vec2 point, thud_vec2 axis, float speed, float max_force) const;
     result<int> get_joints(span<thud_joint_id> out) const;
     template <class F> result<> set_epilogue(F &epilogue) const;
-    template <class F> result<> set_epilogue(const F &&) = delete;
+    template <class F> result<> set_epilogue(const F &&) const = delete;
     result<> set_epilogue(std::nullptr_t) const;
     result<> set_locks(bool x, bool y) const;
     result<body_locks_values> get_locks() const;
