@@ -268,7 +268,7 @@ class Call:
                           f"thud_result code = detail::check({self.call(places)});",
                           "return {code, {data, static_cast<std::size_t>(count)}};"]
             elif self.found():
-                lines += [f"{self.value_type()} made{{}}; bool found = false;",
+                lines += [f"{self.value_type()} made; bool found = false;",
                           f"thud_result code = detail::check({self.call(places)});",
                           "if (!found) { return {code, std::nullopt}; }", "return {code, made};"]
             elif self.handle():
@@ -278,10 +278,10 @@ class Call:
             elif not values:
                 lines.append(f"return {{detail::check({self.call(places)})}};")
             else:
-                lines += [f"{self.type()} made;", f"made.code = detail::check({self.call(places)});",
-                          "return made;"]
+                lines += [f"{self.type()} made{{detail::unwritten()}};",
+                          f"made.settle(detail::check({self.call(places)}));", "return made;"]
         elif self.returns == "_Bool" and self.outs:
-            lines += [f"{self.value_type()} made{{}};",
+            lines += [f"{self.value_type()} made;",
                       f"if (!{self.call(places)}) {{ return std::nullopt; }}", "return made;"]
         elif self.returns == "void" and self.outs:
             lines += [f"{self.value_type()} made{{}};", f"{self.call(places)};", "return made;"]
@@ -536,7 +536,7 @@ def classes(calls):
     text = "class world;\nstruct body;\nstruct shape;\nstruct joint;\n\n"
     structs = [call for call in calls if call.value_struct()]
     for call in structs:
-        fields = "".join(f"{kind}{' ' * (not kind.endswith('*'))}{name}{{}};\n"
+        fields = "".join(f"{kind}{' ' * (not kind.endswith('*'))}{name};\n"
                          for kind, name in call.value_struct())
         text += f"// Of {call.c}.\nstruct {call.value_type()} {{\n{fields}}};\n\n"
     text += event_lists()

@@ -1,6 +1,6 @@
 """Tests thud.hpp as games use it, with each C++ compiler there is: the programs of bindings/cpp/README.md
-and the example, without and with exceptions, beside the engine in one file; what a program links; and
-what the compiler refuses.
+and the example, without and with exceptions; what a program links; and what the compiler refuses. Beside
+the engine in one file it is tested by tests/package/test_one_file.py.
 
 usage: check.py PROJECT LIBRARY CXX..."""
 
@@ -59,18 +59,17 @@ class CppTest(unittest.TestCase):
         self.addCleanup(held.cleanup)
         self.folder = Path(held.name)
 
-    def build(self, compiler, text, *flags, include=INCLUDE):
+    def build(self, compiler, text, *flags):
         source, program = self.folder / "game.cpp", self.folder / "game"
         source.write_text(text, encoding="utf-8")
-        run(compiler, *FLAGS, *flags, include, source, LIBRARY, "-lm", "-o", program)
+        run(compiler, *FLAGS, *flags, INCLUDE, source, LIBRARY, "-lm", "-o", program)
         return program
 
     def test_programs_of_the_readme_print_what_it_says(self):
         for compiler in COMPILERS:
             for program in (BEGIN, PARTS):
                 with self.subTest(compiler=compiler):
-                    self.assertEqual(len(said(program)), program.count("printf("
-                                                                       ) - program.count("snprintf("))
+                    self.assertEqual(len(said(program)), program.count("std::printf("))
                     built = self.build(compiler, program, *BARE)
                     self.assertEqual(run(built).splitlines(), said(program))
 
@@ -89,15 +88,6 @@ class CppTest(unittest.TestCase):
         run(compiler, *FLAGS, INCLUDE, "-c", self.folder / "returns.cpp", "-o", self.folder / "returns.o")
         run(self.build(compiler, THROWS, self.folder / "returns.o"))
 
-    def test_it_stands_beside_the_engine_in_one_file(self):
-        made = self.folder / "one"
-        run(sys.executable, "-B", PROJECT / "tools/amalgamate.py", made)
-        self.assertEqual((made / "thud.hpp").read_bytes(),
-                         (PROJECT / "engine/include/thud/thud.hpp").read_bytes())
-        program = BEGIN.replace("<thud/thud.hpp>", '"thud.hpp"')
-        built = self.build(COMPILERS[0], program, *BARE, include=f"-I{made}")
-        self.assertEqual(run(built).splitlines(), said(program))
-
     def test_a_program_links_what_it_calls(self):
         built = self.build(COMPILERS[0], BEGIN, "-O2", *BARE)
         names = set(re.findall(r" [TtWw] (\w*thud\w*)$", run("nm", built), re.MULTILINE))
@@ -106,11 +96,10 @@ class CppTest(unittest.TestCase):
         self.assertEqual({name for name in names if "joint_create" in name or "rollback" in name}, set())
 
     def test_mistakes_are_refused_by_the_compiler(self):
-        for compiler in COMPILERS:
-            for words, call in REFUSED.items():
-                text = f"#include <thud/thud.hpp>\nvoid f(thud::world &world) {{ (void)world; {call} }}\n"
-                with self.subTest(compiler=compiler, call=call), self.assertRaisesRegex(AssertionError, words):
-                    run(compiler, *FLAGS, INCLUDE, "-x", "c++", "-fsyntax-only", "-", input=text)
+        for words, call in REFUSED.items():
+            text = f"#include <thud/thud.hpp>\nvoid f(thud::world &world) {{ (void)world; {call} }}\n"
+            with self.subTest(call=call), self.assertRaisesRegex(AssertionError, words):
+                run(COMPILERS[0], *FLAGS, INCLUDE, "-x", "c++", "-fsyntax-only", "-", input=text)
 
 
 if __name__ == "__main__":

@@ -266,11 +266,29 @@ class bytes {
     }
 };
 
+namespace detail {
+struct unwritten {};
+} // namespace detail
+
 // What a call that can fail returns: THUD_OK and a value, or an error and a value of zeros.
 template <class T = void> struct result {
-    thud_result code = THUD_OK;
-    T value{};
+    thud_result code;
+    T value;
 
+    result() noexcept : code(THUD_OK), value() {
+    }
+    result(thud_result of, T made) noexcept : code(of), value(std::move(made)) {
+    }
+    // Of a call of C that is about to write the value, for settle().
+    explicit result(detail::unwritten) noexcept {
+    }
+    // After the call, which writes nothing where it fails.
+    void settle(thud_result of) {
+        code = of;
+        if (of != THUD_OK) {
+            value = T();
+        }
+    }
     explicit operator bool() const noexcept {
         return code == THUD_OK;
     }
@@ -354,99 +372,99 @@ struct joint;
 
 // Of thud_sincos.
 struct sincos_values {
-    double sine{};
-    double cosine{};
+    double sine;
+    double cosine;
 };
 
 // Of thud_geometry_cast_ray.
 struct geometry_cast_ray_values {
-    double fraction{};
-    double nx{};
-    double ny{};
+    double fraction;
+    double nx;
+    double ny;
 };
 
 // Of thud_terrain_segments.
 struct terrain_segments_values {
-    int first{};
-    int last{};
+    int first;
+    int last;
 };
 
 // Of thud_terrain_cast_ray.
 struct terrain_cast_ray_values {
-    double fraction{};
-    double nx{};
-    double ny{};
+    double fraction;
+    double nx;
+    double ny;
 };
 
 // Of thud_world_advance.
 struct world_advance_values {
-    int steps{};
-    double alpha{};
+    int steps;
+    double alpha;
 };
 
 // Of thud_world_advance_with.
 struct world_advance_with_values {
-    int steps{};
-    double alpha{};
+    int steps;
+    double alpha;
 };
 
 // Of thud_shape_get_bounds.
 struct shape_bounds_values {
-    thud_pos lower{};
-    thud_pos upper{};
+    thud_pos lower;
+    thud_pos upper;
 };
 
 // Of thud_geometry_area_below.
 struct geometry_area_below_values {
-    double area{};
-    double center_x{};
-    double center_y{};
+    double area;
+    double center_x;
+    double center_y;
 };
 
 // Of thud_world_get_slot_counts.
 struct world_slot_counts_values {
-    int bodies{};
-    int shapes{};
+    int bodies;
+    int shapes;
 };
 
 // Of thud_body_get_locks.
 struct body_locks_values {
-    bool x{};
-    bool y{};
+    bool x;
+    bool y;
 };
 
 // Of thud_minkowski_distance.
 struct minkowski_distance_values {
-    double distance{};
-    double nx{};
-    double ny{};
+    double distance;
+    double nx;
+    double ny;
 };
 
 // Of thud_minkowski_cast.
 struct minkowski_cast_values {
-    double fraction{};
-    double nx{};
-    double ny{};
+    double fraction;
+    double nx;
+    double ny;
 };
 
 // Of thud_body_get_rotation.
 struct body_rotation_values {
-    double angle{};
-    float cosine{};
-    float sine{};
+    double angle;
+    float cosine;
+    float sine;
 };
 
 // Of thud_body_get_velocity.
 struct body_velocity_values {
-    thud_vec2 velocity{};
-    float angular_velocity{};
+    thud_vec2 velocity;
+    float angular_velocity;
 };
 
 // Of thud_world_get_rule.
 struct world_rule_values {
-    thud_rule value{};
-    bool is_set{};
-    bool reversed{};
+    thud_rule value;
+    bool is_set;
+    bool reversed;
 };
 
 // thud_events as spans.
@@ -1067,14 +1085,14 @@ inline const char *result_text(thud_result result) {
 }
 
 inline result<sincos_values> sincos(double angle) {
-    result<sincos_values> made;
-    made.code = detail::check(thud_sincos(angle, &made.value.sine, &made.value.cosine));
+    result<sincos_values> made{detail::unwritten()};
+    made.settle(detail::check(thud_sincos(angle, &made.value.sine, &made.value.cosine)));
     return made;
 }
 
 inline result<double> angle_of(double sine, double cosine) {
-    result<double> made;
-    made.code = detail::check(thud_angle_of(sine, cosine, &made.value));
+    result<double> made{detail::unwritten()};
+    made.settle(detail::check(thud_angle_of(sine, cosine, &made.value)));
     return made;
 }
 
@@ -1091,8 +1109,8 @@ inline result<> world_ref::draw(in<thud_debug_draw> draw) {
 }
 
 inline result<thud_events> world_ref::get_events() const {
-    result<thud_events> made;
-    made.code = detail::check(thud_world_get_events(world_, &made.value));
+    result<thud_events> made{detail::unwritten()};
+    made.settle(detail::check(thud_world_get_events(world_, &made.value)));
     return made;
 }
 
@@ -1125,21 +1143,21 @@ inline bool geometry_overlap(in<thud_geometry> a, in<thud_geometry> b) {
 }
 
 inline result<thud_closest> geometry_closest(in<thud_geometry> a, in<thud_geometry> b) {
-    result<thud_closest> made;
-    made.code = detail::check(thud_geometry_closest(a.get(), b.get(), &made.value));
+    result<thud_closest> made{detail::unwritten()};
+    made.settle(detail::check(thud_geometry_closest(a.get(), b.get(), &made.value)));
     return made;
 }
 
 inline result<thud_contacts> geometry_contacts(in<thud_geometry> a, in<thud_geometry> b,
                                                double margin) {
-    result<thud_contacts> made;
-    made.code = detail::check(thud_geometry_contacts(a.get(), b.get(), margin, &made.value));
+    result<thud_contacts> made{detail::unwritten()};
+    made.settle(detail::check(thud_geometry_contacts(a.get(), b.get(), margin, &made.value)));
     return made;
 }
 
 inline std::optional<geometry_cast_ray_values> geometry_cast_ray(in<thud_geometry> shape,
                                                                  thud_segment ray) {
-    geometry_cast_ray_values made{};
+    geometry_cast_ray_values made;
     if (!thud_geometry_cast_ray(shape.get(), ray, &made.fraction, &made.nx, &made.ny)) {
         return std::nullopt;
     }
@@ -1150,7 +1168,7 @@ inline result<std::optional<double>> geometry_time_of_impact(in<thud_geometry> a
                                                              thud_motion motion_a,
                                                              in<thud_geometry> b,
                                                              thud_motion motion_b, double target) {
-    double made{};
+    double made;
     bool found = false;
     thud_result code = detail::check(
         thud_geometry_time_of_impact(a.get(), motion_a, b.get(), motion_b, target, &found, &made));
@@ -1162,9 +1180,9 @@ inline result<std::optional<double>> geometry_time_of_impact(in<thud_geometry> a
 
 inline result<thud_approach> geometry_approach(in<thud_geometry> a, thud_motion motion_a,
                                                in<thud_geometry> b, thud_motion motion_b) {
-    result<thud_approach> made;
-    made.code =
-        detail::check(thud_geometry_approach(a.get(), motion_a, b.get(), motion_b, &made.value));
+    result<thud_approach> made{detail::unwritten()};
+    made.settle(
+        detail::check(thud_geometry_approach(a.get(), motion_a, b.get(), motion_b, &made.value)));
     return made;
 }
 
@@ -1173,7 +1191,7 @@ inline result<std::optional<double>> geometry_time_of_collision(in<thud_geometry
                                                                 in<thud_geometry> b,
                                                                 thud_motion motion_b,
                                                                 double tolerance) {
-    double made{};
+    double made;
     bool found = false;
     thud_result code =
         detail::check(thud_geometry_time_of_collision(a.get(), motion_a, b.get(), motion_b,
@@ -1194,8 +1212,8 @@ inline result<> terrain_check(in<thud_terrain> terrain) {
 }
 
 inline result<thud_terrain_sample> terrain_sample_at(in<thud_terrain> terrain, double x) {
-    result<thud_terrain_sample> made;
-    made.code = detail::check(thud_terrain_sample_at(terrain.get(), x, &made.value));
+    result<thud_terrain_sample> made{detail::unwritten()};
+    made.settle(detail::check(thud_terrain_sample_at(terrain.get(), x, &made.value)));
     return made;
 }
 
@@ -1208,7 +1226,7 @@ inline terrain_segments_values terrain_segments(in<thud_terrain> terrain, double
 
 inline std::optional<terrain_cast_ray_values> terrain_cast_ray(in<thud_terrain> terrain,
                                                                thud_segment ray) {
-    terrain_cast_ray_values made{};
+    terrain_cast_ray_values made;
     if (!thud_terrain_cast_ray(terrain.get(), ray, &made.fraction, &made.nx, &made.ny)) {
         return std::nullopt;
     }
@@ -1220,23 +1238,23 @@ inline bool terrain_overlap(in<thud_terrain> terrain, in<thud_geometry> shape) {
 }
 
 inline result<thud_closest> terrain_closest(in<thud_terrain> terrain, in<thud_geometry> shape) {
-    result<thud_closest> made;
-    made.code = detail::check(thud_terrain_closest(terrain.get(), shape.get(), &made.value));
+    result<thud_closest> made{detail::unwritten()};
+    made.settle(detail::check(thud_terrain_closest(terrain.get(), shape.get(), &made.value)));
     return made;
 }
 
 inline result<thud_contacts> terrain_contacts(in<thud_terrain> terrain, in<thud_geometry> shape,
                                               double margin) {
-    result<thud_contacts> made;
-    made.code =
-        detail::check(thud_terrain_contacts(terrain.get(), shape.get(), margin, &made.value));
+    result<thud_contacts> made{detail::unwritten()};
+    made.settle(
+        detail::check(thud_terrain_contacts(terrain.get(), shape.get(), margin, &made.value)));
     return made;
 }
 
 inline result<std::optional<double>> terrain_time_of_impact(in<thud_terrain> terrain,
                                                             in<thud_geometry> shape,
                                                             thud_motion motion, double target) {
-    double made{};
+    double made;
     bool found = false;
     thud_result code = detail::check(
         thud_terrain_time_of_impact(terrain.get(), shape.get(), motion, target, &found, &made));
@@ -1250,7 +1268,7 @@ inline result<std::optional<double>> terrain_time_of_collision(in<thud_terrain> 
                                                                in<thud_geometry> shape,
                                                                thud_motion motion,
                                                                double tolerance) {
-    double made{};
+    double made;
     bool found = false;
     thud_result code =
         detail::check(thud_terrain_time_of_collision(terrain.get(), shape.get(), motion, tolerance,
@@ -1266,55 +1284,55 @@ inline result<> volume_check(in<thud_volume> volume) {
 }
 
 inline result<thud_volume> volume_around_shape(thud_shape_kind kind, in<thud_geometry> shape) {
-    result<thud_volume> made;
-    made.code = detail::check(thud_volume_around_shape(kind, shape.get(), &made.value));
+    result<thud_volume> made{detail::unwritten()};
+    made.settle(detail::check(thud_volume_around_shape(kind, shape.get(), &made.value)));
     return made;
 }
 
 inline result<thud_volume> volume_around_motion(thud_shape_kind kind, in<thud_geometry> shape,
                                                 thud_motion motion) {
-    result<thud_volume> made;
-    made.code = detail::check(thud_volume_around_motion(kind, shape.get(), motion, &made.value));
+    result<thud_volume> made{detail::unwritten()};
+    made.settle(detail::check(thud_volume_around_motion(kind, shape.get(), motion, &made.value)));
     return made;
 }
 
 inline result<thud_volume> volume_around_points(thud_shape_kind kind, span<const thud_pos> points) {
-    result<thud_volume> made;
-    made.code = detail::check(
-        thud_volume_around_points(kind, points.data(), detail::count(points.size()), &made.value));
+    result<thud_volume> made{detail::unwritten()};
+    made.settle(detail::check(
+        thud_volume_around_points(kind, points.data(), detail::count(points.size()), &made.value)));
     return made;
 }
 
 inline result<thud_volume> volume_around_terrain(thud_shape_kind kind, in<thud_terrain> terrain,
                                                  double x_min, double x_max) {
-    result<thud_volume> made;
-    made.code =
-        detail::check(thud_volume_around_terrain(kind, terrain.get(), x_min, x_max, &made.value));
+    result<thud_volume> made{detail::unwritten()};
+    made.settle(
+        detail::check(thud_volume_around_terrain(kind, terrain.get(), x_min, x_max, &made.value)));
     return made;
 }
 
 inline result<thud_volume> volume_merge(thud_shape_kind kind, in<thud_volume> a,
                                         in<thud_volume> b) {
-    result<thud_volume> made;
-    made.code = detail::check(thud_volume_merge(kind, a.get(), b.get(), &made.value));
+    result<thud_volume> made{detail::unwritten()};
+    made.settle(detail::check(thud_volume_merge(kind, a.get(), b.get(), &made.value)));
     return made;
 }
 
 inline result<bool> volumes_overlap(in<thud_volume> a, in<thud_volume> b) {
-    result<bool> made;
-    made.code = detail::check(thud_volumes_overlap(a.get(), b.get(), &made.value));
+    result<bool> made{detail::unwritten()};
+    made.settle(detail::check(thud_volumes_overlap(a.get(), b.get(), &made.value)));
     return made;
 }
 
 inline result<bool> volume_contains_point(in<thud_volume> volume, double x, double y) {
-    result<bool> made;
-    made.code = detail::check(thud_volume_contains_point(volume.get(), x, y, &made.value));
+    result<bool> made{detail::unwritten()};
+    made.settle(detail::check(thud_volume_contains_point(volume.get(), x, y, &made.value)));
     return made;
 }
 
 inline result<bool> volume_contains(in<thud_volume> outer, in<thud_volume> inner) {
-    result<bool> made;
-    made.code = detail::check(thud_volume_contains(outer.get(), inner.get(), &made.value));
+    result<bool> made{detail::unwritten()};
+    made.settle(detail::check(thud_volume_contains(outer.get(), inner.get(), &made.value)));
     return made;
 }
 
@@ -1323,7 +1341,7 @@ inline thud_query_filter default_query_filter() {
 }
 
 inline result<std::optional<thud_ray_hit>> world_ref::cast_ray(in<thud_ray> ray) {
-    thud_ray_hit made{};
+    thud_ray_hit made;
     bool found = false;
     thud_result code = detail::check(thud_world_cast_ray(world_, ray.get(), &found, &made));
     if (!found) {
@@ -1333,14 +1351,14 @@ inline result<std::optional<thud_ray_hit>> world_ref::cast_ray(in<thud_ray> ray)
 }
 
 inline result<int> world_ref::cast_ray_all(in<thud_ray> ray, span<thud_ray_hit> out) {
-    result<int> made;
-    made.code = detail::check(thud_world_cast_ray_all(world_, ray.get(), out.data(),
-                                                      detail::count(out.size()), &made.value));
+    result<int> made{detail::unwritten()};
+    made.settle(detail::check(thud_world_cast_ray_all(world_, ray.get(), out.data(),
+                                                      detail::count(out.size()), &made.value)));
     return made;
 }
 
 inline result<std::optional<thud_ray_hit>> world_ref::cast_shape(in<thud_shape_cast> cast) {
-    thud_ray_hit made{};
+    thud_ray_hit made;
     bool found = false;
     thud_result code = detail::check(thud_world_cast_shape(world_, cast.get(), &found, &made));
     if (!found) {
@@ -1350,9 +1368,9 @@ inline result<std::optional<thud_ray_hit>> world_ref::cast_shape(in<thud_shape_c
 }
 
 inline result<int> world_ref::cast_shape_all(in<thud_shape_cast> cast, span<thud_ray_hit> out) {
-    result<int> made;
-    made.code = detail::check(thud_world_cast_shape_all(world_, cast.get(), out.data(),
-                                                        detail::count(out.size()), &made.value));
+    result<int> made{detail::unwritten()};
+    made.settle(detail::check(thud_world_cast_shape_all(world_, cast.get(), out.data(),
+                                                        detail::count(out.size()), &made.value)));
     return made;
 }
 
@@ -1377,7 +1395,7 @@ result<> world_ref::overlap_aabb(thud_pos lower, thud_pos upper, in<thud_query_f
 inline result<std::optional<thud_closest_hit>> world_ref::closest(thud_pos point,
                                                                   double max_distance,
                                                                   in<thud_query_filter> filter) {
-    thud_closest_hit made{};
+    thud_closest_hit made;
     bool found = false;
     thud_result code =
         detail::check(thud_world_closest(world_, point, max_distance, filter.get(), &found, &made));
@@ -1388,29 +1406,30 @@ inline result<std::optional<thud_closest_hit>> world_ref::closest(thud_pos point
 }
 
 inline result<thud_volume> body::get_volume(thud_shape_kind kind, thud_pos origin) const {
-    result<thud_volume> made;
-    made.code = detail::check(thud_body_get_volume(world, id, kind, origin, &made.value));
+    result<thud_volume> made{detail::unwritten()};
+    made.settle(detail::check(thud_body_get_volume(world, id, kind, origin, &made.value)));
     return made;
 }
 
 inline result<int> body::get_contacts(span<thud_manifold> out) const {
-    result<int> made;
-    made.code = detail::check(
-        thud_body_get_contacts(world, id, out.data(), detail::count(out.size()), &made.value));
+    result<int> made{detail::unwritten()};
+    made.settle(detail::check(
+        thud_body_get_contacts(world, id, out.data(), detail::count(out.size()), &made.value)));
     return made;
 }
 
 inline result<thud_uv> terrain_texture_at(in<thud_terrain_sample> sample,
                                           span<const thud_uv> vertices) {
-    result<thud_uv> made;
-    made.code = detail::check(thud_terrain_texture_at(sample.get(), vertices.data(),
-                                                      detail::count(vertices.size()), &made.value));
+    result<thud_uv> made{detail::unwritten()};
+    made.settle(
+        detail::check(thud_terrain_texture_at(sample.get(), vertices.data(),
+                                              detail::count(vertices.size()), &made.value)));
     return made;
 }
 
 inline result<thud_foot> terrain_place_foot(in<thud_terrain> terrain, double x, double width) {
-    result<thud_foot> made;
-    made.code = detail::check(thud_terrain_place_foot(terrain.get(), x, width, &made.value));
+    result<thud_foot> made{detail::unwritten()};
+    made.settle(detail::check(thud_terrain_place_foot(terrain.get(), x, width, &made.value)));
     return made;
 }
 
@@ -1445,17 +1464,17 @@ inline result<> world_ref::step() {
 }
 
 inline result<world_advance_values> world_ref::advance(double elapsed, int max_steps) {
-    result<world_advance_values> made;
-    made.code = detail::check(
-        thud_world_advance(world_, elapsed, max_steps, &made.value.steps, &made.value.alpha));
+    result<world_advance_values> made{detail::unwritten()};
+    made.settle(detail::check(
+        thud_world_advance(world_, elapsed, max_steps, &made.value.steps, &made.value.alpha)));
     return made;
 }
 
 inline result<world_advance_with_values> world_ref::advance_with(double elapsed, int max_steps,
                                                                  in<thud_step_calls> calls) {
-    result<world_advance_with_values> made;
-    made.code = detail::check(thud_world_advance_with(world_, elapsed, max_steps, calls.get(),
-                                                      &made.value.steps, &made.value.alpha));
+    result<world_advance_with_values> made{detail::unwritten()};
+    made.settle(detail::check(thud_world_advance_with(world_, elapsed, max_steps, calls.get(),
+                                                      &made.value.steps, &made.value.alpha)));
     return made;
 }
 
@@ -1507,8 +1526,8 @@ inline bool body::is_valid() const {
 }
 
 inline result<thud_body_state> body::get_state() const {
-    result<thud_body_state> made;
-    made.code = detail::check(thud_body_get_state(world, id, &made.value));
+    result<thud_body_state> made{detail::unwritten()};
+    made.settle(detail::check(thud_body_get_state(world, id, &made.value)));
     return made;
 }
 
@@ -1545,9 +1564,9 @@ inline result<> body::set_user_data(uint64_t user_data) const {
 }
 
 inline result<int> body::get_shapes(span<thud_shape_id> out) const {
-    result<int> made;
-    made.code = detail::check(
-        thud_body_get_shapes(world, id, out.data(), detail::count(out.size()), &made.value));
+    result<int> made{detail::unwritten()};
+    made.settle(detail::check(
+        thud_body_get_shapes(world, id, out.data(), detail::count(out.size()), &made.value)));
     return made;
 }
 
@@ -1595,14 +1614,14 @@ inline bool shape::is_valid() const {
 }
 
 inline result<thud_shape_state> shape::get_state() const {
-    result<thud_shape_state> made;
-    made.code = detail::check(thud_shape_get_state(world, id, &made.value));
+    result<thud_shape_state> made{detail::unwritten()};
+    made.settle(detail::check(thud_shape_get_state(world, id, &made.value)));
     return made;
 }
 
 inline result<thud_terrain> shape::get_terrain() const {
-    result<thud_terrain> made;
-    made.code = detail::check(thud_shape_get_terrain(world, id, &made.value));
+    result<thud_terrain> made{detail::unwritten()};
+    made.settle(detail::check(thud_shape_get_terrain(world, id, &made.value)));
     return made;
 }
 
@@ -1624,8 +1643,8 @@ inline const char *stage_name(thud_stage stage) {
 }
 
 inline result<thud_stats> world_ref::get_stats() const {
-    result<thud_stats> made;
-    made.code = detail::check(thud_world_get_stats(world_, &made.value));
+    result<thud_stats> made{detail::unwritten()};
+    made.settle(detail::check(thud_world_get_stats(world_, &made.value)));
     return made;
 }
 
@@ -1634,14 +1653,14 @@ inline thud_stats world_ref::stats() const {
 }
 
 inline result<double> world_ref::get_bisection_limit() {
-    result<double> made;
-    made.code = detail::check(thud_world_get_bisection_limit(world_, &made.value));
+    result<double> made{detail::unwritten()};
+    made.settle(detail::check(thud_world_get_bisection_limit(world_, &made.value)));
     return made;
 }
 
 inline result<thud_step_error> world_ref::get_step_error() const {
-    result<thud_step_error> made;
-    made.code = detail::check(thud_world_get_step_error(world_, &made.value));
+    result<thud_step_error> made{detail::unwritten()};
+    made.settle(detail::check(thud_world_get_step_error(world_, &made.value)));
     return made;
 }
 
@@ -1650,8 +1669,8 @@ inline thud_step_error world_ref::step_error() const {
 }
 
 inline result<thud_measure> world_ref::get_measure() const {
-    result<thud_measure> made;
-    made.code = detail::check(thud_world_get_measure(world_, &made.value));
+    result<thud_measure> made{detail::unwritten()};
+    made.settle(detail::check(thud_world_get_measure(world_, &made.value)));
     return made;
 }
 
@@ -1660,8 +1679,8 @@ inline thud_measure world_ref::measure() const {
 }
 
 inline result<uint64_t> world_ref::get_hash() const {
-    result<uint64_t> made;
-    made.code = detail::check(thud_world_get_hash(world_, &made.value));
+    result<uint64_t> made{detail::unwritten()};
+    made.settle(detail::check(thud_world_get_hash(world_, &made.value)));
     return made;
 }
 
@@ -1670,18 +1689,18 @@ inline uint64_t world_ref::hash() const {
 }
 
 inline result<const char *> polygon_check(span<const thud_pos> points) {
-    result<const char *> made;
-    made.code =
-        detail::check(thud_polygon_check(points.data(), detail::count(points.size()), &made.value));
+    result<const char *> made{detail::unwritten()};
+    made.settle(detail::check(
+        thud_polygon_check(points.data(), detail::count(points.size()), &made.value)));
     return made;
 }
 
 inline result<thud_approximation> approximate(span<const thud_pos> points,
                                               in<thud_approximate_options> options,
                                               thud_geometry *out_shapes) {
-    result<thud_approximation> made;
-    made.code = detail::check(thud_approximate(points.data(), detail::count(points.size()),
-                                               options.get(), out_shapes, &made.value));
+    result<thud_approximation> made{detail::unwritten()};
+    made.settle(detail::check(thud_approximate(points.data(), detail::count(points.size()),
+                                               options.get(), out_shapes, &made.value)));
     return made;
 }
 
@@ -1690,28 +1709,28 @@ inline result<> capsule_check(in<thud_capsule> capsule) {
 }
 
 inline result<thud_capsule> capsule_of_motion(in<thud_geometry> circle, thud_motion motion) {
-    result<thud_capsule> made;
-    made.code = detail::check(thud_capsule_of_motion(circle.get(), motion, &made.value));
+    result<thud_capsule> made{detail::unwritten()};
+    made.settle(detail::check(thud_capsule_of_motion(circle.get(), motion, &made.value)));
     return made;
 }
 
 inline result<thud_closest> capsule_closest(in<thud_capsule> a, in<thud_geometry> b) {
-    result<thud_closest> made;
-    made.code = detail::check(thud_capsule_closest(a.get(), b.get(), &made.value));
+    result<thud_closest> made{detail::unwritten()};
+    made.settle(detail::check(thud_capsule_closest(a.get(), b.get(), &made.value)));
     return made;
 }
 
 inline result<thud_closest> capsules_closest(in<thud_capsule> a, in<thud_capsule> b) {
-    result<thud_closest> made;
-    made.code = detail::check(thud_capsules_closest(a.get(), b.get(), &made.value));
+    result<thud_closest> made{detail::unwritten()};
+    made.settle(detail::check(thud_capsules_closest(a.get(), b.get(), &made.value)));
     return made;
 }
 
 inline result<thud_closest> terrain_capsule_closest(in<thud_terrain> terrain,
                                                     in<thud_capsule> capsule) {
-    result<thud_closest> made;
-    made.code =
-        detail::check(thud_terrain_capsule_closest(terrain.get(), capsule.get(), &made.value));
+    result<thud_closest> made{detail::unwritten()};
+    made.settle(
+        detail::check(thud_terrain_capsule_closest(terrain.get(), capsule.get(), &made.value)));
     return made;
 }
 
@@ -1719,7 +1738,7 @@ inline result<std::optional<double>> capsule_time_of_impact(in<thud_capsule> a,
                                                             thud_motion motion_a,
                                                             in<thud_geometry> b,
                                                             thud_motion motion_b, double target) {
-    double made{};
+    double made;
     bool found = false;
     thud_result code = detail::check(
         thud_capsule_time_of_impact(a.get(), motion_a, b.get(), motion_b, target, &found, &made));
@@ -1733,7 +1752,7 @@ inline result<std::optional<double>> capsules_time_of_impact(in<thud_capsule> a,
                                                              thud_motion motion_a,
                                                              in<thud_capsule> b,
                                                              thud_motion motion_b, double target) {
-    double made{};
+    double made;
     bool found = false;
     thud_result code = detail::check(
         thud_capsules_time_of_impact(a.get(), motion_a, b.get(), motion_b, target, &found, &made));
@@ -1747,7 +1766,7 @@ inline result<std::optional<double>> terrain_capsule_time_of_impact(in<thud_terr
                                                                     in<thud_capsule> capsule,
                                                                     thud_motion motion,
                                                                     double target) {
-    double made{};
+    double made;
     bool found = false;
     thud_result code =
         detail::check(thud_terrain_capsule_time_of_impact(terrain.get(), capsule.get(), motion,
@@ -1790,7 +1809,7 @@ inline result<> world_ref::cast_shapes(span<const thud_shape_cast> casts,
 
 inline result<std::optional<thud_ray_hit>> shape::cast_ray(thud_pos origin, double dx,
                                                            double dy) const {
-    thud_ray_hit made{};
+    thud_ray_hit made;
     bool found = false;
     thud_result code = detail::check(thud_shape_cast_ray(world, id, origin, dx, dy, &found, &made));
     if (!found) {
@@ -1800,21 +1819,21 @@ inline result<std::optional<thud_ray_hit>> shape::cast_ray(thud_pos origin, doub
 }
 
 inline result<bool> shape::contains_point(thud_pos point) const {
-    result<bool> made;
-    made.code = detail::check(thud_shape_contains_point(world, id, point, &made.value));
+    result<bool> made{detail::unwritten()};
+    made.settle(detail::check(thud_shape_contains_point(world, id, point, &made.value)));
     return made;
 }
 
 inline result<thud_closest_hit> shape::closest_point(thud_pos point) const {
-    result<thud_closest_hit> made;
-    made.code = detail::check(thud_shape_closest_point(world, id, point, &made.value));
+    result<thud_closest_hit> made{detail::unwritten()};
+    made.settle(detail::check(thud_shape_closest_point(world, id, point, &made.value)));
     return made;
 }
 
 inline result<shape_bounds_values> shape::get_bounds() const {
-    result<shape_bounds_values> made;
-    made.code =
-        detail::check(thud_shape_get_bounds(world, id, &made.value.lower, &made.value.upper));
+    result<shape_bounds_values> made{detail::unwritten()};
+    made.settle(
+        detail::check(thud_shape_get_bounds(world, id, &made.value.lower, &made.value.upper)));
     return made;
 }
 
@@ -1916,32 +1935,32 @@ inline result<> body::set_target(thud_pos position, double angle) const {
 }
 
 inline result<thud_vec2> body::get_velocity_at(thud_pos point) const {
-    result<thud_vec2> made;
-    made.code = detail::check(thud_body_get_velocity_at(world, id, point, &made.value));
+    result<thud_vec2> made{detail::unwritten()};
+    made.settle(detail::check(thud_body_get_velocity_at(world, id, point, &made.value)));
     return made;
 }
 
 inline result<thud_pos> body::get_world_point(thud_vec2 point) const {
-    result<thud_pos> made;
-    made.code = detail::check(thud_body_get_world_point(world, id, point, &made.value));
+    result<thud_pos> made{detail::unwritten()};
+    made.settle(detail::check(thud_body_get_world_point(world, id, point, &made.value)));
     return made;
 }
 
 inline result<thud_vec2> body::get_local_point(thud_pos point) const {
-    result<thud_vec2> made;
-    made.code = detail::check(thud_body_get_local_point(world, id, point, &made.value));
+    result<thud_vec2> made{detail::unwritten()};
+    made.settle(detail::check(thud_body_get_local_point(world, id, point, &made.value)));
     return made;
 }
 
 inline result<thud_vec2> body::get_world_vector(thud_vec2 vector) const {
-    result<thud_vec2> made;
-    made.code = detail::check(thud_body_get_world_vector(world, id, vector, &made.value));
+    result<thud_vec2> made{detail::unwritten()};
+    made.settle(detail::check(thud_body_get_world_vector(world, id, vector, &made.value)));
     return made;
 }
 
 inline result<thud_vec2> body::get_local_vector(thud_vec2 vector) const {
-    result<thud_vec2> made;
-    made.code = detail::check(thud_body_get_local_vector(world, id, vector, &made.value));
+    result<thud_vec2> made{detail::unwritten()};
+    made.settle(detail::check(thud_body_get_local_vector(world, id, vector, &made.value)));
     return made;
 }
 
@@ -1950,8 +1969,8 @@ inline thud_explosion default_explosion() {
 }
 
 inline result<int> world_ref::explode(in<thud_explosion> explosion) {
-    result<int> made;
-    made.code = detail::check(thud_world_explode(world_, explosion.get(), &made.value));
+    result<int> made{detail::unwritten()};
+    made.settle(detail::check(thud_world_explode(world_, explosion.get(), &made.value)));
     return made;
 }
 
@@ -1969,9 +1988,10 @@ inline result<> body::apply_buoyancy(in<thud_water> water) const {
 
 inline result<geometry_area_below_values> geometry_area_below(in<thud_geometry> shape,
                                                               thud_half_plane below) {
-    result<geometry_area_below_values> made;
-    made.code = detail::check(thud_geometry_area_below(shape.get(), below, &made.value.area,
-                                                       &made.value.center_x, &made.value.center_y));
+    result<geometry_area_below_values> made{detail::unwritten()};
+    made.settle(
+        detail::check(thud_geometry_area_below(shape.get(), below, &made.value.area,
+                                               &made.value.center_x, &made.value.center_y)));
     return made;
 }
 
@@ -2003,14 +2023,14 @@ inline bool joint::is_valid() const {
 }
 
 inline result<thud_joint_state> joint::get_state() const {
-    result<thud_joint_state> made;
-    made.code = detail::check(thud_joint_get_state(world, id, &made.value));
+    result<thud_joint_state> made{detail::unwritten()};
+    made.settle(detail::check(thud_joint_get_state(world, id, &made.value)));
     return made;
 }
 
 inline result<thud_joint_def> joint::get_def() const {
-    result<thud_joint_def> made;
-    made.code = detail::check(thud_joint_get_def(world, id, &made.value));
+    result<thud_joint_def> made{detail::unwritten()};
+    made.settle(detail::check(thud_joint_get_def(world, id, &made.value)));
     return made;
 }
 
@@ -2052,16 +2072,16 @@ inline span<const thud_joint_event> world_ref::joint_events() const {
 }
 
 inline result<int> world_ref::get_joints(span<thud_joint_id> out) const {
-    result<int> made;
-    made.code = detail::check(
-        thud_world_get_joints(world_, out.data(), detail::count(out.size()), &made.value));
+    result<int> made{detail::unwritten()};
+    made.settle(detail::check(
+        thud_world_get_joints(world_, out.data(), detail::count(out.size()), &made.value)));
     return made;
 }
 
 inline result<int> body::get_joints(span<thud_joint_id> out) const {
-    result<int> made;
-    made.code = detail::check(
-        thud_body_get_joints(world, id, out.data(), detail::count(out.size()), &made.value));
+    result<int> made{detail::unwritten()};
+    made.settle(detail::check(
+        thud_body_get_joints(world, id, out.data(), detail::count(out.size()), &made.value)));
     return made;
 }
 
@@ -2137,30 +2157,30 @@ inline result<> world_ref::decide_contact(in<thud_contact> contact, in<thud_velo
 }
 
 inline result<int> world_ref::get_bodies(span<thud_body_id> out) const {
-    result<int> made;
-    made.code = detail::check(
-        thud_world_get_bodies(world_, out.data(), detail::count(out.size()), &made.value));
+    result<int> made{detail::unwritten()};
+    made.settle(detail::check(
+        thud_world_get_bodies(world_, out.data(), detail::count(out.size()), &made.value)));
     return made;
 }
 
 inline result<int> world_ref::get_awake_bodies(span<thud_body_id> out) const {
-    result<int> made;
-    made.code = detail::check(
-        thud_world_get_awake_bodies(world_, out.data(), detail::count(out.size()), &made.value));
+    result<int> made{detail::unwritten()};
+    made.settle(detail::check(
+        thud_world_get_awake_bodies(world_, out.data(), detail::count(out.size()), &made.value)));
     return made;
 }
 
 inline result<int> world_ref::get_shapes(span<thud_shape_id> out) const {
-    result<int> made;
-    made.code = detail::check(
-        thud_world_get_shapes(world_, out.data(), detail::count(out.size()), &made.value));
+    result<int> made{detail::unwritten()};
+    made.settle(detail::check(
+        thud_world_get_shapes(world_, out.data(), detail::count(out.size()), &made.value)));
     return made;
 }
 
 inline result<world_slot_counts_values> world_ref::get_slot_counts() const {
-    result<world_slot_counts_values> made;
-    made.code =
-        detail::check(thud_world_get_slot_counts(world_, &made.value.bodies, &made.value.shapes));
+    result<world_slot_counts_values> made{detail::unwritten()};
+    made.settle(
+        detail::check(thud_world_get_slot_counts(world_, &made.value.bodies, &made.value.shapes)));
     return made;
 }
 
@@ -2178,24 +2198,24 @@ inline result<shape> world_ref::get_shape_at(int slot) const {
 
 inline result<int> world_ref::get_moved_bodies(span<thud_body_seen> seen,
                                                span<thud_body_id> out) const {
-    result<int> made;
-    made.code = detail::check(thud_world_get_moved_bodies(world_, seen.data(),
+    result<int> made{detail::unwritten()};
+    made.settle(detail::check(thud_world_get_moved_bodies(world_, seen.data(),
                                                           detail::count(seen.size()), out.data(),
-                                                          detail::count(out.size()), &made.value));
+                                                          detail::count(out.size()), &made.value)));
     return made;
 }
 
 inline result<int> shape::get_sensor_overlaps(span<thud_shape_id> out) const {
-    result<int> made;
-    made.code =
+    result<int> made{detail::unwritten()};
+    made.settle(
         detail::check(thud_shape_get_sensor_overlaps(world, id, out.data(),
-                                                     detail::count(out.size()), &made.value));
+                                                     detail::count(out.size()), &made.value)));
     return made;
 }
 
 inline result<thud_pair> world_ref::get_pair(thud_shape_id shape_a, thud_shape_id shape_b) const {
-    result<thud_pair> made;
-    made.code = detail::check(thud_world_get_pair(world_, shape_a, shape_b, &made.value));
+    result<thud_pair> made{detail::unwritten()};
+    made.settle(detail::check(thud_world_get_pair(world_, shape_a, shape_b, &made.value)));
     return made;
 }
 
@@ -2209,8 +2229,8 @@ inline result<> body::set_locks(bool x, bool y) const {
 }
 
 inline result<body_locks_values> body::get_locks() const {
-    result<body_locks_values> made;
-    made.code = detail::check(thud_body_get_locks(world, id, &made.value.x, &made.value.y));
+    result<body_locks_values> made{detail::unwritten()};
+    made.settle(detail::check(thud_body_get_locks(world, id, &made.value.x, &made.value.y)));
     return made;
 }
 
@@ -2223,28 +2243,28 @@ inline body world_ref::make_body(thud_geometry shape, in<thud_body_options> opti
 }
 
 inline result<thud_minkowski> minkowski_sum(in<thud_geometry> a, in<thud_geometry> b) {
-    result<thud_minkowski> made;
-    made.code = detail::check(thud_minkowski_sum(a.get(), b.get(), &made.value));
+    result<thud_minkowski> made{detail::unwritten()};
+    made.settle(detail::check(thud_minkowski_sum(a.get(), b.get(), &made.value)));
     return made;
 }
 
 inline result<bool> minkowski_contains(in<thud_minkowski> sum, double x, double y) {
-    result<bool> made;
-    made.code = detail::check(thud_minkowski_contains(sum.get(), x, y, &made.value));
+    result<bool> made{detail::unwritten()};
+    made.settle(detail::check(thud_minkowski_contains(sum.get(), x, y, &made.value)));
     return made;
 }
 
 inline result<minkowski_distance_values> minkowski_distance(in<thud_minkowski> sum, double x,
                                                             double y) {
-    result<minkowski_distance_values> made;
-    made.code = detail::check(thud_minkowski_distance(sum.get(), x, y, &made.value.distance,
-                                                      &made.value.nx, &made.value.ny));
+    result<minkowski_distance_values> made{detail::unwritten()};
+    made.settle(detail::check(thud_minkowski_distance(sum.get(), x, y, &made.value.distance,
+                                                      &made.value.nx, &made.value.ny)));
     return made;
 }
 
 inline result<std::optional<minkowski_cast_values>> minkowski_cast(in<thud_minkowski> sum,
                                                                    thud_segment path) {
-    minkowski_cast_values made{};
+    minkowski_cast_values made;
     bool found = false;
     thud_result code = detail::check(
         thud_minkowski_cast(sum.get(), path, &found, &made.fraction, &made.nx, &made.ny));
@@ -2265,22 +2285,22 @@ inline thud_mover default_mover(thud_geometry shape) {
 
 inline result<thud_mover_report> world_ref::mover_move(thud_mover &mover, thud_vec2 velocity,
                                                        double dt) {
-    result<thud_mover_report> made;
-    made.code = detail::check(thud_mover_move(world_, &mover, velocity, dt, &made.value));
+    result<thud_mover_report> made{detail::unwritten()};
+    made.settle(detail::check(thud_mover_move(world_, &mover, velocity, dt, &made.value)));
     return made;
 }
 
 inline result<size_t> world_ref::pack(const_bytes base, const_bytes snapshot, bytes buffer) const {
-    result<size_t> made;
-    made.code = detail::check(
-        thud_world_pack(world_, base, snapshot, buffer.data(), buffer.size(), &made.value));
+    result<size_t> made{detail::unwritten()};
+    made.settle(detail::check(
+        thud_world_pack(world_, base, snapshot, buffer.data(), buffer.size(), &made.value)));
     return made;
 }
 
 inline result<size_t> world_ref::unpack(const_bytes base, const_bytes packed, bytes buffer) const {
-    result<size_t> made;
-    made.code = detail::check(
-        thud_world_unpack(world_, base, packed, buffer.data(), buffer.size(), &made.value));
+    result<size_t> made{detail::unwritten()};
+    made.settle(detail::check(
+        thud_world_unpack(world_, base, packed, buffer.data(), buffer.size(), &made.value)));
     return made;
 }
 
@@ -2295,9 +2315,10 @@ inline result<> world_ref::extrapolate(span<const thud_body_id> bodies, double s
 }
 
 inline result<int> world_ref::extrapolate_awake(double seconds, span<thud_prediction> out) const {
-    result<int> made;
-    made.code = detail::check(thud_world_extrapolate_awake(world_, seconds, out.data(),
-                                                           detail::count(out.size()), &made.value));
+    result<int> made{detail::unwritten()};
+    made.settle(
+        detail::check(thud_world_extrapolate_awake(world_, seconds, out.data(),
+                                                   detail::count(out.size()), &made.value)));
     return made;
 }
 
@@ -2311,34 +2332,34 @@ inline result<> world_ref::predict(span<const thud_body_id> bodies, double secon
 }
 
 inline result<thud_pos> body::get_position() const {
-    result<thud_pos> made;
-    made.code = detail::check(thud_body_get_position(world, id, &made.value));
+    result<thud_pos> made{detail::unwritten()};
+    made.settle(detail::check(thud_body_get_position(world, id, &made.value)));
     return made;
 }
 
 inline result<body_rotation_values> body::get_rotation() const {
-    result<body_rotation_values> made;
-    made.code = detail::check(
-        thud_body_get_rotation(world, id, &made.value.angle, &made.value.cosine, &made.value.sine));
+    result<body_rotation_values> made{detail::unwritten()};
+    made.settle(detail::check(thud_body_get_rotation(world, id, &made.value.angle,
+                                                     &made.value.cosine, &made.value.sine)));
     return made;
 }
 
 inline result<body_velocity_values> body::get_velocity() const {
-    result<body_velocity_values> made;
-    made.code = detail::check(
-        thud_body_get_velocity(world, id, &made.value.velocity, &made.value.angular_velocity));
+    result<body_velocity_values> made{detail::unwritten()};
+    made.settle(detail::check(
+        thud_body_get_velocity(world, id, &made.value.velocity, &made.value.angular_velocity)));
     return made;
 }
 
 inline result<uint64_t> body::get_user_data() const {
-    result<uint64_t> made;
-    made.code = detail::check(thud_body_get_user_data(world, id, &made.value));
+    result<uint64_t> made{detail::unwritten()};
+    made.settle(detail::check(thud_body_get_user_data(world, id, &made.value)));
     return made;
 }
 
 inline result<uint64_t> shape::get_user_data() const {
-    result<uint64_t> made;
-    made.code = detail::check(thud_shape_get_user_data(world, id, &made.value));
+    result<uint64_t> made{detail::unwritten()};
+    made.settle(detail::check(thud_shape_get_user_data(world, id, &made.value)));
     return made;
 }
 
@@ -2357,14 +2378,14 @@ inline thud_vec2 body::velocity() const {
 }
 
 inline result<thud_step_settings> world_ref::get_step_settings() const {
-    result<thud_step_settings> made;
-    made.code = detail::check(thud_world_get_step_settings(world_, &made.value));
+    result<thud_step_settings> made{detail::unwritten()};
+    made.settle(detail::check(thud_world_get_step_settings(world_, &made.value)));
     return made;
 }
 
 inline result<thud_broadphase_counts> world_ref::get_broadphase_counts() const {
-    result<thud_broadphase_counts> made;
-    made.code = detail::check(thud_world_get_broadphase_counts(world_, &made.value));
+    result<thud_broadphase_counts> made{detail::unwritten()};
+    made.settle(detail::check(thud_world_get_broadphase_counts(world_, &made.value)));
     return made;
 }
 
@@ -2373,8 +2394,8 @@ inline result<> rollback::input(int player, int64_t step, uint64_t input) {
 }
 
 inline result<bool> rollback::advance() {
-    result<bool> made;
-    made.code = detail::check(thud_rollback_advance(get(), &made.value));
+    result<bool> made{detail::unwritten()};
+    made.settle(detail::check(thud_rollback_advance(get(), &made.value)));
     return made;
 }
 
@@ -2383,8 +2404,8 @@ inline result<> rollback::settle() {
 }
 
 inline result<thud_rollback_progress> rollback::get_progress() const {
-    result<thud_rollback_progress> made;
-    made.code = detail::check(thud_rollback_get_progress(get(), &made.value));
+    result<thud_rollback_progress> made{detail::unwritten()};
+    made.settle(detail::check(thud_rollback_get_progress(get(), &made.value)));
     return made;
 }
 
@@ -2393,8 +2414,8 @@ inline thud_rollback_progress rollback::progress() const {
 }
 
 inline result<uint64_t> rollback::get_state(int64_t step, void *out_state) {
-    result<uint64_t> made;
-    made.code = detail::check(thud_rollback_get_state(get(), step, &made.value, out_state));
+    result<uint64_t> made{detail::unwritten()};
+    made.settle(detail::check(thud_rollback_get_state(get(), step, &made.value, out_state)));
     return made;
 }
 
@@ -2407,9 +2428,9 @@ inline result<> world_ref::set_rule(uint32_t first, uint32_t second, in<thud_rul
 }
 
 inline result<world_rule_values> world_ref::get_rule(uint32_t first, uint32_t second) const {
-    result<world_rule_values> made;
-    made.code = detail::check(thud_world_get_rule(world_, first, second, &made.value.value,
-                                                  &made.value.is_set, &made.value.reversed));
+    result<world_rule_values> made{detail::unwritten()};
+    made.settle(detail::check(thud_world_get_rule(world_, first, second, &made.value.value,
+                                                  &made.value.is_set, &made.value.reversed)));
     return made;
 }
 
@@ -2440,15 +2461,15 @@ inline span<const thud_impulse_event> world_ref::impulse_events() const {
 }
 
 inline result<size_t> world_ref::get_snapshot_size() const {
-    result<size_t> made;
-    made.code = detail::check(thud_world_get_snapshot_size(world_, &made.value));
+    result<size_t> made{detail::unwritten()};
+    made.settle(detail::check(thud_world_get_snapshot_size(world_, &made.value)));
     return made;
 }
 
 inline result<size_t> world_ref::snapshot(bytes buffer) const {
-    result<size_t> made;
-    made.code =
-        detail::check(thud_world_snapshot(world_, buffer.data(), buffer.size(), &made.value));
+    result<size_t> made{detail::unwritten()};
+    made.settle(
+        detail::check(thud_world_snapshot(world_, buffer.data(), buffer.size(), &made.value)));
     return made;
 }
 
@@ -2469,8 +2490,8 @@ inline result<> world_def_set_baseline_simd(thud_world_def &def, bool baseline_s
 }
 
 inline result<float> texture_friction_at(in<thud_texture> texture, in<thud_terrain_sample> sample) {
-    result<float> made;
-    made.code = detail::check(thud_texture_friction_at(texture.get(), sample.get(), &made.value));
+    result<float> made{detail::unwritten()};
+    made.settle(detail::check(thud_texture_friction_at(texture.get(), sample.get(), &made.value)));
     return made;
 }
 
@@ -2479,14 +2500,14 @@ inline result<> shape::set_texture(in<thud_texture> texture) const {
 }
 
 inline result<thud_texture> shape::get_texture() const {
-    result<thud_texture> made;
-    made.code = detail::check(thud_shape_get_texture(world, id, &made.value));
+    result<thud_texture> made{detail::unwritten()};
+    made.settle(detail::check(thud_shape_get_texture(world, id, &made.value)));
     return made;
 }
 
 inline result<float> shape::get_friction_at(double x) const {
-    result<float> made;
-    made.code = detail::check(thud_shape_get_friction_at(world, id, x, &made.value));
+    result<float> made{detail::unwritten()};
+    made.settle(detail::check(thud_shape_get_friction_at(world, id, x, &made.value)));
     return made;
 }
 
@@ -2495,8 +2516,8 @@ inline result<> world_ref::use_textures() {
 }
 
 inline result<thud_job_system> threads::get_job_system() {
-    result<thud_job_system> made;
-    made.code = detail::check(thud_threads_get_job_system(get(), &made.value));
+    result<thud_job_system> made{detail::unwritten()};
+    made.settle(detail::check(thud_threads_get_job_system(get(), &made.value)));
     return made;
 }
 
