@@ -163,9 +163,12 @@ static void refused_calls_have_a_code_and_are_harmless() {
     auto shape = ball.create_circle({0, 0}, 1, rough);
     EXPECT(!shape && shape->slot() == -1 && std::strstr(message, "friction is -1"));
     EXPECT(shape->set_friction(1).code == THUD_ERROR_STALE);
+    EXPECT(ball.get_state()->position.y == 5);
     EXPECT(ball.is_valid() && world.at(ball.id) == ball && ball != thud::body());
     EXPECT(ball.destroy() && !ball.is_valid());
-    EXPECT(ball.get_state().code == THUD_ERROR_STALE && ball.position().y == 0);
+    thud::result<thud::body_state> state = ball.get_state();
+    EXPECT(state.code == THUD_ERROR_STALE && state->position.y == 0 && state->gravity_scale == 0);
+    EXPECT(ball.position().y == 0);
     message[0] = 0;
     EXPECT(world.set_log(nullptr));
     EXPECT(!ball.set_awake(true) && message[0] == 0);
