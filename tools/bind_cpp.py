@@ -6,197 +6,106 @@
 Between the lines `made from bindings/api.json` and `end` the file is made, the rest is written by
 hand. With --check nothing is written: the exit status is 1 if the file is not as it would be made.
 
-From a signature of C follows what its C++ looks like:
-
-  the first parameters      a world and a handle of the noun that the name begins with make a member
-                            of that handle; a world, rollback or pool of threads alone, a member of it
-  const T *x                in<T>
-  T *x, int count           span<T>, const or not; as count also `slots` or, for a list that is
-                            written, `capacity`, whose out_count is then the result
-  void *x, size_t           bytes or const_bytes, as thud_bytes
-  X_fn *fn, void *context   a callable; by reference, without temporaries, where a setter keeps it
-  T *out...                 what is returned: one value, or a struct of several
-  bool *out_hit, T *out...  a std::optional; likewise where a function returns bool
-  const T **, int *         a span of the world's memory
-
-A signature that fits none of these ends the script with its name."""
+Signatures are read by signatures.py. Of its roles, `input` is in<T>, `span`, `list` and `parallel` are
+span<T>, `view` a span that is returned, `read` and `written` const_bytes and bytes, and `callback` is
+a callable by reference, without temporaries where a setter keeps it. Outputs are returned: one value,
+or a struct of several, in a std::optional where they may be missing."""
 
 import argparse
-import json
 import re
 import subprocess
 import sys
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-API = json.loads((ROOT / "bindings/api.json").read_text(encoding="utf-8"))
+from signatures import API, CALLBACKS, FUNCTIONS, HANDLES, OWN, ROOT, STRUCTS, Signature, bare
+
 HEADER = ROOT / "engine/include/thud/thud.hpp"
 MADE = "// ---- made from bindings/api.json by tools/bind_cpp.py: {} ----\n"
 END = "// ---- end ----\n"
-
-OWNERS = {"thud_world": "world_ref", "thud_rollback": "rollback", "thud_threads": "threads"}
-HANDLES = {"thud_body_id": "body", "thud_shape_id": "shape", "thud_joint_id": "joint"}
-# Written by hand in the templates below: what creates and destroys.
-OWN = {"thud_world_create", "thud_world_destroy", "thud_rollback_create", "thud_rollback_destroy",
-       "thud_threads_create", "thud_threads_destroy"}
-# Outputs that are arrays, as long as the span that the function reads.
-PARALLEL = {"thud_world_cast_rays": "out_hits", "thud_world_cast_shapes": "out_hits",
-            "thud_world_extrapolate": "out", "thud_world_predict": "out",
-            "thud_body_create_with_shapes": "out_shape_ids"}
-# Pointers that stay pointers: arrays whose length is a field of the options, memory whose size the
-# caller knows, and contexts of functions that are callbacks themselves.
-RAW = {("thud_approximate", "out_shapes"), ("thud_rollback_get_state", "out_state"),
-       ("thud_log_to_stderr", "context"), ("thud_mover_passes_one_way", "context")}
-FOUND = {"out_hit", "out_found", "out_collided"}
 # Inputs that may be left out.
 OPTIONAL = {"filter", "options", "calls", "allocator"}
 DEFAULTS = {("thud_poses_of", "origin"): "{}", ("thud_poses_of", "alpha"): "1.0",
             ("thud_world_get_poses", "origin"): "{}", ("thud_world_get_poses", "alpha"): "1.0",
             ("thud_world_advance", "max_steps"): "4"}
-NAMES = {entry["name"]: entry for entry in API["functions"]}
-CALLBACKS = {entry["name"]: entry for entry in API["callbacks"]}
-STRUCTS = {entry["name"]: entry for entry in API["structs"]}
-
-
-def bare(kind):
-    """The type that a pointer points to, without const."""
-    return kind.removeprefix("const ").removesuffix("*").strip()
 
 
 def cpp(kind):
     return kind.replace("_Bool", "bool")
 
 
-class Call:
+class Call(Signature):
     """A function as C++ has it."""
 
     def __init__(self, function):
-        self.c = function["name"]
-        parts = function["parameters"]
-        self.returns = function["returns"]
-        self.inline = function["inline"]
-        self.owner, self.const = self.place(parts)
-        self.parameters = []  # (declaration, default or None)
-        self.templates = []
-        self.kept = False  # a callable that is kept
-        self.arguments = []
-        self.before = []  # statements
-        self.outs = []  # (type, name)
-        self.list_out = None
-        self.input_span = None
-        self.rest(parts[self.taken:])
-        self.name = self.member_name()
-
-    def place(self, parts):
-        """The class of which it is a member, or None."""
-        self.taken = 0
-        if not parts or bare(parts[0]["type"]) not in OWNERS or not parts[0]["type"].endswith("*"):
-            return None, False
-        self.taken = 1
-        const = parts[0]["type"].startswith("const ")
-        if bare(parts[0]["type"]) == "thud_world" and len(parts) > 1 and parts[1]["type"] in HANDLES:
-            noun = HANDLES[parts[1]["type"]]
-            if self.c.startswith((f"thud_{noun}_", "thud_shape_create_")) or self.c.endswith("_of"):
-                self.taken = 2
-                return noun, True
-        return OWNERS[bare(parts[0]["type"])], const
-
-    def member_name(self):
-        name = self.c.removeprefix("thud_")
+        super().__init__(function)
+        if self.owner == "world":
+            self.owner = "world_ref"
         if self.owner is None:
-            return {"world_make": "make_world"}.get(name, name)
-        noun = {"world_ref": "world"}.get(self.owner, self.owner)
-        name = name.removeprefix("shape_") if name.startswith("shape_create_") else name
-        name = name.removeprefix(f"{noun}_")
-        name = re.sub(r"^(body|joint|contact)_(create|make|decide)", r"\2_\1", name)
-        return name.removesuffix("_of") if self.inline else name
-
-    def add(self, declaration, argument, default=None):
-        self.parameters.append((declaration, default))
-        self.arguments.append(argument)
-
-    def rest(self, parts):
-        at = 0
-        while at < len(parts):
-            kind, name = parts[at]["type"], parts[at]["name"]
-            following = parts[at + 1] if at + 1 < len(parts) else {"type": "", "name": ""}
-            after = parts[at + 2] if at + 2 < len(parts) else {"type": "", "name": ""}
-            pointer = kind.endswith("*")
-            counted = pointer and following["type"] == "int" and following["name"] in ("count", "slots")
-            at += 1
-            if bare(kind) in CALLBACKS:
-                self.kept = "_set_" in self.c
-                self.templates.append("class F")
-                self.parameters.append((f"F {'&' if self.kept else '&&'}{name}", None))
-                kept = "F" if self.kept else "std::remove_reference_t<F>"
-                self.arguments += [f"detail::call_{bare(kind).removeprefix('thud_')}<{kept}>",
-                                   f"detail::context({name})"]
-                at += 1
-            elif bare(kind) == "void" and following["type"] == "size_t":
-                self.add(f"{'const_' * kind.startswith('const')}bytes {name.removeprefix('out_')}",
-                         f"{name.removeprefix('out_')}.data()")
-                self.arguments.append(f"{name.removeprefix('out_')}.size()")
-                at += 1
-            elif kind == "thud_bytes":
-                self.add(f"const_bytes {name}", name)
-            elif kind == "void *":
-                assert (self.c, name) in RAW, (self.c, name)
-                self.add(f"void *{name}", name)
-            elif pointer and following["name"] == "capacity" and after["name"] == "out_count":
-                self.add(f"span<{bare(kind)}> {name}", f"{name}.data()")
-                self.arguments += [f"detail::count({name}.size())", "&made.value"]
-                self.outs.append(("int", "out_count"))
-                at += 2
-            elif counted and not re.match(r"out(_|$)", name):
-                self.input_span = name
-                self.add(f"span<{cpp(kind).removesuffix('*').strip()}> {name}", f"{name}.data()")
-                self.arguments.append(f"detail::count({name}.size())")
-                at += 1
-            elif kind.endswith("**") and following["name"] == "out_count":
-                self.list_out = kind.removesuffix("**").strip()
-                self.arguments += ["&data", "&count"]
-                at += 1
-            elif PARALLEL.get(self.c) == name:
-                self.add(f"span<{bare(kind)}> {name}", f"{name}.data()")
-                self.parallel = name
-            elif (self.c, name) in RAW:
-                self.add(f"{kind}{name}", name)
-            elif pointer and re.match(r"out(_|$)", name):
-                self.outs.append((kind[:-1].strip(), name))
-                self.arguments.append(f"OUT:{name}")
-            elif kind == "const char *":
-                self.add(f"const char *{name}", name)
-            elif kind.startswith("const ") and pointer:
-                default = "nullptr" if name in OPTIONAL else None
-                made = f"thud_default_{bare(kind).removeprefix('thud_')}"
-                if made in NAMES and not NAMES[made]["parameters"] and kind.endswith("_def *"):
-                    default = f"{made}()"
-                self.add(f"in<{bare(kind)}> {name}", f"{name}.get()", default)
-            elif pointer and bare(kind) in STRUCTS:
-                self.add(f"{bare(kind)} &{name}", f"&{name}")
-            else:
-                assert not pointer, (self.c, name)
-                self.add(f"{cpp(kind)} {name}", name, DEFAULTS.get((self.c, name)))
+            self.name = {"world_make": "make_world"}.get(self.name, self.name)
+        self.parameters = []  # (declaration, default or None)
+        self.arguments = []
+        for part in self.parts:
+            self.add(part)
         # What has a default stands last.
         defs = [one for one in self.parameters if one[1] and one[1].startswith("thud_default_")]
         self.parameters = [one for one in self.parameters if one not in defs] + defs
         for place in range(len(self.parameters) - 1):
             if any(default is None for _, default in self.parameters[place + 1:]):
                 self.parameters[place] = (self.parameters[place][0], None)
+        self.templates = ["class F"] * self.has("callback")
+        self.kept = self.has("callback") and "_set_" in self.c
+
+    def add(self, part):
+        """Adds the parameter and the arguments that a part is."""
+        role, kind, name = part
+        said, default, arguments = None, None, [name]
+        if role == "callback":
+            kept = "_set_" in self.c
+            said = f"F {'&' if kept else '&&'}{name}"
+            arguments = [f"detail::call_{kind.removeprefix('thud_')}<"
+                         f"{'F' if kept else 'std::remove_reference_t<F>'}>", f"detail::context({name})"]
+        elif role in ("read", "written"):
+            name = name.removeprefix("out_")
+            said = f"{'const_' * (role == 'read')}bytes {name}"
+            arguments = [name] if kind == "thud_bytes" else [f"{name}.data()", f"{name}.size()"]
+        elif role in ("list", "span"):
+            said, arguments = f"span<{cpp(kind)}> {name}", [f"{name}.data()", f"detail::count({name}.size())"]
+            arguments += ["&made.value"] * (role == "list")
+        elif role == "parallel":
+            said, arguments = f"span<{kind}> {name}", [f"{name}.data()"]
+        elif role == "view":
+            arguments = ["&data", "&count"]
+        elif role == "found":
+            arguments = ["&found"]
+        elif role == "out":
+            arguments = [f"OUT:{name}"]
+        elif role == "input":
+            default = "nullptr" if name in OPTIONAL else None
+            made = f"thud_default_{kind.removeprefix('thud_')}"
+            if made in FUNCTIONS and not FUNCTIONS[made]["parameters"] and kind.endswith("_def"):
+                default = f"{made}()"
+            said, arguments = f"in<{kind}> {name}", [f"{name}.get()"]
+        elif role == "changed":
+            said, arguments = f"{kind} &{name}", [f"&{name}"]
+        elif role == "string":
+            said = f"const char *{name}"
+        else:
+            said = f"{cpp(kind)}{' ' * (not kind.endswith('*'))}{name}"
+            default = DEFAULTS.get((self.c, name))
+        if said:
+            self.parameters.append((said, default))
+        self.arguments += arguments
 
     # ---- what it returns ----
+
+    def values(self):
+        if self.has("list"):
+            return [("int", "count")]
+        return [(cpp(kind), name) for kind, name in self.outs()]
 
     def value_struct(self):
         """The fields of the struct that the function returns, or None."""
         outs = self.values()
         return outs if len(outs) > 1 else None
-
-    def found(self):
-        return self.outs and self.outs[0][1] in FOUND and len(self.outs) > 1
-
-    def values(self):
-        outs = self.outs[1:] if self.found() else self.outs
-        return [(cpp(kind), "value" if name == "out" else name.removeprefix("out_")) for kind, name in outs]
 
     def value_type(self):
         outs = self.values()
@@ -209,23 +118,26 @@ class Call:
         kind = self.value_type() if self.returns == "thud_result" else self.returns
         return HANDLES.get(kind) if self.owner else None
 
+    def view(self):
+        return next((part.type for part in self.parts if part.role == "view"), None)
+
     def type(self):
         if self.returns == "thud_result":
-            if self.list_out:
-                return f"result<span<{self.list_out}>>"
+            if self.has("view"):
+                return f"result<span<const {self.view()}>>"
             kind = self.handle() or self.value_type()
             kind = "" if kind == "void" else kind
-            return f"result<{'std::optional<' * bool(self.found())}{kind}{'>' * bool(self.found())}>"
-        if self.returns == "_Bool" and self.outs:
+            return f"result<std::optional<{kind}>>" if self.has("found") else f"result<{kind}>"
+        if self.returns == "_Bool" and self.outs():
             return f"std::optional<{self.value_type()}>"
-        if self.returns == "void" and self.outs:
+        if self.returns == "void" and self.outs():
             return self.value_type()
         if self.c == "thud_world_make":
             return "world"
         if self.returns == "thud_events":
             return "event_lists"
-        if self.inline and self.outs:
-            return f"span<{bare(self.returns).join(('const ', ''))}>"
+        if self.inline and self.outs():
+            return f"span<const {bare(self.returns)}>"
         return self.handle() or cpp(self.returns)
 
     def declaration(self, defaults=True, scope=""):
@@ -248,54 +160,52 @@ class Call:
         return f"{self.c}({', '.join(arguments)})"
 
     def body(self):
-        values, places = self.values(), {}
-        target = "made" if self.returns != "thud_result" or self.found() or self.handle() else "made.value"
-        outs = self.outs[1:] if self.found() else self.outs
-        for (_, name), (_, field) in zip(outs, values):
-            places[name] = f"&{target}.{field}" if len(values) > 1 else f"&{target}"
-        if self.found():
-            places[self.outs[0][1]] = "&found"
+        outs, places = self.outs(), {}
+        plain = self.returns == "thud_result" and not self.has("found") and not self.handle()
+        target = "made.value" if plain else "made"
+        for part in self.parts:
+            if part.role == "out":
+                field = part.name.removeprefix("out_")
+                field = "value" if part.name == "out" else field
+                places[part.name] = f"&{target}.{field}" if len(outs) > 1 else f"&{target}"
         world = "world" if self.owner in HANDLES.values() else "world_"
+        call = self.call(places)
         lines = []
-        if hasattr(self, "parallel"):
-            refused = f"return {{detail::check(THUD_ERROR_INVALID), {{}}}};" if self.outs else \
-                "return {detail::check(THUD_ERROR_INVALID)};"
-            lines.append(f"if (!{self.parallel}.empty() && {self.parallel}.size() < {self.input_span}.size()) "
-                         f"{{ {refused} }}")
+        for part in self.parts:
+            if part.role == "parallel":
+                span = next(one.name for one in self.parts if one.role == "span")
+                refused = "return {detail::check(THUD_ERROR_INVALID)" + ", {}" * bool(outs) + "};"
+                lines.append(f"if (!{part.name}.empty() && {part.name}.size() < {span}.size()) {{ {refused} }}")
         if self.returns == "thud_result":
-            if self.list_out:
-                lines += [f"{self.list_out} *data = nullptr; int count = 0;",
-                          f"thud_result code = detail::check({self.call(places)});",
+            if self.has("view"):
+                lines += [f"const {self.view()} *data = nullptr; int count = 0;",
+                          f"thud_result code = detail::check({call});",
                           "return {code, {data, static_cast<std::size_t>(count)}};"]
-            elif self.found():
+            elif self.has("found"):
                 lines += [f"{self.value_type()} made; bool found = false;",
-                          f"thud_result code = detail::check({self.call(places)});",
+                          f"thud_result code = detail::check({call});",
                           "if (!found) { return {code, std::nullopt}; }", "return {code, made};"]
             elif self.handle():
-                lines += [f"{self.values()[0][0]} made{{}};",
-                          f"thud_result code = detail::check({self.call(places)});",
+                lines += [f"{self.values()[0][0]} made{{}};", f"thud_result code = detail::check({call});",
                           f"return {{code, {{{world}, made}}}};"]
-            elif not values:
-                lines.append(f"return {{detail::check({self.call(places)})}};")
+            elif not self.values():
+                lines.append(f"return {{detail::check({call})}};")
             else:
                 lines += [f"{self.type()} made{{detail::unwritten()}};",
-                          f"made.settle(detail::check({self.call(places)}));", "return made;"]
-        elif self.returns == "_Bool" and self.outs:
-            lines += [f"{self.value_type()} made;",
-                      f"if (!{self.call(places)}) {{ return std::nullopt; }}", "return made;"]
-        elif self.returns == "void" and self.outs:
-            lines += [f"{self.value_type()} made{{}};", f"{self.call(places)};", "return made;"]
-        elif self.c == "thud_world_make":
-            lines.append(f"return world({self.call(places)});")
-        elif self.returns == "thud_events":
-            lines.append(f"return event_lists({self.call(places)});")
-        elif self.inline and self.outs:
+                          f"made.settle(detail::check({call}));", "return made;"]
+        elif self.returns == "_Bool" and outs:
+            lines += [f"{self.value_type()} made;", f"if (!{call}) {{ return std::nullopt; }}", "return made;"]
+        elif self.returns == "void" and outs:
+            lines += [f"{self.value_type()} made{{}};", f"{call};", "return made;"]
+        elif self.type() in ("world", "event_lists"):
+            lines.append(f"return {self.type()}({call});")
+        elif self.inline and outs:
             lines += [f"int count = 0; {self.returns} data = {self.call({'out_count': '&count'})};",
                       "return {data, static_cast<std::size_t>(count)};"]
         elif self.handle():
-            lines.append(f"return {{{world}, {self.call(places)}}};")
+            lines.append(f"return {{{world}, {call}}};")
         else:
-            lines.append(f"return {self.call(places)};" if self.returns != "void" else f"{self.call(places)};")
+            lines.append(f"{'return ' * (self.returns != 'void')}{call};")
         return "\n".join(lines)
 
     def without_temporaries(self):
