@@ -163,10 +163,12 @@ function tests.outputs_are_values_and_lists()
     local bodies = world:bodies()
     equal(#bodies, 2)
     assert(bodies[2] == ball and bodies[1] ~= ball)
+    local last
     for i = 1, 40 do
-        dynamic(world, 10 * i, 1)
+        last = dynamic(world, 10 * i, 1)
     end
     equal(#world:bodies(), 42)
+    equal(world:bodies()[42], last)
     local hit = world:cast_ray({ origin = { 0, 10 }, dy = -20 })
     assert(math.abs(hit.point.y - 5.5) < 1e-6 and hit.normal.y == 1)
     equal(world:cast_ray({ origin = { 0, 10 }, dy = 1 }), false)
@@ -250,6 +252,7 @@ function tests.callbacks_are_functions()
         assert(world:cast_ray_each({ origin = { 0, 9 }, dy = -20 }, function()
             return thud.constants.CAST_END
         end))
+        assert(ball:set_epilogue(touched))
     end
 end
 
