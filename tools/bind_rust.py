@@ -83,7 +83,7 @@ def plain(kind):
 def declarations():
     lines = ["//! The C interface of thud, made from its headers by tools/bind_rust.py. What each item is for,",
              "//! units, ranges and errors stand there. `thud` has it for safe code.",
-             "#![allow(non_camel_case_types)]", "#![no_std]", "",
+             "#![allow(non_camel_case_types, clippy::approx_constant)]", "#![no_std]", "",
              "use core::ffi::{c_char, c_int, c_uint, c_void};", ""]
     for entry in API["constants"]:
         kind = "i64" if isinstance(entry["value"], int) else "f64"

@@ -212,6 +212,15 @@ impl World {
     /// The poses of all bodies by slot ([`slot`]) between the last two steps, x and y relative to
     /// `origin`; NaN where a slot has no body.
     ///
+    /// They end with the world's next call:
+    ///
+    /// ```compile_fail,E0499
+    /// let mut world = thud::World::new(&thud::WorldDef::default()).unwrap();
+    /// let poses = world.poses((0.0, 0.0), 1.0).unwrap();
+    /// world.step().unwrap();
+    /// assert!(poses.is_empty());
+    /// ```
+    ///
     /// # Errors
     ///
     /// `alpha` is not in [0, 1], the origin is out of range, or there is no memory.
