@@ -4,8 +4,8 @@
     bind_rust.py [--check]
 
 thud-sys/src/lib.rs is all of C: types, constants, functions but those that are inline. thud/src/calls.rs
-has the safe calls: those whose structs have no pointers, or are wrapped by hand in thud/src/lib.rs. With
---check nothing is written: the exit status is 1 if a file is not as it would be made. Signatures are
+has the safe calls: those whose structs have no pointers, or are wrapped by hand in thud/src/lib.rs. The
+crates have the version of the headers. With --check nothing is written: the exit status is 1 if a file is not as it would be made. Signatures are
 read by signatures.py."""
 
 import argparse
@@ -15,6 +15,7 @@ import sys
 from signatures import API, CALLBACKS, ENUMS, FUNCTIONS, HANDLES, OWN, ROOT, STRUCTS, Signature, bare
 
 SYS = ROOT / "bindings/rust/thud-sys/src/lib.rs"
+WORKSPACE, CRATE = ROOT / "bindings/rust/Cargo.toml", ROOT / "bindings/rust/thud/Cargo.toml"
 CALLS = ROOT / "bindings/rust/thud/src/calls.rs"
 SCALARS = {"_Bool": "bool", "float": "f32", "double": "f64", "int": "c_int", "unsigned int": "c_uint",
            "size_t": "usize", "char": "c_char", "void": "c_void",
@@ -357,12 +358,20 @@ def calls_text():
     return text + "impl World {\n" + "".join(call.text() for call in calls if call.owner).rstrip() + "\n}\n"
 
 
+def versioned(path):
+    """A Cargo.toml with the version of the headers."""
+    numbers = {entry["name"]: entry["value"] for entry in API["constants"]}
+    version = ".".join(str(numbers[f"THUD_VERSION_{part}"]) for part in ("MAJOR", "MINOR", "PATCH"))
+    return re.sub(r'((?<![-\w])version = ")[\d.]+"', rf'\g<1>{version}"', path.read_text(encoding="utf-8"))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--check", action="store_true", help="write nothing; compare")
     options = parser.parse_args()
     wrong = False
-    for path, text in ((SYS, declarations()), (CALLS, calls_text())):
+    for path, text in ((SYS, declarations()), (CALLS, calls_text()), (WORKSPACE, versioned(WORKSPACE)),
+                       (CRATE, versioned(CRATE))):
         if not options.check:
             path.write_text(text, encoding="utf-8")
         elif not path.is_file() or path.read_text(encoding="utf-8") != text:

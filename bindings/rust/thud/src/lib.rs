@@ -46,14 +46,8 @@ impl fmt::Display for Error {
 impl std::error::Error for Error {}
 
 /// The settings of a new world: `WorldDef::default().gravity((0.0, -10.0))`.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub struct WorldDef(sys::thud_world_def);
-
-impl Default for WorldDef {
-    fn default() -> Self {
-        Self(sys::thud_world_def::default())
-    }
-}
 
 impl WorldDef {
     #[must_use]
