@@ -275,7 +275,7 @@ static bool sweep(td_pair_search *s) {
     thud_world *w = s->w;
     s->overlaps = s->held = s->shape_count = 0;
     const td_proxy_set *set = &w->awake_shapes;
-    const thud_shared_stages *shared = w->def.job_system.stages;
+    const thud_shared_stages *shared = TD_HAS_THREADS ? w->def.job_system.stages : NULL;
     w->scratch.found_shapes.count = w->scratch.pairs.count = 0;
     return (shared ? shared->sweep
                    : w->def.broadphase->sweep[w->wide])(set, &w->memory, w->proxy.data,

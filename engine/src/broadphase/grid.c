@@ -58,7 +58,6 @@ static void measure_one_by_one(const thud_world *w, td_grid_measures *m) {
     int64_t ref_y = td_shape_proxy_at(w, m->list[0])->center.y >> TD_COARSE_SHIFT;
     m->min_x = m->min_y = 0x1p62;
     m->max_x = m->max_y = -0x1p62;
-    m->extent_max = 0;
     memset(m->has_size, 0, sizeof m->has_size);
     for (int i = 0; i < m->count; i++) {
         const td_shape_proxy *proxy = td_shape_proxy_at(w, m->list[i]);
@@ -72,7 +71,6 @@ static void measure_one_by_one(const thud_world *w, td_grid_measures *m) {
         m->min_y = y < m->min_y ? y : m->min_y;
         m->max_x = x > m->max_x ? x : m->max_x;
         m->max_y = y > m->max_y ? y : m->max_y;
-        m->extent_max = td_max_int(m->extent_max, m->extent[i]);
         m->has_size[size_class_of(m->extent[i])] = 1;
     }
 }
@@ -96,9 +94,13 @@ static void measure(const thud_world *w, td_proxy_set *grid, td_grid_measures *m
     }
     int lowest = choose_levels(m->has_size, level_of_size), own_level = lowest - 1;
     if (lowest == TD_LEVELS - 1 && own <= 0) {
+        int32_t widest = 0;
+        for (int i = 0; i < m->count; i++) {
+            widest = td_max_int(widest, m->extent[i]);
+        }
         memset(m->level, lowest, (size_t)m->count);
         grid->levels[lowest].count = m->count;
-        grid->levels[lowest].cell = m->extent_max;
+        grid->levels[lowest].cell = widest;
         return;
     }
     for (int i = 0; i < m->count; i++) {
@@ -166,7 +168,6 @@ static bool reserve(thud_world *w, td_proxy_set *grid, bool few_moved) {
     int count = grid->list.count;
     w->scratch.order.stride = MEASURES_BYTES;
     return td_proxy_set_reserve(w, grid, count) &&
-           td_array_reserve(&w->memory, &grid->cells, count + TD_LANES) &&
            td_array_reserve(&w->memory, &w->scratch.order, count + TD_LANES) &&
            (!few_moved || (td_array_reserve(&w->memory, &grid->index_of, w->shapes.count) &&
                            td_array_reserve(&w->memory, &grid->anchor_x, count) &&
@@ -230,12 +231,13 @@ static td_grid_measures measures_in(const td_array *scratch, const td_array *lis
 
 /* thud_broadphase.build: measures, chooses levels and tables, sorts. */
 static bool build(thud_world *w, td_proxy_set *grid, bool few_moved) {
-    grid->valid = grid->loose = grid->left = grid->woken = false;
+    grid->valid = grid->loose = grid->woken = false;
     grid->moved_count = 0;
     memset(grid->levels, 0, sizeof grid->levels);
     if (!reserve(w, grid, few_moved)) {
         return false;
     }
+    grid->ids.count = grid->list.count;
     if (grid->list.count == 0) {
         grid->valid = true;
         return true;
@@ -305,34 +307,33 @@ static bool follow(thud_world *w, td_proxy_set *grid, const int *moved, int coun
 
 /* ---- shapes that come to rest ---- */
 
-/* Shapes that stand in no cell, at the end of ids. With more, each query would test more of them
- * than it saves to build the grid seldom. Chosen. */
-enum { STRAYS_MAX = 64 };
-
-/* The centre of bounds near the shape, bounds quanta, along x or y. */
-static int64_t center_of(int32_t low, int32_t high, int64_t near) {
-    return td_unwrap(td_middle(low, high), near);
+/* The level of the strays, shapes at rest that stand in no cell: the lowest one in use, whose cells
+ * have no width. Null where it would be the first level in use. */
+static td_level *level_of_strays(td_proxy_set *grid) {
+    td_level *level = &grid->levels[TD_LEVELS - 1];
+    while (level[-1].count > 0) {
+        level--;
+    }
+    return level->count == 0 ? NULL : level->cell == 0 ? level : level - 1;
 }
 
-/* thud_broadphase.enter: adds the shape to the strays. False where there are too many of them, the
- * shape is left of the first column or below the first row, or memory is short. */
+/* thud_broadphase.enter: adds the shape to the strays. False where there are too many of them, or
+ * the shape is left of the first column or below the first row. */
 static bool enter(thud_world *w, td_proxy_set *grid, int shape) {
     const td_shape_proxy *proxy = td_shape_proxy_at(w, shape);
     const td_bounds *b = &proxy->fat;
-    int at = grid->ids.count;
-    int64_t x = center_of(b->min_x, b->max_x, proxy->center.x);
-    int64_t y = center_of(b->min_y, b->max_y, proxy->center.y);
-    if (grid->levels[TD_LEVELS - 1].count == 0 || at - td_grid_sorted(grid) >= STRAYS_MAX ||
-        x < grid->origin_x || y < grid->origin_y ||
-        !td_array_reserve(&w->memory, &grid->cells, at + 1 + TD_LANES) ||
-        !td_proxy_set_reserve(w, grid, at + 1)) {
+    td_level *strays = level_of_strays(grid);
+    int64_t x = td_unwrap(td_middle(b->min_x, b->max_x), proxy->center.x);
+    int64_t y = td_unwrap(td_middle(b->min_y, b->max_y), proxy->center.y);
+    if (!strays || strays->count == TD_STRAYS_MAX || x < grid->origin_x || y < grid->origin_y) {
         return false;
     }
     grid->end_x = x > grid->end_x ? x : grid->end_x;
     grid->end_y = y > grid->end_y ? y : grid->end_y;
+    int at = grid->ids.count++;
+    strays->first = at - strays->count++;
     ((int32_t *)grid->ids.data)[at] = shape;
-    ((int32_t *)grid->cells.data)[at] = 0;
-    ((int32_t *)grid->moved.data)[at] = 0;
+    ((int32_t *)grid->cells.data)[at] = ((int32_t *)grid->moved.data)[at] = 0;
     td_proxy_set_put(grid, at, b);
     return true;
 }

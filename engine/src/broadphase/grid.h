@@ -30,6 +30,9 @@
  * snapshots and drawings hold an array of this length. */
 enum { TD_LEVELS = 16 };
 
+/* Shapes that come to rest while a grid of shapes at rest stays sorted, at most. */
+enum { TD_STRAYS_MAX = 16 };
+
 typedef struct td_level {
     int32_t first, count; /* its shapes, in the order of td_proxy_set.ids */
     int32_t starts; /* index of its part of td_proxy_set.starts, which has one element a cell and an
@@ -59,16 +62,15 @@ enum { TD_GRID_NEAR = 1 << 15 };
 typedef struct td_grid_measures {
     const int32_t *list; /* indices of the shapes */
     int count;
-    double *x, *y;      /* centres of the fat bounds, bounds quanta from the first shape's centre */
-    int32_t *extent;    /* the larger of width and height, bounds quanta */
-    int32_t extent_max; /* the greatest of them */
-    int32_t *cell;      /* index of the cell within its level */
+    double *x, *y;   /* centres of the fat bounds, bounds quanta from the first shape's centre */
+    int32_t *extent; /* the larger of width and height, bounds quanta */
+    int32_t *cell;   /* index of the cell within its level */
     uint8_t *level;
     int has_size[TD_SIZE_CLASSES];     /* 1 for the size classes that occur; zeroed by the caller */
     double min_x, min_y, max_x, max_y; /* range of x and y */
 } td_grid_measures;
 
-/* Fills x, y, extent, extent_max, has_size and the range. False where a centre is beyond
+/* Fills x, y, extent, has_size and the range. False where a centre is beyond
  * TD_GRID_NEAR; what it wrote is then void. */
 typedef bool td_grid_measure_fn(const td_shape_proxy *proxy, td_grid_measures *measures);
 /* Fills `cell` from x, y and level. */

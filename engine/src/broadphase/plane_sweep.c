@@ -49,6 +49,7 @@ bool td_sweep_list(thud_world *w, td_proxy_set *set, int lists) {
         !td_array_reserve(&w->memory, &w->scratch.order, td_max_int(w->shapes.count, 1))) {
         return false;
     }
+    set->ids.count = set->list.count;
     td_sweep_key *first = keys->data, *second = first + room;
     if (lists == 2) {
         memmove(second, first + before, (size_t)before * sizeof *second);

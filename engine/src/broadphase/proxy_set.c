@@ -2,21 +2,21 @@
  * world's sets to the other. */
 #include "broadphase/proxy_set.h"
 
-#include "state/kinds.h"
+#include "geometry/shape_kind.h"
 #include "state/world.h"
 
 #define ARRAY(name, element) TD_ARRAY_PLACE(td_proxy_set, name, element)
 
 /* The arrays of a proxy set. The first FILLED have one element for each of `ids`, and every
- * broadphase fills them; the others belong to single broadphases. */
+ * broadphase fills them, but for the cells; the others belong to single broadphases. */
 static const td_array_place ARRAYS[] = {
     ARRAY(ids, int32_t),       ARRAY(min_x, int32_t),    ARRAY(min_y, int32_t),
     ARRAY(max_x, int32_t),     ARRAY(max_y, int32_t),    ARRAY(moved, int32_t),
-    ARRAY(list, int32_t),      ARRAY(cells, int32_t),    ARRAY(starts, int32_t),
+    ARRAY(cells, int32_t),     ARRAY(list, int32_t),     ARRAY(starts, int32_t),
     ARRAY(index_of, int32_t),  ARRAY(anchor_x, int32_t), ARRAY(anchor_y, int32_t),
     ARRAY(keys, td_sweep_key),
 };
-enum { FILLED = 6, ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
+enum { FILLED = 7, ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
 
 void td_proxy_set_init(td_proxy_set *p) {
     td_arrays_init(p, ARRAYS, ARRAY_COUNT);
@@ -24,9 +24,7 @@ void td_proxy_set_init(td_proxy_set *p) {
 
 /* Room for the shapes, and for the eight lanes that may be written beyond. */
 bool td_proxy_set_reserve(thud_world *w, td_proxy_set *p, int count) {
-    bool room = td_arrays_reserve(&w->memory, p, ARRAYS, FILLED, count + TD_LANES);
-    p->ids.count = room ? count : 0;
-    return room;
+    return td_arrays_reserve(&w->memory, p, ARRAYS, FILLED, count + TD_LANES);
 }
 
 /* Where some shapes that woke are still in the set, these bodies may be among them. */
@@ -70,7 +68,6 @@ void td_proxy_set_drop_woken(thud_world *w) {
                           td_wrap_sub(b->max_y, INT32_MAX / 2)};
         td_proxy_set_put(rest, i, &none);
         ids[i] = TD_NONE;
-        rest->left = true;
     }
     rest->woken = false;
 }

@@ -28,7 +28,6 @@ typedef struct td_proxy_set {
     int moved_count;                     /* how many of `moved` are -1 */
     int head, tail; /* so many of the first and last ids do not search in a sweep: 0, but where
                        workers share it (shared_sweep.c) */
-    bool left;      /* ids have a TD_NONE */
     bool woken;     /* shapes at rest: ids have shapes that are awake by now */
     bool listed;    /* `list` is up to date: no shape has entered or left the set since */
     bool loose;     /* built so that thud_broadphase.follow can update it */
@@ -105,11 +104,6 @@ struct thud_broadphase {
     { TD_JOIN(name, base), TD_JOIN(name, base) }
 #endif
 
-/* The number of shapes that stand in cells of a grid: the first ones of ids. */
-static inline int td_grid_sorted(const td_proxy_set *grid) {
-    return grid->levels[TD_LEVELS - 1].first + grid->levels[TD_LEVELS - 1].count;
-}
-
 /* Fills bounds and moved flags of the shapes in `ids` from the proxies and marks of all shapes;
  * returns how many moved. */
 typedef int td_proxy_set_fill_fn(td_proxy_set *set, const td_shape_proxy *proxy,
@@ -117,8 +111,8 @@ typedef int td_proxy_set_fill_fn(td_proxy_set *set, const td_shape_proxy *proxy,
 
 void td_proxy_set_init(td_proxy_set *set); /* proxy_set.c */
 
-/* proxy_set.c: makes room for `count` ids and bounds, and for eight more, and sets the count of
- * ids. False when memory is short. */
+/* proxy_set.c: makes room for `count` ids, bounds and cells, and for eight more. False when memory
+ * is short. */
 bool td_proxy_set_reserve(struct thud_world *w, td_proxy_set *set, int count);
 void td_proxy_set_free(td_memory *memory, td_proxy_set *set);
 

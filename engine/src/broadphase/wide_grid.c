@@ -41,7 +41,7 @@ td_grid_measure_fn TD_WIDE(td_grid_measure);
 bool TD_WIDE(td_grid_measure)(const td_shape_proxy *proxy, td_grid_measures *m) {
     const int32_t *ids = m->list;
     i8 min_x = i8_all(INT32_MAX), min_y = min_x, max_x = i8_all(INT32_MIN), max_y = max_x;
-    i8 far = i8_all(0), extent_max = i8_all(0);
+    i8 far = i8_all(0);
     const td_position *first_center = &proxy[ids[0]].center;
     i8 ref_x = i8_all(td_coarse(first_center->x)), ref_y = i8_all(td_coarse(first_center->y));
     i8 whole_x = i8_all((int32_t)(first_center->x >> 32)),
@@ -71,7 +71,6 @@ bool TD_WIDE(td_grid_measure)(const td_shape_proxy *proxy, td_grid_measures *m) 
         min_y = i8_min(min_y, y);
         max_x = i8_max(max_x, x);
         max_y = i8_max(max_y, y);
-        extent_max = i8_max(extent_max, extent);
         store_doubles(m->x + i, x);
         store_doubles(m->y + i, y);
         __builtin_memcpy(m->extent + i, &extent, sizeof extent);
@@ -79,13 +78,11 @@ bool TD_WIDE(td_grid_measure)(const td_shape_proxy *proxy, td_grid_measures *m) 
     }
     m->min_x = m->min_y = INT32_MAX;
     m->max_x = m->max_y = INT32_MIN;
-    m->extent_max = 0;
     for (int i = 0; i < TD_LANES; i++) {
         m->min_x = min_x[i] < m->min_x ? min_x[i] : m->min_x;
         m->min_y = min_y[i] < m->min_y ? min_y[i] : m->min_y;
         m->max_x = max_x[i] > m->max_x ? max_x[i] : m->max_x;
         m->max_y = max_y[i] > m->max_y ? max_y[i] : m->max_y;
-        m->extent_max = td_max_int(m->extent_max, extent_max[i]);
     }
     return i8_bits(far) == 0;
 }

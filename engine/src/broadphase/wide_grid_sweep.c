@@ -6,8 +6,9 @@
 #include "broadphase/wide_scan.h"
 
 /* A level of at most so many shapes is tested whole, which is two tests of eight: fewer than the
- * three rows of a search by cells. */
+ * three rows of a search by cells. The strays have no cells. */
 enum { SCAN_WHOLE_MAX = 2 * TD_LANES };
+static_assert((int)TD_STRAYS_MAX <= (int)SCAN_WHOLE_MAX, "strays are tested whole");
 
 /* Rows of a hashed level up to which a window is searched by cells, and above which the whole level
  * is tested. It bounds the time of rows_overlap, which compares each two rows. Chosen; not tuned.
@@ -258,17 +259,8 @@ bool TD_WIDE(td_grid_find)(const td_proxy_set *grid, td_memory *memory, const td
             return false;
         }
     }
-    int sorted = td_grid_sorted(grid), strays = grid->ids.count - sorted;
-    if (strays > 0) {
-        if (!reserve_hits(&s, strays)) {
-            return false;
-        }
-        scan_span(&s, sorted, grid->ids.count, SCAN_ALL);
-    }
     count_hits(&s);
-    if (grid->left) {
-        drop_left(hits, first);
-    }
+    drop_left(hits, first);
     if (tested) {
         *tested += s.tested;
     }

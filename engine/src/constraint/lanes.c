@@ -378,14 +378,14 @@ static void list_bin(thud_world *w, int kind, int bin) {
         run->shared |= block->shared;
         i = block->next;
     }
-    w->scratch.points += run->count * td_form_points(w->kinds[kind]->form);
+    w->scratch.points += TD_HAS_THREADS ? run->count * td_form_points(w->kinds[kind]->form) : 0;
 }
 
 /* Divides runs into chunks; with a single worker, a chunk is a whole run. False when memory is
  * short. */
 static bool cut_chunks(thud_world *w) {
     td_array *chunks = &w->scratch.chunks;
-    int size = w->def.job_system.workers > 1 ? TD_CHUNK_BLOCKS : INT32_MAX;
+    int size = TD_HAS_THREADS && w->def.job_system.workers > 1 ? TD_CHUNK_BLOCKS : INT32_MAX;
     int chunks_max = w->scratch.runs.count + w->scratch.blocks.count / size;
     if (!td_array_reserve(&w->memory, chunks, chunks_max)) {
         return false;

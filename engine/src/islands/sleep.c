@@ -66,7 +66,9 @@ static bool is_due(const thud_world *w, int bodies) {
 }
 
 static bool reserve(thud_world *w) {
+    td_proxy_set *rest = &w->rest_shapes;
     return td_wake_reserve(w) && td_lanes_reserve_sleeping(w) &&
+           td_proxy_set_reserve(w, rest, rest->ids.count + TD_STRAYS_MAX) &&
            td_array_reserve(&w->memory, &w->scratch.parents, w->body_of.count);
 }
 

@@ -9,15 +9,18 @@ enum { SHARED_POINTS_MIN = 512 };
 
 void td_job_begin(td_job *job, int workers) {
     job->workers = workers;
-    atomic_init(&job->arrived.value, 0);
-    atomic_init(&job->done.value, 0);
-    for (int i = 0; i < workers; i++) {
-        atomic_init(&job->taken[i].value, 0);
+    if (td_job_is_shared(job)) {
+        atomic_init(&job->arrived.value, 0);
+        atomic_init(&job->done.value, 0);
+        for (int i = 0; i < workers; i++) {
+            atomic_init(&job->taken[i].value, 0);
+        }
     }
 }
 
 int td_workers_for_blocks(const thud_world *w) {
-    return w->scratch.points < SHARED_POINTS_MIN ? 1 : td_max_int(1, w->def.job_system.workers);
+    bool shared = TD_HAS_THREADS && w->scratch.points >= SHARED_POINTS_MIN;
+    return shared ? td_max_int(1, w->def.job_system.workers) : 1;
 }
 
 /* Takes and runs chunks of one part of the phase, [first, end), until none is left. Returns how

@@ -16,14 +16,6 @@
 
 #include <stdatomic.h>
 
-/* Whether the program can have more than one thread: WebAssembly without atomics cannot, and links
- * nothing of what workers share. */
-#if defined(__wasm__) && !defined(__wasm_atomics__)
-enum { TD_HAS_THREADS = 0 };
-#else
-enum { TD_HAS_THREADS = 1 };
-#endif
-
 /* A counter that different processors write, alone in its two cache lines: processors fetch lines
  * in pairs, and a line travels to whoever writes it. */
 typedef struct td_counter {
@@ -69,7 +61,8 @@ static inline bool td_worker_shares(const td_worker *worker) {
 /* The calling thread as a new worker of the task. */
 static inline td_worker td_worker_arrive(td_job *job) {
     return (td_worker){.job = td_job_is_shared(job) ? job : NULL,
-                       .index = atomic_fetch_add(&job->arrived.value, 1)};
+                       .index =
+                           td_job_is_shared(job) ? atomic_fetch_add(&job->arrived.value, 1) : 0};
 }
 
 /* Takes part in the worker's next phase, and returns when all its chunks are taken. */
