@@ -64,10 +64,10 @@ static void same_bits_twice(trial *t) {
 
 /* ---- workers ---- */
 
-/* Columns of two boxes. A step runs on several workers from 64 blocks of constraints on
- * (SHARED_BLOCKS_MIN in jobs.c). A block holds up to eight contacts, and the two contacts of each
- * column make at least 75. */
-enum { COLUMNS = 300 };
+/* Columns of two boxes. A step runs on several workers from 512 points of blocks on
+ * (SHARED_POINTS_MIN in jobs.c). A block holds up to eight contacts and counts two points, so that
+ * the two contacts of each column make at least 525 of them. */
+enum { COLUMNS = 1050, FIELD_STEPS = STEPS / 8 };
 
 /* A world of COLUMNS pairs of stacked boxes on a floor. The trial's source of random numbers is
  * reset, so that each call makes the same scene. */
@@ -77,9 +77,9 @@ static thud_world *make_field(trial *t, int workers) {
     def.job_system = trial_jobs(workers);
     thud_world *world = trial_make(t, def);
     if (world) {
-        trial_wall(t, world, 0, -1, 400, 1);
+        trial_wall(t, world, 0, -1, COLUMNS, 1);
         for (int i = 0; i < COLUMNS; i++) {
-            double x = i * 1.5 - 225.0;
+            double x = (i - COLUMNS / 2) * 1.5;
             trial_add(t, world,
                       (part){.kind = THUD_BODY_DYNAMIC,
                              .form = TURNED,
@@ -107,7 +107,7 @@ static thud_world *make_field(trial *t, int workers) {
 static void same_bits_any_workers(trial *t) {
     long before = trial_shared_runs();
     thud_world *one = make_field(t, 1), *two = make_field(t, 2);
-    for (int i = 1; i <= STEPS / 4 && !trial_failed(t); i++) {
+    for (int i = 1; i <= FIELD_STEPS && !trial_failed(t); i++) {
         trial_run(t, one, 1);
         trial_run(t, two, 1);
         thud_step_error a = thud_step_error_of(one), b = thud_step_error_of(two);

@@ -33,7 +33,8 @@ THUD_API void thud_log_to_stderr(thud_result result, const char *message, void *
 typedef double thud_clock_fn(void *context);
 
 /* ---- threads: a world starts none, and uses the caller's job system, or the pool of
- * thud_threads.h. The number of workers does not change any result ---- */
+ * thud_threads.h. The number of workers does not change any result. A WebAssembly program without
+ * threads (-pthread) calls no job system ---- */
 
 /* A task of the engine. */
 typedef void thud_task_fn(void *argument);

@@ -22,7 +22,7 @@
 
 #define TD_SNAPSHOT_MAGIC "thudsnap"
 
-enum { TD_SNAPSHOT_VERSION = 10 }; /* to be raised whenever the meaning of the bytes changes */
+enum { TD_SNAPSHOT_VERSION = 11 }; /* to be raised whenever the meaning of the bytes changes */
 
 /* Indices of td_snapshot_head.slots: arrays with free lists. */
 enum {

@@ -45,12 +45,12 @@ static void list_events(td_event_lists *e, td_part *parts) {
     }
 }
 
-/* Elements of td_proxy_set.starts: for each grid level with shapes its mask + 1 cells and an end.
+/* Elements of td_proxy_set.starts: for each grid level with cells its mask + 1 cells and an end.
  * The sum saturates, since a forged snapshot may have restored any mask. */
 static int starts_count(const td_proxy_set *p) {
     int64_t sum = 0;
     for (int i = 0; i < TD_LEVELS; i++) {
-        sum += p->levels[i].count ? (int64_t)p->levels[i].mask + 2 : 0;
+        sum += p->levels[i].cell ? (int64_t)p->levels[i].mask + 2 : 0;
     }
     return sum < INT32_MAX ? (int)sum : INT32_MAX;
 }

@@ -11,10 +11,10 @@
 /* The fields of thud_world that are state, by offset and size. */
 #define FIELD(name) \
     { offsetof(thud_world, name), sizeof((thud_world *)0)->name }
-#define PROXY_SET_FIELDS(p)                                                                     \
-    FIELD(p.moved_count), FIELD(p.listed), FIELD(p.loose), FIELD(p.valid), FIELD(p.origin_x),   \
-        FIELD(p.origin_y), FIELD(p.end_x), FIELD(p.end_y), FIELD(p.reference), FIELD(p.widest), \
-        FIELD(p.axis)
+#define PROXY_SET_FIELDS(p)                                                                       \
+    FIELD(p.moved_count), FIELD(p.woken), FIELD(p.listed), FIELD(p.loose), FIELD(p.valid),        \
+        FIELD(p.origin_x), FIELD(p.origin_y), FIELD(p.end_x), FIELD(p.end_y), FIELD(p.reference), \
+        FIELD(p.widest), FIELD(p.axis)
 
 static const struct {
     size_t at, bytes;

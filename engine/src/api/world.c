@@ -141,7 +141,6 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.runs, td_run),
     ARRAY(scratch.separated, td_block *),
     ARRAY(scratch.chunks, td_chunk),
-    ARRAY(scratch.counters, atomic_int),
     ARRAY(scratch.begins, int),
     ARRAY(scratch.ends, int),
     ARRAY(scratch.parents, td_awake_slot),

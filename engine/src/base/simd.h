@@ -79,6 +79,14 @@ TD_INLINE_SMALL i8 i8_all(int32_t x) {
     return (i8){x, x, x, x, x, x, x, x};
 }
 
+/* Whether the program can have more than one thread: WebAssembly without atomics cannot, and links
+ * nothing of what workers share. */
+#if defined(__wasm__) && !defined(__wasm_atomics__)
+enum { TD_HAS_THREADS = 0 };
+#else
+enum { TD_HAS_THREADS = 1 };
+#endif
+
 /* For loops that wait for another thread: tells the processor so. */
 TD_INLINE void td_pause(void) {
 #if defined(__SSE2__)

@@ -10,9 +10,10 @@
 static bool build(thud_world *w, td_proxy_set *set, bool few_moved) {
     (void)few_moved;
     set->valid = false;
-    if (!td_proxy_set_reserve(w, set)) {
+    if (!td_proxy_set_reserve(w, set, set->list.count)) {
         return false;
     }
+    set->ids.count = set->list.count;
     if (set->list.count) {
         memcpy(set->ids.data, set->list.data, (size_t)set->list.count * sizeof(int32_t));
     }

@@ -78,6 +78,9 @@ static bool refresh(thud_world *w, td_proxy_set *shapes, bool awake) {
      * With more, most updates in place fail, since some shape has left its cell. Chosen; not tuned.
      */
     bool few_moved = awake && w->moved.count * 5 <= w->awake_shapes.list.count;
+    if (shapes->valid && shapes->woken) {
+        td_proxy_set_drop_woken(w);
+    }
     return shapes->valid ||
            (few_moved && kind->follow && kind->follow(w, shapes, w->moved.data, w->moved.count)) ||
            (list_proxy_set(w, shapes, awake) && kind->build(w, shapes, few_moved));
@@ -272,7 +275,7 @@ static bool sweep(td_pair_search *s) {
     thud_world *w = s->w;
     s->overlaps = s->held = s->shape_count = 0;
     const td_proxy_set *set = &w->awake_shapes;
-    const thud_shared_stages *shared = w->def.job_system.stages;
+    const thud_shared_stages *shared = TD_HAS_THREADS ? w->def.job_system.stages : NULL;
     w->scratch.found_shapes.count = w->scratch.pairs.count = 0;
     return (shared ? shared->sweep
                    : w->def.broadphase->sweep[w->wide])(set, &w->memory, w->proxy.data,
@@ -310,9 +313,9 @@ static bool has_moved(const thud_world *w, int shape) {
 }
 
 /* Adds the new pairs of a resting shape with those awake shapes that moved (`with_moved`), or with
- * those that did not. False when memory is short. */
+ * those that did not; of TD_NONE none. False when memory is short. */
 static bool find_awake_pairs_of(thud_world *w, int shape, bool with_moved) {
-    if (td_kind_is_line(td_shape_at(w, shape)->kind)) {
+    if (shape == TD_NONE || td_kind_is_line(td_shape_at(w, shape)->kind)) {
         return true;
     }
     if (!query(w, &w->awake_shapes, td_fat_at(w, shape), shape)) {

@@ -75,17 +75,8 @@ static void measure_one_by_one(const thud_world *w, td_grid_measures *m) {
     }
 }
 
-/* Extends the range of a level's centres by one; called before the level counts the shape. */
-static void add_center(td_level *level, int64_t x, int64_t y) {
-    bool first = level->count == 0;
-    level->min_x = first || x < level->min_x ? x : level->min_x;
-    level->min_y = first || y < level->min_y ? y : level->min_y;
-    level->max_x = first || x > level->max_x ? x : level->max_x;
-    level->max_y = first || y > level->max_y ? y : level->max_y;
-}
-
 /* Measures all shapes, sets the range of the whole set, and assigns each shape to a level, whose
- * count, range and greatest extent (in `cell`) are updated. */
+ * count and greatest extent (in `cell`) are updated. */
 static void measure(const thud_world *w, td_proxy_set *grid, td_grid_measures *m) {
     uint8_t level_of_size[TD_SIZE_CLASSES];
     if (!TD_PICK_WIDE(w, td_grid_measure)(w->proxy.data, m)) {
@@ -101,14 +92,23 @@ static void measure(const thud_world *w, td_proxy_set *grid, td_grid_measures *m
     if (own > 0) {
         drop_small(m, own);
     }
-    int own_level = choose_levels(m->has_size, level_of_size) - 1;
+    int lowest = choose_levels(m->has_size, level_of_size), own_level = lowest - 1;
+    if (lowest == TD_LEVELS - 1 && own <= 0) {
+        int32_t widest = 0;
+        for (int i = 0; i < m->count; i++) {
+            widest = td_max_int(widest, m->extent[i]);
+        }
+        memset(m->level, lowest, (size_t)m->count);
+        grid->levels[lowest].count = m->count;
+        grid->levels[lowest].cell = widest;
+        return;
+    }
     for (int i = 0; i < m->count; i++) {
         bool small = m->extent[i] <= own;
         m->level[i] = small ? (uint8_t)own_level : level_of_size[size_class_of(m->extent[i])];
         td_level *level = &grid->levels[m->level[i]];
         int32_t width = small ? own : m->extent[i];
         level->cell = width > level->cell ? width : level->cell;
-        add_center(level, ref_x + (int64_t)m->x[i], ref_y + (int64_t)m->y[i]);
         level->count++;
     }
 }
@@ -167,8 +167,7 @@ enum { MEASURES_BYTES = 2 * (int)sizeof(double) + 2 * (int)sizeof(int32_t) + 8 }
 static bool reserve(thud_world *w, td_proxy_set *grid, bool few_moved) {
     int count = grid->list.count;
     w->scratch.order.stride = MEASURES_BYTES;
-    return td_proxy_set_reserve(w, grid) &&
-           td_array_reserve(&w->memory, &grid->cells, count + TD_LANES) &&
+    return td_proxy_set_reserve(w, grid, count) &&
            td_array_reserve(&w->memory, &w->scratch.order, count + TD_LANES) &&
            (!few_moved || (td_array_reserve(&w->memory, &grid->index_of, w->shapes.count) &&
                            td_array_reserve(&w->memory, &grid->anchor_x, count) &&
@@ -178,22 +177,26 @@ static bool reserve(thud_world *w, td_proxy_set *grid, bool few_moved) {
 /* Counting sort of `ids` and `cells` by level and cell. Stable. */
 static void sort(td_proxy_set *grid, const td_grid_measures *m, int starts_count) {
     int *starts = grid->starts.data, *ids = grid->ids.data, *cells = grid->cells.data;
+    int *level_starts[TD_LEVELS];
+    for (int l = 0; l < TD_LEVELS; l++) {
+        level_starts[l] = starts + grid->levels[l].starts;
+    }
     memset(starts, 0, (size_t)starts_count * sizeof(int));
     for (int i = 0; i < m->count; i++) {
-        starts[grid->levels[m->level[i]].starts + m->cell[i]]++;
+        level_starts[m->level[i]][m->cell[i]]++;
     }
     /* Prefix sums: the end of each cell. Filling cells from the last shape down lowers each to its
      * start. */
     for (int l = 0; l < TD_LEVELS; l++) {
         const td_level *level = &grid->levels[l];
-        int sum = level->first, *of_level = starts + level->starts;
-        for (uint32_t c = 0; level->count && c <= level->mask + 1; c++) {
-            sum += of_level[c];
-            of_level[c] = sum;
+        int sum = level->first, ends = level->count ? (int)level->mask + 2 : 0;
+        for (int c = 0; c < ends; c++) {
+            sum += level_starts[l][c];
+            level_starts[l][c] = sum;
         }
     }
     for (int i = m->count - 1; i >= 0; i--) {
-        int at = --starts[grid->levels[m->level[i]].starts + m->cell[i]];
+        int at = --level_starts[m->level[i]][m->cell[i]];
         ids[at] = m->list[i];
         cells[at] = m->cell[i];
     }
@@ -228,12 +231,13 @@ static td_grid_measures measures_in(const td_array *scratch, const td_array *lis
 
 /* thud_broadphase.build: measures, chooses levels and tables, sorts. */
 static bool build(thud_world *w, td_proxy_set *grid, bool few_moved) {
-    grid->valid = grid->loose = false;
+    grid->valid = grid->loose = grid->woken = false;
     grid->moved_count = 0;
     memset(grid->levels, 0, sizeof grid->levels);
     if (!reserve(w, grid, few_moved)) {
         return false;
     }
+    grid->ids.count = grid->list.count;
     if (grid->list.count == 0) {
         grid->valid = true;
         return true;
@@ -293,10 +297,7 @@ static bool follow(thud_world *w, td_proxy_set *grid, const int *moved, int coun
             !is_near_anchor(anchor_y[at], b->min_y, b->max_y, level->slack)) {
             return false;
         }
-        ((int32_t *)grid->min_x.data)[at] = b->min_x;
-        ((int32_t *)grid->min_y.data)[at] = b->min_y;
-        ((int32_t *)grid->max_x.data)[at] = b->max_x;
-        ((int32_t *)grid->max_y.data)[at] = b->max_y;
+        td_proxy_set_put(grid, at, b);
         ((int32_t *)grid->moved.data)[at] = -1;
         grid->moved_count++;
     }
@@ -304,10 +305,44 @@ static bool follow(thud_world *w, td_proxy_set *grid, const int *moved, int coun
     return true;
 }
 
+/* ---- shapes that come to rest ---- */
+
+/* The level of the strays, shapes at rest that stand in no cell: the lowest one in use, whose cells
+ * have no width. Null where it would be the first level in use. */
+static td_level *level_of_strays(td_proxy_set *grid) {
+    td_level *level = &grid->levels[TD_LEVELS - 1];
+    while (level[-1].count > 0) {
+        level--;
+    }
+    return level->count == 0 ? NULL : level->cell == 0 ? level : level - 1;
+}
+
+/* thud_broadphase.enter: adds the shape to the strays. False where there are too many of them, or
+ * the shape is left of the first column or below the first row. */
+static bool enter(thud_world *w, td_proxy_set *grid, int shape) {
+    const td_shape_proxy *proxy = td_shape_proxy_at(w, shape);
+    const td_bounds *b = &proxy->fat;
+    td_level *strays = level_of_strays(grid);
+    int64_t x = td_unwrap(td_middle(b->min_x, b->max_x), proxy->center.x);
+    int64_t y = td_unwrap(td_middle(b->min_y, b->max_y), proxy->center.y);
+    if (!strays || strays->count == TD_STRAYS_MAX || x < grid->origin_x || y < grid->origin_y) {
+        return false;
+    }
+    grid->end_x = x > grid->end_x ? x : grid->end_x;
+    grid->end_y = y > grid->end_y ? y : grid->end_y;
+    int at = grid->ids.count++;
+    strays->first = at - strays->count++;
+    ((int32_t *)grid->ids.data)[at] = shape;
+    ((int32_t *)grid->cells.data)[at] = ((int32_t *)grid->moved.data)[at] = 0;
+    td_proxy_set_put(grid, at, b);
+    return true;
+}
+
 const thud_broadphase thud_broadphase_grid = {
     .name = "grid",
     .build = build,
     .follow = follow,
+    .enter = enter,
     .sweep = TD_BOTH_WIDE(td_grid_sweep),
     .find = TD_BOTH_WIDE(td_grid_find),
 };

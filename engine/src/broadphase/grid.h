@@ -30,6 +30,9 @@
  * snapshots and drawings hold an array of this length. */
 enum { TD_LEVELS = 16 };
 
+/* Shapes that come to rest while a grid of shapes at rest stays sorted, at most. */
+enum { TD_STRAYS_MAX = 16 };
+
 typedef struct td_level {
     int32_t first, count; /* its shapes, in the order of td_proxy_set.ids */
     int32_t starts; /* index of its part of td_proxy_set.starts, which has one element a cell and an
@@ -40,8 +43,6 @@ typedef struct td_level {
     int32_t slack;  /* by which a centre may leave its anchor along an axis, bounds quanta */
     int64_t cell;   /* width of a cell, bounds quanta */
     double inv_cell; /* a little less than 1 / cell: choose_tables in grid.c */
-    /* Range of its shapes' centres when they were sorted, bounds quanta. */
-    int64_t min_x, min_y, max_x, max_y;
 } td_level;
 
 /* The size class 4 e + m, with m in 0..3, holds the extents from 2^e (4 + m) / 4 up to
@@ -69,8 +70,8 @@ typedef struct td_grid_measures {
     double min_x, min_y, max_x, max_y; /* range of x and y */
 } td_grid_measures;
 
-/* Fills x, y, extent, has_size and the range. False where a centre is beyond TD_GRID_NEAR; what it
- * wrote is then void. */
+/* Fills x, y, extent, has_size and the range. False where a centre is beyond
+ * TD_GRID_NEAR; what it wrote is then void. */
 typedef bool td_grid_measure_fn(const td_shape_proxy *proxy, td_grid_measures *measures);
 /* Fills `cell` from x, y and level. */
 typedef void td_grid_cells_fn(const td_level *levels, td_grid_measures *measures);

@@ -40,6 +40,9 @@ static bool add_pairs_of_shape(thud_world *w, int terrain_shape, int shape) {
 static bool add_pairs_of_line(thud_world *w, int line, const td_array *shapes) {
     for (int i = 0; i < shapes->count; i++) {
         int shape = td_int_at(shapes, i);
+        if (shape == TD_NONE) { /* left since the set was built */
+            continue;
+        }
         bool awake = td_body_at(w, td_shape_at(w, shape)->body)->awake.at > 0;
         if ((awake || td_senses(w, line) || td_senses(w, shape)) &&
             !add_pairs_of_shape(w, line, shape)) {

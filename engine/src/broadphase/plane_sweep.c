@@ -44,10 +44,12 @@ bool td_sweep_list(thud_world *w, td_proxy_set *set, int lists) {
     int room = td_max_int(td_max_int(before, after), 1);
     w->scratch.order.stride = (int)sizeof(int32_t);
     set->valid = false;
-    if (!td_proxy_set_reserve(w, set) || !td_array_reserve(&w->memory, keys, lists * room) ||
+    if (!td_proxy_set_reserve(w, set, set->list.count) ||
+        !td_array_reserve(&w->memory, keys, lists * room) ||
         !td_array_reserve(&w->memory, &w->scratch.order, td_max_int(w->shapes.count, 1))) {
         return false;
     }
+    set->ids.count = set->list.count;
     td_sweep_key *first = keys->data, *second = first + room;
     if (lists == 2) {
         memmove(second, first + before, (size_t)before * sizeof *second);

@@ -21,12 +21,14 @@ typedef struct td_sweep_key {
 
 typedef struct td_proxy_set {
     td_array list; /* int: the shapes, in the order in which broadphase.c lists them */
-    td_array ids;  /* int: the same shapes, in the broadphase's order */
+    td_array ids;  /* int: the same shapes, in the broadphase's order; TD_NONE for one that left
+                      since the set was built */
     td_array min_x, min_y, max_x, max_y; /* int32, in the order of ids, and eight more of room */
     td_array moved;                      /* int32: -1 where the shape is on the moved list */
     int moved_count;                     /* how many of `moved` are -1 */
     int head, tail; /* so many of the first and last ids do not search in a sweep: 0, but where
                        workers share it (shared_sweep.c) */
+    bool woken;     /* shapes at rest: ids have shapes that are awake by now */
     bool listed;    /* `list` is up to date: no shape has entered or left the set since */
     bool loose;     /* built so that thud_broadphase.follow can update it */
     bool valid;     /* the arrays hold the present bounds */
@@ -86,6 +88,9 @@ struct thud_broadphase {
     /* Writes the bounds of the moved shapes in place, keeping the order; false where that is not
      * possible, and the set has to be built. Null: it never is. */
     bool (*follow)(struct thud_world *w, td_proxy_set *set, const int *moved, int count);
+    /* Adds a shape to the valid set of shapes at rest without sorting; false where that is not
+     * possible, and the set has to be built. Null: it never is. */
+    bool (*enter)(struct thud_world *w, td_proxy_set *set, int shape);
     td_sweep_fn *sweep[2];
     td_find_fn *find[2];
 };
@@ -106,14 +111,30 @@ typedef int td_proxy_set_fill_fn(td_proxy_set *set, const td_shape_proxy *proxy,
 
 void td_proxy_set_init(td_proxy_set *set); /* proxy_set.c */
 
-/* proxy_set.c: makes room for as many ids and bounds as `list` has shapes, and for eight more, and
- * sets the count of ids. False when memory is short. */
-bool td_proxy_set_reserve(struct thud_world *w, td_proxy_set *set);
+/* proxy_set.c: makes room for `count` ids, bounds and cells, and for eight more. False when memory
+ * is short. */
+bool td_proxy_set_reserve(struct thud_world *w, td_proxy_set *set, int count);
 void td_proxy_set_free(td_memory *memory, td_proxy_set *set);
+
+/* proxy_set.c: tells the world's sets that bodies (a list of td_body_index) have fallen asleep, or
+ * have woken. What woke stays in the set of shapes at rest until td_proxy_set_drop_woken, since a
+ * step in which bodies wake goes on with the sets that its broadphase has filled. */
+void td_proxy_sets_asleep(struct thud_world *w, const td_array *bodies);
+void td_proxy_sets_woken(struct thud_world *w, const td_array *bodies);
+/* Takes the shapes that are awake out of the set of shapes at rest. */
+void td_proxy_set_drop_woken(struct thud_world *w);
 
 /* Invalidates the set after a shape has entered or left it. */
 static inline void td_proxy_set_forget(td_proxy_set *set) {
     set->listed = set->valid = set->loose = false;
+}
+
+/* Writes the bounds of the shape at one index of ids. */
+static inline void td_proxy_set_put(td_proxy_set *set, int at, const td_bounds *b) {
+    ((int32_t *)set->min_x.data)[at] = b->min_x;
+    ((int32_t *)set->min_y.data)[at] = b->min_y;
+    ((int32_t *)set->max_x.data)[at] = b->max_x;
+    ((int32_t *)set->max_y.data)[at] = b->max_y;
 }
 
 #endif

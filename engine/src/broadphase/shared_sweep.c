@@ -20,7 +20,7 @@ enum { HITS_OF_SHAPE = 1024 };
 /* What the workers share. */
 typedef struct sweeping {
     thud_world *w;
-    td_job task;
+    td_job job;
 } sweeping;
 
 /* The search of one part. */
@@ -123,7 +123,7 @@ static void sweep_share(void *work, int index) {
 
 static void sweep_as_worker(void *argument) {
     sweeping *shared = argument;
-    td_worker worker = td_worker_arrive(&shared->task);
+    td_worker worker = td_worker_arrive(&shared->job);
     td_worker_walk(&worker, share_count(shared->w), sweep_share, shared);
 }
 
@@ -164,9 +164,9 @@ bool td_shared_sweep(const td_proxy_set *set, td_memory *memory, const td_shape_
     td_pair_search *search = context;
     thud_world *w = search->w;
     if (!search->crowded && is_shared(w)) {
-        atomic_int counters[1 + THUD_WORKERS_MAX] = {0};
-        sweeping shared = {w, {.counters = counters, .workers = w->def.job_system.workers}};
-        td_job_run(w, &shared.task, sweep_as_worker, &shared);
+        sweeping shared = {.w = w};
+        td_job_begin(&shared.job, w->def.job_system.workers);
+        td_job_run(w, &shared.job, sweep_as_worker, &shared);
         int64_t tested_before = *tested;
         if (join(&shared, memory, hits, report, search, tested)) {
             return true;

@@ -6,8 +6,9 @@
 #include "broadphase/wide_scan.h"
 
 /* A level of at most so many shapes is tested whole, which is two tests of eight: fewer than the
- * three rows of a search by cells. */
+ * three rows of a search by cells. The strays have no cells. */
 enum { SCAN_WHOLE_MAX = 2 * TD_LANES };
+static_assert((int)TD_STRAYS_MAX <= (int)SCAN_WHOLE_MAX, "strays are tested whole");
 
 /* Rows of a hashed level up to which a window is searched by cells, and above which the whole level
  * is tested. It bounds the time of rows_overlap, which compares each two rows. Chosen; not tuned.
@@ -132,7 +133,7 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b,
     int64_t y0 = td_unwrap(b->min_y, near_position.y) - half;
     int64_t x1 = td_unwrap(b->max_x, near_position.x) + half;
     int64_t y1 = td_unwrap(b->max_y, near_position.y) + half;
-    if (x0 > level->max_x || x1 < level->min_x || y0 > level->max_y || y1 < level->min_y) {
+    if (x0 > grid->end_x || x1 < grid->origin_x || y0 > grid->end_y || y1 < grid->origin_y) {
         return true;
     }
     int64_t c0 = td_grid_index(x0, grid->origin_x, level->inv_cell);
@@ -235,10 +236,22 @@ bool TD_WIDE(td_grid_sweep)(const td_proxy_set *grid, td_memory *memory,
     return true;
 }
 
+/* Drops the hits, from index `first` on, that are shapes which left the set. Their bounds overlap
+ * those of others only where both span half of the range of bounds. */
+static void drop_left(td_array *hits, int first) {
+    int *data = hits->data, count = first;
+    for (int i = first; i < hits->count; i++) {
+        data[count] = data[i];
+        count += data[i] != TD_NONE;
+    }
+    hits->count = count;
+}
+
 td_find_fn TD_WIDE(td_grid_find);
 bool TD_WIDE(td_grid_find)(const td_proxy_set *grid, td_memory *memory, const td_bounds *bounds,
                            td_position near_position, td_array *hits, int64_t *tested) {
     scan s = begin_scan(grid, memory, hits);
+    int first = hits->count;
     set_query(&s, bounds);
     /* Levels in use follow each other, the last one first. */
     for (int l = TD_LEVELS - 1; l >= 0 && grid->levels[l].count; l--) {
@@ -247,6 +260,7 @@ bool TD_WIDE(td_grid_find)(const td_proxy_set *grid, td_memory *memory, const td
         }
     }
     count_hits(&s);
+    drop_left(hits, first);
     if (tested) {
         *tested += s.tested;
     }

@@ -76,10 +76,9 @@ static void cast_chunks(void *argument) {
 
 /* The casts, after their checks. */
 static thud_result cast_all(thud_world *w, batch *b) {
-    atomic_int counters[1 + THUD_WORKERS_MAX] = {0};
     int workers = w->def.job_system.workers;
     bool shared = workers > 1 && b->count >= SHARED_CASTS_MIN && !w->locked;
-    b->job = (td_job){.counters = shared ? counters : NULL, .workers = shared ? workers : 1};
+    td_job_begin(&b->job, shared ? workers : 1);
     b->room_size = td_walk_room(w);
     if (!td_query_prepare(w) ||
         !td_array_reserve(&w->memory, &w->scratch.found_shapes, b->room_size * b->job.workers)) {

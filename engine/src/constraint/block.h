@@ -351,10 +351,6 @@ typedef enum td_brace {
     TD_BRACE_APPLY_SHARE   /* apply the share of the impulses that adds no energy */
 } td_brace;
 
-/* Number of passes over blocks in one bracing, and of single-worker tasks between them; counters of
- * a job are reserved accordingly (state/jobs.c). */
-enum { TD_BRACE_STAGES = TD_BRACE_APPLY_SHARE + 1, TD_BRACE_TASKS = 2 };
-
 /* Maximum speed at which the gap of a joint closes, length scales/s, or rad/s for rotations: in the
  * direct solver, and in the soft solver in groups that are braced. Chosen: the default of
  * push_speed for contacts. */

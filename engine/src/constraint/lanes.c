@@ -378,13 +378,14 @@ static void list_bin(thud_world *w, int kind, int bin) {
         run->shared |= block->shared;
         i = block->next;
     }
+    w->scratch.points += TD_HAS_THREADS ? run->count * td_form_points(w->kinds[kind]->form) : 0;
 }
 
 /* Divides runs into chunks; with a single worker, a chunk is a whole run. False when memory is
  * short. */
 static bool cut_chunks(thud_world *w) {
     td_array *chunks = &w->scratch.chunks;
-    int size = w->def.job_system.workers > 1 ? TD_CHUNK_BLOCKS : INT32_MAX;
+    int size = TD_HAS_THREADS && w->def.job_system.workers > 1 ? TD_CHUNK_BLOCKS : INT32_MAX;
     int chunks_max = w->scratch.runs.count + w->scratch.blocks.count / size;
     if (!td_array_reserve(&w->memory, chunks, chunks_max)) {
         return false;
@@ -400,6 +401,20 @@ static bool cut_chunks(thud_world *w) {
         }
     }
     return true;
+}
+
+static const td_run *run_of_chunk(const thud_world *w, int chunk) {
+    return TD_AT(td_run, &w->scratch.runs, TD_AT(td_chunk, &w->scratch.chunks, chunk)->run);
+}
+
+int td_phase_end(const thud_world *w, int first) {
+    const td_run *run = run_of_chunk(w, first);
+    int end = first + 1;
+    while (end < w->scratch.chunks.count && !td_run_is_single(run) &&
+           run_of_chunk(w, end)->bin == run->bin && !td_run_is_single(run_of_chunk(w, end))) {
+        end++;
+    }
+    return end;
 }
 
 /* Lists the kinds that have blocks, in the order of solving within a colour. Contacts come last, so
@@ -430,6 +445,7 @@ bool td_lanes_sequence(thud_world *w) {
     }
     w->scratch.blocks.count = 0;
     w->scratch.runs.count = 0;
+    w->scratch.points = 0;
     w->stats.colours = 0;
     int kinds[TD_CONSTRAINT_KINDS];
     int used = kinds_in_order(w, kinds);

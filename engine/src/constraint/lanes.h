@@ -94,6 +94,12 @@ void td_lane_remove(thud_world *w, int constraint);
  * is short. */
 bool td_lanes_sequence(thud_world *w);
 
+/* The end of the phase of the solver that begins with chunk `first`: the index after its last
+ * chunk. Chunks of one bin (graph colour) have no moving body in common and make a phase, which
+ * workers share; a run whose blocks may share bodies (td_run_is_single) is one chunk, and a phase
+ * by itself. */
+int td_phase_end(const thud_world *w, int first);
+
 /* Updates the awake slots and inverse inertias of a lane, after those of a body have changed. */
 void td_lane_refresh(thud_world *w, int constraint);
 /* The same, and makes the next narrowphase compute its manifold and effective masses again. */

@@ -234,7 +234,7 @@ bool td_internal_edges_find(thud_world *w, int shape) {
     if (td_kind_is_line(s.a.kind)) {
         for (int i = 0; i < w->rest_shapes.ids.count; i++) {
             int n = td_int_at(&w->rest_shapes.ids, i);
-            if (!td_is_ground(w, n)) {
+            if (n == TD_NONE || !td_is_ground(w, n)) {
                 continue;
             }
             mark_neighbour(&s, n, &due);

@@ -242,13 +242,15 @@ static bool begin_contacts(thud_world *w) {
 /* The work that the workers share in collide_lanes. */
 typedef struct colliding {
     thud_world *w;
-    td_job task;
+    td_job job;
+    int first_chunk; /* of the present phase; each worker has a copy */
 } colliding;
 
 /* A chunk of blocks, for one worker. Chunks list blocks with separated lanes in disjoint pieces of
  * one array: each has room for one more than its blocks, hence `first + index`. */
-static void collide_chunk(void *work, int index) {
+static void collide_chunk(void *work, int chunk_of_phase) {
     thud_world *w = ((const colliding *)work)->w;
+    int index = ((const colliding *)work)->first_chunk + chunk_of_phase;
     td_chunk *chunk = TD_AT(td_chunk, &w->scratch.chunks, index);
     const td_run *run = TD_AT(td_run, &w->scratch.runs, chunk->run);
     td_block **separated = (td_block **)w->scratch.separated.data + chunk->first + index;
@@ -257,17 +259,23 @@ static void collide_chunk(void *work, int index) {
                                  chunk->count, separated, &chunk->separated);
 }
 
-/* A worker: takes chunks until none is left. */
+/* A worker: takes chunks until none is left. It takes them by the phases of the solver, so that it
+ * works on the same blocks there: they need not travel to the cache of another processor. */
 static void collide_as_worker(void *argument) {
-    colliding *c = argument;
-    td_worker worker = td_worker_arrive(&c->task);
-    td_worker_walk(&worker, c->w->scratch.chunks.count, collide_chunk, c);
+    colliding *shared = argument, own = {.w = shared->w};
+    td_worker worker = td_worker_arrive(&shared->job);
+    for (int end; own.first_chunk < own.w->scratch.chunks.count; own.first_chunk = end) {
+        end = td_phase_end(own.w, own.first_chunk);
+        td_worker_take(&worker, end - own.first_chunk, collide_chunk, &own);
+    }
+    td_worker_wait(&worker);
 }
 
 /* Computes the manifolds of all lanes, and joins the lists of the chunks. */
 static void collide_lanes(thud_world *w) {
-    colliding c = {w, td_job_begin(w)};
-    td_job_run(w, &c.task, collide_as_worker, &c);
+    colliding c = {.w = w};
+    td_job_begin(&c.job, td_workers_for_blocks(w));
+    td_job_run(w, &c.job, collide_as_worker, &c);
     for (int i = 0; i < w->scratch.runs.count; i++) {
         TD_AT(td_run, &w->scratch.runs, i)->has_offsets = 0;
     }
@@ -309,7 +317,7 @@ static bool part_contacts(thud_world *w) {
             td_contact_destroy(w, contact);
         }
     }
-    return td_lanes_sequence(w) && td_job_reserve(w);
+    return td_lanes_sequence(w);
 }
 
 /* Part 3: destroys contacts whose bounds have parted, those of sensors too, whose end event is
@@ -334,7 +342,7 @@ static bool part_waiting(thud_world *w) {
 
 /* Part 4: manifolds of all lanes, and internal edges. */
 static bool collide_all(thud_world *w) {
-    if (!td_lanes_sequence(w) || !td_job_reserve(w)) {
+    if (!td_lanes_sequence(w)) {
         return false;
     }
     collide_lanes(w);

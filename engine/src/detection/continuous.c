@@ -118,6 +118,9 @@ static void record_hit(sweep *s, int other, const td_swept_hit *hit) {
 /* Whether the swept shape stops at another one: a solid shape of a static body that it may collide
  * with. */
 static bool stops_at(const sweep *s, int other) {
+    if (other == TD_NONE) { /* left since the set was built */
+        return false;
+    }
     const td_shape *shape = td_shape_at(s->w, other);
     return td_body_at(s->w, shape->body)->kind == THUD_BODY_STATIC &&
            !(shape->flags & TD_SHAPE_HOLLOW) && td_pair_allowed(s->w, s->shape, other);

@@ -208,7 +208,7 @@ static double path_reach(const thud_world *w, td_awake_slot slot) {
 /* Tests a pair with a shape of the set of resting ones. Its body may have been woken by the
  * narrowphase since that set was made, and is then left to sensing_awake.c. */
 static void test_resting(thud_world *w, int shape, int other) {
-    if (td_body_at(w, td_shape_at(w, other)->body)->awake.at <= 0) {
+    if (other != TD_NONE && td_body_at(w, td_shape_at(w, other)->body)->awake.at <= 0) {
         td_sensing_test_pair(w, shape, other);
     }
 }

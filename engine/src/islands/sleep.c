@@ -56,8 +56,7 @@ static void put_to_sleep(thud_world *w) {
         td_body_at(w, td_body_in(bodies, i))->rest_epoch =
             w->rest_epoch - (w->scratch.crowded.count > 0);
     }
-    td_proxy_set_forget(&w->awake_shapes);
-    td_proxy_set_forget(&w->rest_shapes);
+    td_proxy_sets_asleep(w, bodies);
 }
 
 /* Whether this step looks for islands to put to sleep. `bodies`: the number of bodies that have
@@ -67,7 +66,9 @@ static bool is_due(const thud_world *w, int bodies) {
 }
 
 static bool reserve(thud_world *w) {
+    td_proxy_set *rest = &w->rest_shapes;
     return td_wake_reserve(w) && td_lanes_reserve_sleeping(w) &&
+           td_proxy_set_reserve(w, rest, rest->ids.count + TD_STRAYS_MAX) &&
            td_array_reserve(&w->memory, &w->scratch.parents, w->body_of.count);
 }
 

@@ -81,7 +81,6 @@ bool td_wake(thud_world *w, td_body_index index) {
         }
         find_new_pairs(w, body);
     }
-    td_proxy_set_forget(&w->awake_shapes);
-    td_proxy_set_forget(&w->rest_shapes);
+    td_proxy_sets_woken(w, bodies);
     return true;
 }

@@ -72,7 +72,7 @@ bool td_finalize_reserve(thud_world *w) {
 
 /* Moves all bodies but those that it lists in scratch.odd. */
 static void finalize_bodies(thud_world *w) {
-    const thud_shared_stages *shared = w->def.job_system.stages;
+    const thud_shared_stages *shared = TD_HAS_THREADS ? w->def.job_system.stages : NULL;
     td_energy_sums sums = {0};
     td_finalize_part all = {.end = w->body_of.count,
                             .odd = &w->scratch.odd,

@@ -28,7 +28,7 @@ static td_finalize_share *share_at(const thud_world *w, int index) {
 /* What the workers share. */
 typedef struct finalizing {
     thud_world *w;
-    td_job task;
+    td_job job;
 } finalizing;
 
 static void finalize_share(void *work, int index) {
@@ -53,7 +53,7 @@ static void finalize_share(void *work, int index) {
 
 static void finalize_as_worker(void *argument) {
     finalizing *f = argument;
-    td_worker worker = td_worker_arrive(&f->task);
+    td_worker worker = td_worker_arrive(&f->job);
     td_worker_walk(&worker, share_count(f->w), finalize_share, f);
 }
 
@@ -83,9 +83,9 @@ void td_shared_finalize(thud_world *w, td_finalize_part *all) {
         TD_PICK_WIDE(w, td_finalize_bodies)(w, all);
         return;
     }
-    atomic_int counters[1 + THUD_WORKERS_MAX] = {0};
-    finalizing f = {w, {.counters = counters, .workers = w->def.job_system.workers}};
-    td_job_run(w, &f.task, finalize_as_worker, &f);
+    finalizing f = {.w = w};
+    td_job_begin(&f.job, w->def.job_system.workers);
+    td_job_run(w, &f.job, finalize_as_worker, &f);
     for (int i = 0; i < share_count(w); i++) {
         add_share(all, share_at(w, i));
     }

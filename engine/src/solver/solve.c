@@ -128,7 +128,7 @@ typedef struct solving {
     td_motion_context motion;
     td_tally_context tally;
     td_tally *tallies; /* error statistics, by worker */
-    td_job *task;
+    td_job *job;
     atomic_bool *bounced; /* a flag for each bounce pass: td_solve_context.bounced */
     atomic_flag *dummy;   /* a spin lock of slot 0: see solve_in_turn */
     td_worker worker;
@@ -154,7 +154,7 @@ static void solve_in_turn(const solving *s, td_solve_fn *solve, td_block *const 
 static void solve_part(const solving *s, const td_run *run, td_solve_fn *solve,
                        td_block *const *blocks, int count) {
     td_block *const *all = s->w->scratch.blocks.data;
-    if (s->worker.phase && blocks + count == all + run->first + run->count) {
+    if (td_worker_shares(&s->worker) && blocks + count == all + run->first + run->count) {
         solve_in_turn(s, solve, blocks, count);
     } else {
         solve(blocks, count, &s->contacts);
@@ -199,28 +199,11 @@ static void solve_chunk(void *work, int index) {
     }
 }
 
-static const td_run *run_of_chunk(const thud_world *w, int chunk) {
-    return TD_AT(td_run, &w->scratch.runs, TD_AT(td_chunk, &w->scratch.chunks, chunk)->run);
-}
-
-/* The end of the phase that begins with chunk `first`. Chunks of one bin (graph colour) have no
- * moving body in common and make a phase, which workers share; a run whose blocks may share bodies
- * (td_run_is_single) is one chunk, and a phase by itself. */
-static int phase_end(const thud_world *w, int first) {
-    const td_run *run = run_of_chunk(w, first);
-    int end = first + 1;
-    while (end < w->scratch.chunks.count && !td_run_is_single(run) &&
-           run_of_chunk(w, end)->bin == run->bin && !td_run_is_single(run_of_chunk(w, end))) {
-        end++;
-    }
-    return end;
-}
-
 /* Runs a pass over all blocks, phase by phase. */
 static void walk(solving *s, pass which) {
     s->which = which;
     for (int first = 0; first < s->w->scratch.chunks.count;) {
-        int end = phase_end(s->w, first);
+        int end = td_phase_end(s->w, first);
         s->first_chunk = first;
         td_worker_walk(&s->worker, end - first, solve_chunk, s);
         first = end;
@@ -232,7 +215,7 @@ static void walk(solving *s, pass which) {
 enum { BODIES_OF_CHUNK = 512 };
 
 static int bodies_at_once(const solving *s) {
-    return s->worker.phase ? BODIES_OF_CHUNK : s->motion.count;
+    return td_worker_shares(&s->worker) ? BODIES_OF_CHUNK : s->motion.count;
 }
 
 /* The motion context of one chunk of bodies. */
@@ -340,7 +323,7 @@ static void relax_again(solving *s) {
  * passes in the same order, and wait for each other at the end of each phase. */
 static void run_passes(void *argument) {
     solving own = *(const solving *)argument, *s = &own;
-    s->worker = td_worker_arrive(s->task);
+    s->worker = td_worker_arrive(s->job);
     int bodies = (s->motion.count + bodies_at_once(s) - 1) / bodies_at_once(s);
     int last = s->w->substeps - 1;
     s->contacts.tally = &s->tallies[s->worker.index];
@@ -383,7 +366,8 @@ void td_solve(thud_world *w) {
     atomic_flag dummy = ATOMIC_FLAG_INIT;
     float h = (float)(w->def.time_step / w->substeps);
     refresh_push(w, h);
-    td_job task = td_job_begin(w);
+    td_job job;
+    td_job_begin(&job, td_workers_for_blocks(w));
     solving s = {
         .w = w,
         .contacts = solve_context(w, h),
@@ -400,16 +384,16 @@ void td_solve(thud_world *w) {
                    .max_speed = w->def.maximum_speed * w->length_scale},
         .tally = {.skin = w->skin, .overlap = td_overlap_depth_min(w), .to_fixed = w->to_fixed},
         .tallies = tallies,
-        .task = &task,
+        .job = &job,
         .bounced = bounced,
         .dummy = &dummy,
     };
     s.contacts.torn = &torn;
     s.contacts.adds = adds;
-    memset(tallies, 0, (size_t)task.workers * sizeof *tallies);
+    memset(tallies, 0, (size_t)job.workers * sizeof *tallies);
     td_errors_begin(w);
-    td_job_run(w, &task, run_passes, &s);
-    for (int i = 0; i < task.workers; i++) {
+    td_job_run(w, &job, run_passes, &s);
+    for (int i = 0; i < job.workers; i++) {
         td_errors_add_tally(w, &tallies[i]);
     }
 }

@@ -219,6 +219,9 @@ static bool apply_changes(thud_world *w, td_body_index index) {
     }
     if (changes & (edits | TD_CHANGE_ENTER)) {
         td_proxy_set_forget(rests ? &w->rest_shapes : &w->awake_shapes);
+        if (w->rest_shapes.woken) { /* it may still have the shapes of this body */
+            td_proxy_set_forget(&w->rest_shapes);
+        }
         w->rest_epoch += rests;
     }
     if (changes & TD_CHANGE_LEAVE) {

@@ -1,63 +1,80 @@
 /* jobs.c: distributes the chunks of each phase among workers by atomic counters; see jobs.h. */
 #include "state/jobs.h"
 
-#include <string.h>
+/* Points of blocks (td_scratch.points) from which on a task over them is shared. Sharing costs what
+ * bodies take to travel between the caches of processors in each phase. Measured with two threads:
+ * at 400 to 500 points it takes as long as one thread. A greater value leaves more worlds to one
+ * thread. */
+enum { SHARED_POINTS_MIN = 512 };
 
-/* Blocks from which on a task is shared: fewer are solved before another thread has woken, so that
- * sharing would only cost. A greater value leaves more small worlds to one thread. Chosen; not
- * tuned. */
-enum { SHARED_BLOCKS_MIN = 64 };
+void td_job_begin(td_job *job, int workers) {
+    job->workers = workers;
+    if (td_job_is_shared(job)) {
+        atomic_init(&job->arrived.value, 0);
+        atomic_init(&job->done.value, 0);
+        for (int i = 0; i < workers; i++) {
+            atomic_init(&job->taken[i].value, 0);
+        }
+    }
+}
 
-/* A phase for one worker: takes chunks of each part, its own first, and waits until all are done.
- */
-void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work) {
-    atomic_int *phase = worker->phase;
-    if (!phase) {
+int td_workers_for_blocks(const thud_world *w) {
+    bool shared = TD_HAS_THREADS && w->scratch.points >= SHARED_POINTS_MIN;
+    return shared ? td_max_int(1, w->def.job_system.workers) : 1;
+}
+
+/* Takes and runs chunks of one part of the phase, [first, end), until none is left. Returns how
+ * many. The part's counter is at least `before` now, and greater than `before` plus the size of the
+ * part only where the other workers are in a later phase already. */
+static int run_part(atomic_int *taken, int before, int first, int end, td_chunk_fn *run,
+                    void *work) {
+    int ran = 0, next = atomic_load_explicit(taken, memory_order_relaxed);
+    while (next - before < end - first) {
+        if (atomic_compare_exchange_weak_explicit(taken, &next, next + 1, memory_order_relaxed,
+                                                  memory_order_relaxed)) {
+            run(work, first + (next - before));
+            ran++;
+            next = atomic_load_explicit(taken, memory_order_relaxed);
+        }
+    }
+    return ran;
+}
+
+/* A phase for one worker: takes chunks of each part, its own first. It tells what it has done once,
+ * at the end. */
+void td_worker_take(td_worker *worker, int chunks, td_chunk_fn *run, void *work) {
+    td_job *job = worker->job;
+    if (!td_worker_shares(worker)) {
         for (int i = 0; i < chunks; i++) {
             run(work, i);
         }
         return;
     }
-    int workers = worker->workers;
+    int workers = job->workers, ran = 0;
     for (int k = 0; k < workers; k++) {
         int part = (worker->index + k) % workers;
-        int first = chunks * part / workers, end = chunks * (part + 1) / workers, i;
-        while (first < end && (i = first + atomic_fetch_add(&phase[1 + part], 1)) < end) {
-            run(work, i);
-            atomic_fetch_add_explicit(&phase[0], 1, memory_order_acq_rel);
-        }
+        int first = chunks * part / workers, end = chunks * (part + 1) / workers;
+        int *before = &worker->before_of[part];
+        ran += run_part(&job->taken[part].value, *before, first, end, run, work);
+        *before += end - first;
     }
-    while (atomic_load_explicit(&phase[0], memory_order_acquire) < chunks) {
+    worker->before += chunks;
+    if (ran > 0) {
+        atomic_fetch_add_explicit(&job->done.value, ran, memory_order_acq_rel);
+    }
+}
+
+void td_worker_wait(const td_worker *worker) {
+    td_job *job = worker->job;
+    while (td_worker_shares(worker) &&
+           atomic_load_explicit(&job->done.value, memory_order_acquire) < worker->before) {
         td_pause();
     }
-    worker->phase += 1 + workers;
 }
 
-/* The number of counters for the task with the most phases, which is the solver's (solve.c): for
- * each substep two phases over bodies and two passes over the bins (solve and relax); once the warm
- * start and the passes of restitution; and with joints, bracing twice in each substep
- * (joint_brace.c), of whose second the relax pass stands for TD_BRACE_WARM_START. A pass has a
- * phase for each entry of scratch.chunks, and a phase has 1 + workers counters. */
-static int counter_count(const thud_world *w) {
-    int bounces = w->bouncy > 0 || w->asks ? TD_BOUNCE_PASSES + 1 : 0;
-    int braces = w->joint_hooks ? 2 * w->substeps : 0, passes = 2 * w->substeps + 1 + bounces;
-    int phases = 2 * w->substeps + braces * TD_BRACE_TASKS +
-                 (passes + braces * TD_BRACE_STAGES) * w->scratch.chunks.count;
-    return phases * (1 + w->def.job_system.workers);
-}
-
-bool td_job_reserve(thud_world *w) {
-    return w->def.job_system.workers < 2 ||
-           td_array_reserve(&w->memory, &w->scratch.counters, counter_count(w));
-}
-
-/* A task with cleared counters, or one without, for the calling thread alone. */
-td_job td_job_begin(thud_world *w) {
-    if (w->def.job_system.workers < 2 || w->scratch.blocks.count < SHARED_BLOCKS_MIN) {
-        return (td_job){.workers = 1};
-    }
-    memset(w->scratch.counters.data, 0, (size_t)counter_count(w) * sizeof(atomic_int));
-    return (td_job){.counters = w->scratch.counters.data, .workers = w->def.job_system.workers};
+void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work) {
+    td_worker_take(worker, chunks, run, work);
+    td_worker_wait(worker);
 }
 
 /* A task for the job system, whose threads may have another floating-point mode (simd.h). */
@@ -73,11 +90,11 @@ static void run_in_own_float_mode(void *work) {
     shared->run(shared->argument);
 }
 
-void td_job_run(const thud_world *w, const td_job *task, thud_task_fn *run, void *argument) {
+void td_job_run(const thud_world *w, const td_job *job, thud_task_fn *run, void *argument) {
     const thud_job_system *job_system = &w->def.job_system;
-    if (task->counters) {
+    if (td_job_is_shared(job)) {
         shared_work shared = {run, argument};
-        job_system->run(run_in_own_float_mode, &shared, job_system->workers, job_system->context);
+        job_system->run(run_in_own_float_mode, &shared, job->workers, job_system->context);
     } else {
         run(argument);
     }

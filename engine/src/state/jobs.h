@@ -16,38 +16,63 @@
 
 #include <stdatomic.h>
 
-/* What the workers of one task share. */
+/* A counter that different processors write, alone in its two cache lines: processors fetch lines
+ * in pairs, and a line travels to whoever writes it. */
+typedef struct td_counter {
+    atomic_int value;
+    char padding[128 - sizeof(atomic_int)];
+} td_counter;
+
+/* What the workers of one task share. Counters run on from phase to phase. */
 typedef struct td_job {
-    atomic_int
-        *counters; /* zero at first. For each phase: chunks done; then, for each worker's part,
-                      chunks taken of it. Null: the calling thread runs the task alone */
-    int workers;
-    atomic_int arrived; /* workers that have started */
+    int workers;                        /* 1: the calling thread runs the task alone */
+    td_counter arrived;                 /* workers that have started */
+    td_counter done;                    /* chunks that are done */
+    td_counter taken[THUD_WORKERS_MAX]; /* chunks that are taken, by the part they belong to */
 } td_job;
 
 /* One worker's position in a task. */
 typedef struct td_worker {
-    atomic_int *phase;  /* counters of its next phase; null: it works alone */
-    int workers, index; /* index: in the order of arrival */
+    td_job *job; /* null: it works alone */
+    int index;   /* in the order of arrival */
+    int before;  /* chunks of all phases before its next one, and of them those of each part */
+    int before_of[THUD_WORKERS_MAX];
 } td_worker;
 
 /* Runs one chunk of a phase. */
 typedef void td_chunk_fn(void *work, int chunk);
 
-/* The calling thread as a new worker of the task. */
-static inline td_worker td_worker_arrive(td_job *task) {
-    return (td_worker){task->counters, task->workers, atomic_fetch_add(&task->arrived, 1)};
+/* Begins a task for so many workers. */
+void td_job_begin(td_job *job, int workers);
+/* How many workers shall share a task over the blocks of scratch.blocks: those of the job system,
+ * or 1 where the blocks have fewer than SHARED_POINTS_MIN points. */
+int td_workers_for_blocks(const thud_world *w);
+
+/* Whether several workers run the task. */
+static inline bool td_job_is_shared(const td_job *job) {
+    return TD_HAS_THREADS && job->workers > 1;
 }
 
-/* Takes part in the worker's next phase, and returns when all its chunks are done. */
+/* Whether the worker has others beside it. */
+static inline bool td_worker_shares(const td_worker *worker) {
+    return TD_HAS_THREADS && worker->job;
+}
+
+/* The calling thread as a new worker of the task. */
+static inline td_worker td_worker_arrive(td_job *job) {
+    return (td_worker){.job = td_job_is_shared(job) ? job : NULL,
+                       .index =
+                           td_job_is_shared(job) ? atomic_fetch_add(&job->arrived.value, 1) : 0};
+}
+
+/* Takes part in the worker's next phase, and returns when all its chunks are taken. */
+void td_worker_take(td_worker *worker, int chunks, td_chunk_fn *run, void *work);
+/* Returns when all chunks that have been taken are done. */
+void td_worker_wait(const td_worker *worker);
+/* Both: returns when all chunks of the next phase are done. */
 void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work);
 
-/* Makes room for the counters of any task over the present chunks. False when memory is short. */
-bool td_job_reserve(thud_world *w);
-/* A new task. It is for the calling thread alone where the job system has less than two workers, or
- * where there are fewer than SHARED_BLOCKS_MIN blocks. */
-td_job td_job_begin(thud_world *w);
 /* Calls run(argument) on every worker, and returns when all are done. */
-void td_job_run(const thud_world *w, const td_job *task, thud_task_fn *run, void *argument);
+void td_job_run(const thud_world *w, const td_job *job, thud_task_fn *run, void *argument);
 
 #endif

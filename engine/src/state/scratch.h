@@ -17,10 +17,10 @@ typedef struct td_scratch {
     td_array bodies, constraints; /* int: of an island that wakes or falls asleep */
     td_array blocks;              /* td_block *: in the order of solving */
     td_array runs;                /* td_run: sequences of `blocks` of one bin */
+    int points;                   /* of all `blocks`, one or two each: a measure of their work */
     bool sequenced;               /* `blocks` and `runs` list all blocks of the awake bins */
     td_array separated;           /* td_block *: with a lane whose shapes no longer touch */
     td_array chunks;              /* td_chunk: pieces of `runs`, which workers take one by one */
-    td_array counters;            /* atomic_int: of the phases of a task, see jobs.h */
     td_array begins, ends;        /* int: contacts that begin or end in this step */
     td_array parents;             /* td_awake_slot, by awake slot: union-find, see label.h */
     td_array lane_bins;           /* int: see td_lanes_place */
