@@ -1,0 +1,15 @@
+/** The site's theme: that of VitePress in the page's colours, with examples that run. */
+import DefaultTheme from "vitepress/theme-without-fonts";
+import Home from "./Home.vue";
+import Layout from "./Layout.vue";
+import Live from "./Live.vue";
+import "./style.css";
+
+export default {
+  extends: DefaultTheme,
+  Layout,
+  enhanceApp({ app }) {
+    app.component("Home", Home);
+    app.component("Live", Live);
+  },
+};
