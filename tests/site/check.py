@@ -1,4 +1,4 @@
-"""Compiles the code in C on the pages of web/site: check.py PROJECT CC LIBRARY...
+"""Compiles the code in C on the pages of web/site: check.py PROJECT CC LIBRARY
 
 A block with a main is a program: it is run, and a block of text right behind it is what it prints. All
 other blocks are parts of functions, which are compiled together with the names of PARAMETERS."""
@@ -14,7 +14,7 @@ PARAMETERS = ("thud_world *world, thud_body_id ground, thud_body_id body, thud_b
 HEADERS = "#include <stdio.h>\n#include <stdlib.h>\n#include <thud/thud_all.h>\n#include <thud/thud_threads.h>\n"
 BLOCK = re.compile(r"^```c\n(.*?)^```\n(?:\n```text\n(.*?)^```\n)?", re.MULTILINE | re.DOTALL)
 
-project, compiler, *libraries = sys.argv[1:]
+project, compiler, library = sys.argv[1:]
 project = pathlib.Path(project)
 flags = [compiler, "-std=c17", "-Wall", "-Wextra", "-Werror", f"-I{project / 'engine/include'}"]
 
@@ -39,7 +39,7 @@ with tempfile.TemporaryDirectory() as held:
                "-Wno-unused-variable", "-Wno-unused-but-set-variable")
     for number, (page, text, said) in enumerate(programs):
         program = f"{held}/program_{number}"
-        compile_to(held, f"program_{number}", text, "-o", program, *reversed(libraries), "-lm", "-pthread")
+        compile_to(held, f"program_{number}", text, "-o", program, library, "-lm")
         done = subprocess.run([program], capture_output=True, text=True, check=True)
         if done.stdout != said:
             sys.exit(f"{page}: the program says {done.stdout!r}, not {said!r}")
