@@ -10,7 +10,11 @@ import { join } from "node:path";
 import { after, test } from "node:test";
 import { gzipSync } from "node:zlib";
 import { root } from "../support/package.mjs";
+import { World } from "../../../web/package/dist/node.js";
 import { sidebar } from "../../../web/site/.vitepress/sidebar.mjs";
+
+/** Names of the class World that its typings do not offer. */
+const INNER = new Set("constructor makeSolid freeRoom lengthScale refuse on onWorld shapeIds".split(" "));
 
 const sources = `${root}web/site/`;
 const dist = `${root}web/dist/`;
@@ -90,7 +94,8 @@ console.log(told.drawn);
 });
 
 test("every_page_stands_in_the_list_of_pages", () => {
-  const listed = sidebar.flatMap(({ items }) => items.map(({ link }) => `${link.slice(1)}.html`));
+  const linksOf = ({ link, items = [] }) => [...(link ? [link] : []), ...items.flatMap(linksOf)];
+  const listed = sidebar.flatMap(linksOf).map((link) => `${link.slice(1)}.html`);
   assert.deepEqual([...listed, "index.html"].sort(), [...built].sort());
 });
 
@@ -112,6 +117,20 @@ test("links_of_the_site_lead_to_files_and_anchors", () => {
     }
   assert.deepEqual(broken, []);
   assert.ok(count > 10 * built.length, "pages have links");
+});
+
+test("reference_has_every_name_of_the_headers_and_typings", () => {
+  const api = JSON.parse(readFileSync(`${root}bindings/api.json`, "utf8"));
+  for (const { name, header } of [...api.functions, ...api.structs, ...api.enums, ...api.callbacks]) {
+    const text = readFileSync(`${docs}c-${header.replace(/\.h$/, "")}.html`, "utf8");
+    assert.ok(text.includes(` id="${name}"`), name);
+  }
+  const world = readFileSync(`${docs}js-world.html`, "utf8");
+  for (let type = World.prototype; type !== Object.prototype; type = Object.getPrototypeOf(type))
+    for (const name of Object.getOwnPropertyNames(type))
+      if (!INNER.has(name)) assert.ok(world.includes(` id="${name}"`), name);
+  const errors = readFileSync(`${docs}errors.html`, "utf8");
+  for (const { name } of api.enums.find(({ name: one }) => one === "thud_result").values) assert.ok(errors.includes(name), name);
 });
 
 test("page_of_scenes_and_every_page_of_the_site_link_to_each_other", () => {

@@ -33,7 +33,7 @@ function commentOf(node) {
   const words = (part) => ts.getTextOfJSDocComment(part) ?? "";
   const tags = [...(doc.tags ?? [])];
   const throws = tags.filter(({ tagName }) => tagName.text === "throws");
-  const thrown = throws.map((tag) => `Throws ${tag.getText().replace(/^@throws\s*/, "").replace(/^\s*\* ?/gm, "").trim()}`);
+  const thrown = throws.map((tag) => `Throws ${tag.getText().replace(/^@throws\s*\{(\w+)\}/, "$1").replace(/^\s*\* ?/gm, "").trim()}`);
   const [example] = tags.filter(({ tagName }) => tagName.text === "example");
   return { text: [words(doc.comment), ...thrown].join("\n\n"), example: example ? words(example.comment).trim() : "" };
 }
