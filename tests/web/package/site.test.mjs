@@ -64,13 +64,12 @@ const BROWSER = `{
 }
 `;
 
-test("snippets_of_javascript_print_what_their_comments_say", () => {
-  for (const page of pages) {
-    const blocks = blocksOf(page);
-    const together = blocks.filter(({ info }) => info === "js").map(({ text }) => text).join("\n");
-    if (together) assert.deepEqual(run(`${page}.mjs`, together), promisedBy(together), page);
-  }
-});
+for (const page of pages) {
+  const together = blocksOf(page).filter(({ info }) => info === "js").map(({ text }) => text).join("\n");
+  if (together)
+    test(`snippets_of_${page.slice(0, -3)}_print_what_their_comments_say`, () =>
+      assert.deepEqual(run(`${page}.mjs`, together), promisedBy(together)));
+}
 
 test("examples_that_run_on_the_page_run", () => {
   let count = 0;

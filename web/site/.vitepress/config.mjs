@@ -39,6 +39,7 @@ export default defineConfig({
     logo: { src: "../icon.svg", alt: "" },
     nav: [
       { text: "Begin", link: "/begin-javascript", activeMatch: "/begin-" },
+      { text: "Guides", link: "/guide-units", activeMatch: "/guide-" },
       { text: "Reference", link: "/reference-c", activeMatch: "/(reference-|c-|js-|python-|errors)" },
       { text: "Play", link: "../", target: "_self", noIcon: true },
     ],

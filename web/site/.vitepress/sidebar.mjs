@@ -13,6 +13,23 @@ export const sidebar = [
     ],
   },
   {
+    text: "Guides",
+    items: [
+      page("Units and scale", "guide-units"),
+      page("Bodies, shapes, ground", "guide-bodies"),
+      page("Quality and its price", "guide-quality"),
+      page("Error report and max_error", "guide-errors"),
+      page("Detection of fast bodies", "guide-detection"),
+      page("Events, callbacks, rules", "guide-events"),
+      page("Joints", "guide-joints"),
+      page("Queries", "guide-queries"),
+      page("Characters", "guide-characters"),
+      page("Snapshots and rollback", "guide-snapshots"),
+      page("Determinism", "guide-determinism"),
+      page("Threads", "guide-threads"),
+    ],
+  },
+  {
     text: "Reference",
     items: [
       page("Errors and what to do", "errors"),

@@ -3,6 +3,8 @@ import DefaultTheme from "vitepress/theme-without-fonts";
 import Home from "./Home.vue";
 import Layout from "./Layout.vue";
 import Live from "./Live.vue";
+import Prices from "./Prices.vue";
+import Scene from "./Scene.vue";
 import "./style.css";
 
 export default {
@@ -11,5 +13,7 @@ export default {
   enhanceApp({ app }) {
     app.component("Home", Home);
     app.component("Live", Live);
+    app.component("Prices", Prices);
+    app.component("Scene", Scene);
   },
 };

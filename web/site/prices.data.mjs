@@ -1,0 +1,30 @@
+/** What docs/tradeoff/tradeoff.json measured, for the tables of the pages. */
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+
+const FILE = fileURLToPath(new URL("../../docs/tradeoff/tradeoff.json", import.meta.url));
+
+export default {
+  watch: [FILE],
+  load() {
+    const { about, cases } = JSON.parse(readFileSync(FILE, "utf8"));
+    const few = (value) => Number(value.toPrecision(2));
+    return {
+      about: { commit: about.commit, date: about.date.slice(0, 10), processor: about.processor },
+      cases: cases.map(({ case: name, title, about: words, error, unit, floor, points }) => ({
+        name,
+        title,
+        words,
+        error,
+        unit,
+        points: points
+          .filter(({ setting }) => /^(draft|default|high|exact|default swept|Box2D (4|8|16))$/.test(setting))
+          .map((point) => ({
+            setting: point.setting,
+            error: point.error <= floor ? "none" : `${few(point.error)}`,
+            microseconds: few(1000 * point.ms_mean),
+          })),
+      })),
+    };
+  },
+};
