@@ -30,6 +30,16 @@ export const sidebar = [
     ],
   },
   {
+    text: "Coming from",
+    items: [
+      page("Box2D", "from-box2d"),
+      page("Chipmunk", "from-chipmunk"),
+      page("Rapier", "from-rapier"),
+      page("matter.js", "from-matter"),
+      page("planck", "from-planck"),
+    ],
+  },
+  {
     text: "Reference",
     items: [
       page("Errors and what to do", "errors"),
