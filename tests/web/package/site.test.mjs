@@ -107,6 +107,8 @@ test("links_of_the_site_lead_to_files_and_anchors", () => {
     for (const [, address] of text.matchAll(/ (?:href|src)="([^"]*)"/g)) {
       if (/^(https?|mailto):/.test(address)) continue;
       count++;
+      const [, scene] = /^\.\.\/\?scene=(\w+)/.exec(address) ?? [];
+      if (scene && !existsSync(`${dist}scenes/${scene}.js`)) broken.push(`${name}: no scene ${scene}`);
       const [path, anchor] = address.split("#");
       const file = path === "" ? `docs/${name}` : new URL(path, "http://host/docs/").pathname.slice(1);
       const whole = file === "" || file.endsWith("/") ? `${file}index.html` : file;
@@ -130,6 +132,21 @@ test("reference_has_every_name_of_the_headers_and_typings", () => {
       if (!INNER.has(name)) assert.ok(world.includes(` id="${name}"`), name);
   const errors = readFileSync(`${docs}errors.html`, "utf8");
   for (const { name } of api.enums.find(({ name: one }) => one === "thud_result").values) assert.ok(errors.includes(name), name);
+});
+
+/** Beginnings of names that pages use in place of one name, and names of files. */
+const PARTS = /^thud_(default_|X_|threads|body_|shape_|joint_|world_)?$|\.h$/;
+
+test("names_of_c_on_the_pages_are_those_of_the_headers", () => {
+  const api = JSON.parse(readFileSync(`${root}bindings/api.json`, "utf8"));
+  const known = new Set(api.headers.map(({ name }) => name));
+  for (const kind of ["constants", "enums", "aliases", "callbacks", "structs", "variables", "functions"])
+    for (const { name, values = [] } of api[kind]) for (const one of [name, ...values.map((value) => value.name)]) known.add(one);
+  const unknown = [];
+  for (const page of pages.filter((name) => !/^(c|js|python)-/.test(name)))
+    for (const [name] of readFileSync(sources + page, "utf8").matchAll(/\b(?:thud|THUD)_\w+(?:\.h\b)?/g))
+      if (!known.has(name) && !PARTS.test(name)) unknown.push(`${page}: ${name}`);
+  assert.deepEqual(unknown, []);
 });
 
 test("page_of_scenes_and_every_page_of_the_site_link_to_each_other", () => {

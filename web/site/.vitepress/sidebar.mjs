@@ -30,6 +30,14 @@ export const sidebar = [
     ],
   },
   {
+    text: "Good to know",
+    items: [page("Common mistakes", "mistakes"), page("What thud does not do", "limits")],
+  },
+  {
+    text: "How it works",
+    items: [page("Finding collisions", "how-collisions"), page("Resolving them", "how-solver")],
+  },
+  {
     text: "Coming from",
     items: [
       page("Box2D", "from-box2d"),

@@ -27,7 +27,7 @@ export function anyFolder() {
 /** Scripts of this host alone, none in the page, and none made of text but WebAssembly. */
 const POLICY =
   "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; " +
-  "img-src 'self' data:; connect-src 'self'; worker-src 'self'; base-uri 'none'; form-action 'none'";
+  "img-src 'self' data:; connect-src 'self'; worker-src 'self'; frame-src 'self'; base-uri 'none'; form-action 'none'";
 
 /** VitePress' scripts in the page, in place of which public/theme.js is loaded. */
 const INLINE = /<script id="check-(?:dark-mode|mac-os)">.*?<\/script>/gs;

@@ -1,6 +1,7 @@
 /** The site's theme: that of VitePress in the page's colours, with examples that run. */
 import DefaultTheme from "vitepress/theme-without-fonts";
 import Home from "./Home.vue";
+import Lab from "./Lab.vue";
 import Layout from "./Layout.vue";
 import Live from "./Live.vue";
 import Prices from "./Prices.vue";
@@ -12,6 +13,7 @@ export default {
   Layout,
   enhanceApp({ app }) {
     app.component("Home", Home);
+    app.component("Lab", Lab);
     app.component("Live", Live);
     app.component("Prices", Prices);
     app.component("Scene", Scene);
