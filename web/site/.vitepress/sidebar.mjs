@@ -57,7 +57,7 @@ export const sidebar = [
         items: cHeaders().map((header) => page(header.name, header.page)),
       },
       {
-        text: "JavaScript",
+        ...page("JavaScript", "reference-js"),
         collapsed: true,
         items: [
           page("World", "js-world"),
