@@ -24,9 +24,13 @@ export const sidebar = [
       page("Joints", "guide-joints"),
       page("Queries", "guide-queries"),
       page("Characters", "guide-characters"),
+      page("Wind, water, explosions", "guide-fields"),
       page("Snapshots and rollback", "guide-snapshots"),
       page("Determinism", "guide-determinism"),
       page("Threads", "guide-threads"),
+      page("Drawing", "guide-drawing"),
+      page("Levels from Tiled", "guide-levels"),
+      page("Speed, memory, requirements", "guide-speed"),
     ],
   },
   {
