@@ -4,22 +4,27 @@ import { test } from "node:test";
 import { BROWSERS, DESKTOP, openVisitor, PHONE, runAxe } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
+/** Waits until an example has drawn bodies. */
+function untilDrawn(example) {
+  const opaque = () =>
+    example.locator("canvas").evaluate((canvas) => {
+      const { width, height } = canvas;
+      // Reads a copy, because the browser may keep the copy in memory where reading is fast.
+      const copy = Object.assign(document.createElement("canvas"), { width, height });
+      const context = copy.getContext("2d", { willReadFrequently: true });
+      context.drawImage(canvas, 0, 0);
+      const { data } = context.getImageData(0, 0, width, height);
+      return data.filter((value, i) => i % 4 === 3 && value > 200).length;
+    });
+  return until(opaque, (count) => count > 1000, "bodies are drawn");
+}
+
 for (const browser of BROWSERS)
   test(`example_runs_is_changed_and_told_of_its_error_in_${browser}`, async () => {
     const { page, errors, close } = await openVisitor({ browser }).open("docs/begin-javascript.html");
     const example = page.locator(".live").first();
     await example.getByRole("button", { name: "Run" }).first().click();
-    const drawn = () =>
-      example.locator("canvas").evaluate((canvas) => {
-        const { width, height } = canvas;
-        // Reads a copy, because the browser may keep the copy in memory where reading is fast.
-        const copy = Object.assign(document.createElement("canvas"), { width, height });
-        const context = copy.getContext("2d", { willReadFrequently: true });
-        context.drawImage(canvas, 0, 0);
-        const { data } = context.getImageData(0, 0, width, height);
-        return data.filter((value, i) => i % 4 === 3 && value > 200).length;
-      });
-    await until(drawn, (count) => count > 1000, "bodies are drawn");
+    await untilDrawn(example);
     await example.getByRole("button", { name: "Change the code" }).click();
     await example.locator(".cm-content").click();
     await page.keyboard.press("Control+a");
@@ -27,6 +32,18 @@ for (const browser of BROWSERS)
     await page.keyboard.press("Control+Enter");
     await example.locator(".live-lines:has-text('changed')").waitFor();
     await example.locator(".live-trouble:has-text('world is not defined')").waitFor();
+    assert.deepEqual(errors, []);
+    await close();
+  });
+
+for (const name of ["matter", "planck"])
+  test(`program_of_${name}_runs_beside_that_of_thud`, async () => {
+    const { page, errors, close } = await openVisitor().open(`docs/from-${name}.html`);
+    for (const i of [0, 1]) {
+      const example = page.locator(".live").nth(i);
+      await example.getByRole("button", { name: "Run" }).first().click();
+      await untilDrawn(example);
+    }
     assert.deepEqual(errors, []);
     await close();
   });

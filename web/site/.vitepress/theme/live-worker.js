@@ -1,7 +1,8 @@
 /**
  * Runs an example in a worker: code as one would write it on the package. Whatever world it makes
  * last is shown. Once a picture its function `frame` is called with the seconds that have passed;
- * where it has none, the world is advanced by them.
+ * where it has none, the world is advanced by them. Programs of other engines run too, and are
+ * loaded when one imports them (rivals.js).
  */
 import * as thud from "thud";
 import * as geometry from "thud/geometry";
@@ -22,10 +23,20 @@ async function load(...sources) {
   return engine;
 }
 
-const MODULES = { thud: { ...thud, load }, "thud/geometry": geometry };
+/** What shows a world of another engine and advances it; null: the world is thud's. */
+let rival = null;
 
-/** An import of names from the package, at the beginning of a line. */
-const IMPORT = /^import\s+(\{[^}]*\})\s+from\s+"(thud(?:\/\w+)?)";?/gm;
+const bringRival = async (name) => (await import("./rivals.js"))[name]((shown) => (world = rival = shown));
+
+const MODULES = {
+  thud: async () => ({ ...thud, load }),
+  "thud/geometry": async () => geometry,
+  planck: () => bringRival("planck"),
+  "matter-js": () => bringRival("matter"),
+};
+
+/** An import of names, or of a default, from one of MODULES, at the beginning of a line. */
+const IMPORT = /^import\s+(\{[^}]*\}|\w+)\s+from\s+"([^"]+)";?/gm;
 
 const say = (value) =>
   typeof value === "string" ? value : value instanceof Error ? String(value) : JSON.stringify(value);
@@ -35,8 +46,8 @@ const printer = { log: (...values) => postMessage({ printed: values.map(say).joi
 /** Runs the code and keeps its function `frame`. */
 async function start(code) {
   const body = code.replace(IMPORT, (_, names, from) => {
-    if (!MODULES[from]) throw new Error(`examples here have no module "${from}"`);
-    return `const ${names.replace(/\bas\b/g, ":")} = modules["${from}"];`;
+    if (!(from in MODULES)) throw new Error(`examples here have no module "${from}"`);
+    return `const ${names.replace(/\bas\b/g, ":")} = await modules["${from}"]();`;
   });
   const AsyncFunction = start.constructor;
   const run = new AsyncFunction(
@@ -63,6 +74,10 @@ function follow(place) {
 
 function show({ seconds, lower, upper, hand: place }) {
   if (!world) return {};
+  if (rival) {
+    if (seconds > 0) rival.advance(seconds);
+    return rival.draw();
+  }
   follow(place);
   if (seconds > 0) {
     if (frame) frame(seconds);
