@@ -2,7 +2,7 @@
 """Makes thud.h, all public headers in one, and thud.c, the whole engine in one file, from the sources.
 
 A program is compiled with both beside it by one call of its compiler: cc -O2 game.c thud.c -lm.
-The same sources give the same bytes.
+The same sources give the same bytes. thud.hpp, for C++, is copied beside them.
 
 thud.h is the public headers, each after those that it includes. thud.c is four parts:
 
@@ -658,14 +658,16 @@ AVX2_ENDS = """#if defined(__clang__)
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0],
                                      epilog="Compile them with: cc -O2 game.c thud.c -lm")
-    parser.add_argument("folder", type=pathlib.Path, help="where thud.h and thud.c are written")
+    parser.add_argument("folder", type=pathlib.Path, help="where the files are written")
     parser.add_argument("--source", type=pathlib.Path, metavar="ROOT",
                         default=pathlib.Path(__file__).resolve().parent.parent,
                         help="the project's root (the one that this script stands in)")
     options = parser.parse_args()
     engine = Engine(options.source)
     options.folder.mkdir(parents=True, exist_ok=True)
-    for name, text in (("thud.h", engine.header()), ("thud.c", engine.code())):
+    cpp = options.source / "engine/include/thud/thud.hpp"
+    for name, text in (("thud.h", engine.header()), ("thud.c", engine.code()),
+                       ("thud.hpp", cpp.read_text(encoding="utf-8"))):
         with open(options.folder / name, "w", encoding="utf-8", newline="\n") as file:
             file.write(text)
 
