@@ -38,7 +38,7 @@ export default defineConfig({
     siteTitle: "thud",
     logo: { src: "../icon.svg", alt: "" },
     nav: [
-      { text: "Begin", link: "/begin-javascript", activeMatch: "/begin-" },
+      { text: "Begin", link: "/begin-javascript", activeMatch: "/(begin|binding)-" },
       { text: "Guides", link: "/guide-units", activeMatch: "/guide-" },
       { text: "Reference", link: "/reference-c", activeMatch: "/(reference-|c-|js-|python-|errors)" },
       { text: "Play", link: "../", target: "_self", noIcon: true },

@@ -10,6 +10,9 @@ export const sidebar = [
       page("In JavaScript", "begin-javascript"),
       page("In C", "begin-c"),
       page("In Python", "begin-python"),
+      page("In C++", "binding-cpp"),
+      page("In Rust", "binding-rust"),
+      page("In LuaJIT", "binding-lua"),
     ],
   },
   {
