@@ -35,6 +35,13 @@ const sceneAssets: Plugin = {
   },
 };
 
+/** Takes the comments out of the page. */
+const bare: Plugin = {
+  name: "bare",
+  apply: "build",
+  transformIndexHtml: (html) => html.replace(/\s*<!--.*?-->/gs, ""),
+};
+
 /** Takes comments and indentation out of the shaders, which stand in strings. */
 const shaders: Plugin = {
   name: "shaders",
@@ -64,7 +71,7 @@ const shorten: Plugin = {
 export default defineConfig({
   // Relative URLs, so that the built folder can be served under any path.
   base: "./",
-  plugins: [sceneAssets, sceneTexts(), codeNames(), shaders, shorten, offline()],
+  plugins: [sceneAssets, sceneTexts(), codeNames(), bare, shaders, shorten, offline()],
   build: {
     target: "es2022",
     // The content security policy allows neither inline scripts nor data: URLs.

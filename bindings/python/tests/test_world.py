@@ -70,8 +70,13 @@ def test_golden_hashes_are_those_of_c(scene):
     assert f"{world.hash():016x}" == rows[scene.__name__]
 
 
-def test_programs_of_the_readme_print_what_it_says():
-    text = (PROJECT / "bindings/python/README.md").read_text(encoding="utf-8")
+PAGES = [path for path in ("bindings/python/README.md", *sorted(PROJECT.glob("web/site/*.md")))
+         if "```python" in (PROJECT / path).read_text(encoding="utf-8")]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: Path(path).stem)
+def test_programs_of_pages_print_what_they_say(page):
+    text = (PROJECT / page).read_text(encoding="utf-8")
     program = "\n".join(re.findall(r"```python\n(.*?)```", text, re.DOTALL))
     said = re.findall(r"print\(.*\) +# (.*)", program)
     with contextlib.redirect_stdout(io.StringIO()) as printed:

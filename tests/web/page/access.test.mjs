@@ -42,7 +42,7 @@ async function open(search, options, prepare) {
 /** The controls that overlap each other or are outside of the window. */
 function misplaced(page) {
   return page.evaluate(() => {
-    const parts = [...document.querySelectorAll("#scenes-button, #hud, #rail button, #controls")]
+    const parts = [...document.querySelectorAll("#scenes-button, #hud, #rail > *, #controls")]
       .filter((element) => element.checkVisibility())
       .map((element) => {
         const { left, top, right, bottom } = element.getBoundingClientRect();

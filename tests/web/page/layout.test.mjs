@@ -26,7 +26,7 @@ const SIZES = [
 ];
 /** The elements that a visitor reads or touches. */
 const PARTS =
-  "#scenes-button, #hud, #rail button, #figures, #message, #hint, #pad button, " +
+  "#scenes-button, #hud, #rail > *, #figures, #message, #hint, #pad button, " +
   "#controls button, #time, #time-label";
 
 /** Name and box of each visible one. */

@@ -49,6 +49,22 @@ test("page_without_network_after_one_visit_runs_other_scenes_and_levels_and_open
   }
 });
 
+test("page_of_the_site_that_was_visited_is_there_without_network_and_can_be_searched", async (t) => {
+  const { url, cut } = await serve(t, createStaticServer(copyOfPage(t)));
+  const page = await newVisitor(t);
+  await page.goto(url + STANDING);
+  await untilOffline(page);
+  const search = async () => {
+    await page.goto(`${url}docs/begin-c.html`);
+    await page.locator(".DocSearch-Button").click();
+    await page.fill("#localsearch-input", "Batch");
+    await page.locator(".result:has-text('Begin in Python')").first().waitFor();
+  };
+  await search();
+  await cut();
+  await search();
+});
+
 test("page_kept_offline_is_isolated_even_from_a_plain_host", async (t) => {
   const { url } = await serve(t, createPlainServer(copyOfPage(t)));
   const page = await newVisitor(t);

@@ -29,6 +29,9 @@ declare const self: ServiceWorkerGlobalScope;
 const PREFIX = `thud ${self.registration.scope} `;
 const CACHE = PREFIX + BUILD.version;
 const INDEX = addressOf("index.html");
+/** The documentation site, of which what was visited is kept, until the next build. */
+const SITE = addressOf("docs/");
+const SITE_CACHE = `${CACHE} docs`;
 
 self.addEventListener("install", (event) => event.waitUntil(install()));
 self.addEventListener("activate", (event) => event.waitUntil(activate()));
@@ -54,7 +57,7 @@ async function install(): Promise<void> {
 /** Deletes the caches of former builds, and takes control of the open pages. */
 async function activate(): Promise<void> {
   for (const name of await caches.keys())
-    if (name.startsWith(PREFIX) && name !== CACHE) await caches.delete(name);
+    if (name.startsWith(PREFIX) && !name.startsWith(CACHE)) await caches.delete(name);
   await self.clients.claim();
 }
 
@@ -62,8 +65,23 @@ async function activate(): Promise<void> {
 async function answer(request: Request): Promise<Response> {
   const cache = await caches.open(CACHE);
   const address = request.url.replace(/[?#].*$/, "");
+  if (address.startsWith(SITE)) return withHeaders(await answerFromSite(request, address));
   const isPage = request.mode === "navigate" && address === addressOf("./");
   return withHeaders((await cache.match(isPage ? INDEX : address)) ?? (await fetch(request)));
+}
+
+/** A file of the site: from the host, or without a network as it was when last visited. */
+async function answerFromSite(request: Request, address: string): Promise<Response> {
+  const cache = await caches.open(SITE_CACHE);
+  try {
+    const response = await fetch(request);
+    if (response.ok) await cache.put(address, response.clone());
+    return response;
+  } catch (error) {
+    const kept = await cache.match(address);
+    if (!kept) throw error;
+    return kept;
+  }
 }
 
 /** Fetches a file and caches it; throws on an error or if it is a file of another build. */

@@ -1,0 +1,82 @@
+/** Tests the documentation site in browsers: its examples, its search, its themes, and axe. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { BROWSERS, DESKTOP, openVisitor, PHONE, runAxe } from "../support/page.mjs";
+import { until } from "../support/wait.mjs";
+
+/** Waits until an example has drawn bodies. */
+function untilDrawn(example) {
+  const opaque = () =>
+    example.locator("canvas").evaluate((canvas) => {
+      const { width, height } = canvas;
+      // Reads a copy, because the browser may keep the copy in memory where reading is fast.
+      const copy = Object.assign(document.createElement("canvas"), { width, height });
+      const context = copy.getContext("2d", { willReadFrequently: true });
+      context.drawImage(canvas, 0, 0);
+      const { data } = context.getImageData(0, 0, width, height);
+      return data.filter((value, i) => i % 4 === 3 && value > 200).length;
+    });
+  return until(opaque, (count) => count > 1000, "bodies are drawn");
+}
+
+for (const browser of BROWSERS)
+  test(`example_runs_is_changed_and_told_of_its_error_in_${browser}`, async () => {
+    const { page, errors, close } = await openVisitor({ browser }).open("docs/begin-javascript.html");
+    const example = page.locator(".live").first();
+    await example.getByRole("button", { name: "Run" }).first().click();
+    await untilDrawn(example);
+    await example.getByRole("button", { name: "Change the code" }).click();
+    await example.locator(".cm-content").click();
+    await page.keyboard.press("Control+a");
+    await page.keyboard.insertText('console.log("changed"); world.step()');
+    await page.keyboard.press("Control+Enter");
+    await example.locator(".live-lines:has-text('changed')").waitFor();
+    await example.locator(".live-trouble:has-text('world is not defined')").waitFor();
+    assert.deepEqual(errors, []);
+    await close();
+  });
+
+for (const name of ["matter", "planck"])
+  test(`program_of_${name}_runs_beside_that_of_thud`, async () => {
+    const { page, errors, close } = await openVisitor().open(`docs/from-${name}.html`);
+    for (const i of [0, 1]) {
+      const example = page.locator(".live").nth(i);
+      await example.getByRole("button", { name: "Run" }).first().click();
+      await untilDrawn(example);
+    }
+    assert.deepEqual(errors, []);
+    await close();
+  });
+
+test("search_finds_a_word_and_its_page_is_opened_from_the_one_before", async () => {
+  const { page, errors, close } = await openVisitor().open("docs/begin-c.html");
+  await page.locator(".DocSearch-Button").click();
+  await page.fill("#localsearch-input", "Batch");
+  await page.locator(".result:has-text('Begin in Python')").first().click();
+  await page.waitForURL(/\/docs\/begin-python\.html/);
+  await page.getByRole("link", { name: "Play" }).first().click();
+  await page.waitForSelector("#rail a");
+  await page.click("#rail a");
+  await page.waitForURL(/\/docs\/$/);
+  await page.locator(".home h1").waitFor();
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+for (const [name, colorScheme, size] of [
+  ["", "light", DESKTOP],
+  ["guide-quality.html", "dark", PHONE],
+  ["how-collisions.html", "light", PHONE],
+  ["c-thud_joint.html", "dark", DESKTOP],
+  ["js-types.html", "light", DESKTOP],
+])
+  test(`axe_finds_nothing_serious_in_docs_${name || "index"}`, async () => {
+    const options = { ...size, colorScheme, reducedMotion: "reduce" };
+    const { page, errors, close } = await openVisitor().open(`docs/${name}`, options);
+    await page.waitForSelector(colorScheme === "dark" ? "html.dark .VPContent" : "html:not(.dark) .VPContent");
+    assert.deepEqual(await runAxe(page), []);
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    assert.equal(wide, 0, "the page scrolls sideways");
+    assert.deepEqual(errors, []);
+    await close();
+  });
