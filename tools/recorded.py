@@ -167,6 +167,8 @@ class Api:
                 code = self.code(kind)
                 codec = f"&CODEC_{kind}" if code == "STRUCT" else "NULL"
             rows.append((code, index, count, codec))
+        if self.functions[function]["returns"] in HANDLES:   # as if the call wrote it
+            rows.append(("OUT_HANDLE", len(rows), 0, "NULL"))
         return rows
 
 
@@ -277,17 +279,20 @@ def write_wrappers(api, calls):
         redirected = name.replace("thud_", "thud_recorded_", 1)
         parameters = function["parameters"][1:]
         passed = ", ".join(p["name"] for p in function["parameters"])
-        args = ", ".join(f"&{p['name']}" for p in parameters) or "NULL"
         returned = c_type(function["returns"])
+        is_handle = returned in HANDLES
+        args = [f"&{p['name']}" for p in parameters] + (["&out"] if is_handle else []) or ["NULL"]
         world = function["parameters"][0]["name"]
-        lines += ["", f"THUD_API {signature(function, redirected)} {{",
-                  f"    const void *const args[] = {{{args}}};",
+        lines += ["", f"THUD_API {signature(function, redirected)} {{"]
+        if is_handle:
+            lines.append(f"    {returned} made, *out = &made;")
+        lines += [f"    const void *const args[] = {{{', '.join(args)}}};",
                   "    td_record_frame own;",
                   f"    td_record_open(&own, {world}, {number_name(name)}, args);"]
         if returned == "thud_result":
             lines.append(f"    return td_record_close(&own, {name}({passed}));")
         else:
-            lines += [f"    {returned} made = {name}({passed});",
+            lines += [f"    made = {name}({passed});",
                       "    td_record_close(&own, made.index1 ? THUD_OK : THUD_ERROR_INVALID);",
                       "    return made;"]
         lines.append("}")
@@ -314,7 +319,9 @@ def write_player(api, calls):
         if function["returns"] == "thud_result":
             lines.append(f"        return {made};")
         else:
-            lines.append(f"        return {made}.index1 ? THUD_OK : THUD_ERROR_INVALID;")
+            out = f"ARGUMENT({function['returns']} *, {len(function['parameters']) - 1})"
+            lines += [f"        *{out} = {made};",
+                      f"        return {out}->index1 ? THUD_OK : THUD_ERROR_INVALID;"]
     return "\n".join(lines + ["    }", "    return THUD_ERROR_INVALID;", "}", "/* clang-format on */", ""])
 
 

@@ -136,7 +136,8 @@ thud_result td_play_call(td_play *p, thud_world *w, int call, td_decoded *d) {
     case TD_CALL_WORLD_USE_JOINTS:
         return thud_world_use_joints(w);
     case TD_CALL_JOINT_MAKE:
-        return thud_joint_make(w, ARGUMENT(thud_joint_def, 0)).index1 ? THUD_OK : THUD_ERROR_INVALID;
+        *ARGUMENT(thud_joint_id *, 1) = thud_joint_make(w, ARGUMENT(thud_joint_def, 0));
+        return ARGUMENT(thud_joint_id *, 1)->index1 ? THUD_OK : THUD_ERROR_INVALID;
     case TD_CALL_WORLD_SET_LISTENERS:
         return td_play_world_set_listeners(p, w, d);
     case TD_CALL_CONTACT_DECIDE:
@@ -144,7 +145,8 @@ thud_result td_play_call(td_play *p, thud_world *w, int call, td_decoded *d) {
     case TD_CALL_BODY_SET_LOCKS:
         return thud_body_set_locks(w, ARGUMENT(thud_body_id, 0), ARGUMENT(bool, 1), ARGUMENT(bool, 2));
     case TD_CALL_BODY_MAKE:
-        return thud_body_make(w, ARGUMENT(thud_geometry, 0), ARGUMENT(const thud_body_options *, 1)).index1 ? THUD_OK : THUD_ERROR_INVALID;
+        *ARGUMENT(thud_body_id *, 2) = thud_body_make(w, ARGUMENT(thud_geometry, 0), ARGUMENT(const thud_body_options *, 1));
+        return ARGUMENT(thud_body_id *, 2)->index1 ? THUD_OK : THUD_ERROR_INVALID;
     case TD_CALL_MOVER_MOVE:
         return td_play_mover_move(p, w, d);
     case TD_CALL_WORLD_SET_RULE:

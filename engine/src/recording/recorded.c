@@ -442,10 +442,11 @@ THUD_API thud_result thud_recorded_world_use_joints(thud_world *world) {
 }
 
 THUD_API thud_joint_id thud_recorded_joint_make(thud_world *world, thud_joint_def def) {
-    const void *const args[] = {&def};
+    thud_joint_id made, *out = &made;
+    const void *const args[] = {&def, &out};
     td_record_frame own;
     td_record_open(&own, world, TD_CALL_JOINT_MAKE, args);
-    thud_joint_id made = thud_joint_make(world, def);
+    made = thud_joint_make(world, def);
     td_record_close(&own, made.index1 ? THUD_OK : THUD_ERROR_INVALID);
     return made;
 }
@@ -472,10 +473,11 @@ THUD_API thud_result thud_recorded_body_set_locks(thud_world *world, thud_body_i
 }
 
 THUD_API thud_body_id thud_recorded_body_make(thud_world *world, thud_geometry shape, const thud_body_options *options) {
-    const void *const args[] = {&shape, &options};
+    thud_body_id made, *out = &made;
+    const void *const args[] = {&shape, &options, &out};
     td_record_frame own;
     td_record_open(&own, world, TD_CALL_BODY_MAKE, args);
-    thud_body_id made = thud_body_make(world, shape, options);
+    made = thud_body_make(world, shape, options);
     td_record_close(&own, made.index1 ? THUD_OK : THUD_ERROR_INVALID);
     return made;
 }
