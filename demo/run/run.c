@@ -17,6 +17,9 @@
 #include <time.h>
 #include <unistd.h>
 
+/* Last: the calls of this file, and of act_thud.c as CMakeLists.txt compiles it, are recorded. */
+#include <thud/thud_recorded.h>
+
 /* A thud_clock_fn, in seconds. */
 static double seconds_now(void *context) {
     (void)context;
