@@ -172,7 +172,7 @@ static void count_chunk(const char *name, thud_bytes bytes, void *context) {
 
 /* A world that is recorded, and played to the same hash, with a chunk, by steps and by seeking. */
 static void play_recorded(fuzz_session *s) {
-    enum { STEPS = 5 };
+    enum { RECORDED = 5 };
     thud_world *world = COUNTED(thud_world_make((thud_vec2){0, -10}, &thud_quality_draft)), *played;
     thud_body_options ball = {.kind = THUD_BODY_DYNAMIC};
     thud_body_make(world, thud_circle_at(0, 2, 0.5), &ball);
@@ -184,7 +184,7 @@ static void play_recorded(fuzz_session *s) {
     thud_player_options options = {.chunk = count_chunk, .context = &chunks};
     bool ok = COUNTED(thud_recorder_begin(world, NULL, &recorder)) == THUD_OK &&
               COUNTED(thud_recorder_add_chunk(recorder, "n", (thud_bytes){"1", 1})) == THUD_OK;
-    for (int i = 0; i < STEPS && ok; i++) {
+    for (int i = 0; i < RECORDED && ok; i++) {
         ok = thud_world_step(world) == THUD_OK;
     }
     ok = ok && COUNTED(thud_recorder_get_bytes(recorder, &bytes)) == THUD_OK &&

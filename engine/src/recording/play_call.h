@@ -19,7 +19,9 @@ typedef struct td_play {
     td_memory *memory;
     td_reader from;       /* the records of the segment under way */
     td_play_frame *frame; /* null: between calls */
-    bool differs;         /* a call has another result than was recorded */
+    /* Plays the record that begins with this byte, a call; callbacks call it. */
+    void (*record)(struct td_play *p, unsigned record);
+    bool differs; /* a call has another result than was recorded */
     bool short_of_memory;
 } td_play;
 
@@ -30,8 +32,6 @@ static inline bool td_play_goes_on(const td_play *p) {
 
 /* Makes the call of this number. */
 thud_result td_play_call(td_play *p, thud_world *w, int call, td_decoded *d);
-/* Plays the record that begins with this byte, a call. */
-void td_play_record(td_play *p, unsigned record);
 
 /* ---- play_callbacks.c ---- */
 

@@ -25,7 +25,7 @@ static bool enter(td_play *p) {
     }
     for (unsigned record = td_read_byte(&p->from); record != TD_RECORD_ANSWER;
          record = td_read_byte(&p->from)) {
-        td_play_record(p, record);
+        p->record(p, record);
         if (!td_play_goes_on(p)) {
             return false;
         }

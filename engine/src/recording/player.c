@@ -159,6 +159,54 @@ static thud_result go_to(thud_player *p, const td_keyframe *keyframe) {
     return THUD_OK;
 }
 
+/* ---- calls ---- */
+
+/* Makes a call, whose arguments come next. `opened`: records of its callbacks follow them. */
+static void play_call(td_play *p, uint64_t number, bool opened) {
+    if (number >= TD_CALL_COUNT) {
+        p->from.broken = true;
+        return;
+    }
+    const td_recorded_call *call = &td_recorded_calls[number];
+    td_decoded decoded = {.memory = p->memory, .pass = td_play_pass};
+    if (!td_codec_read(p->world, &p->from, call, &decoded)) {
+        p->short_of_memory |= decoded.short_of_memory;
+        p->from.broken |= !decoded.short_of_memory;
+        td_decoded_free(&decoded);
+        return;
+    }
+    td_play_frame frame = {.outer = p->frame};
+    if (opened) {
+        td_play_next_callback(p, &frame);
+    }
+    p->frame = &frame;
+    thud_result result = td_play_call(p, p->world, (int)number, &decoded);
+    p->frame = frame.outer;
+    if (td_play_goes_on(p)) {
+        p->short_of_memory = result == THUD_ERROR_MEMORY;
+        p->differs = !p->short_of_memory &&
+                     (result != THUD_OK || (opened && td_read_byte(&p->from) != TD_RECORD_CLOSE) ||
+                      !td_codec_same_outs(p->world, &p->from, call, &decoded));
+    }
+    td_decoded_free(&decoded);
+}
+
+/* td_play.record. */
+static void play_nested(td_play *p, unsigned record) {
+    if (record == TD_RECORD_LOCKED) {
+        bool locked = p->world->locked;
+        p->world->locked = true;
+        play_nested(p, td_read_byte(&p->from));
+        p->world->locked = locked;
+    } else if (record == TD_RECORD_OPEN) {
+        play_call(p, td_read_count(&p->from), true);
+    } else if (record >= TD_RECORD_CALL) {
+        play_call(p, record - TD_RECORD_CALL, false);
+    } else {
+        p->from.broken = true;
+    }
+}
+
 /* ---- making and destroying ---- */
 
 void thud_player_destroy(thud_player *p) {
@@ -211,6 +259,7 @@ thud_result thud_player_create(thud_bytes recording, const thud_player_options *
                        .count = recording.count,
                        .keyframes = {.stride = (int)sizeof(td_keyframe)}};
     p->play.memory = &p->memory;
+    p->play.record = play_nested;
     bool short_of_memory = false;
     const char *error = find_segments(p, &short_of_memory);
     thud_result result = short_of_memory ? THUD_ERROR_MEMORY : THUD_ERROR_INVALID;
@@ -229,51 +278,6 @@ thud_result thud_player_create(thud_bytes recording, const thud_player_options *
 }
 
 /* ---- playing ---- */
-
-/* Makes a call, whose arguments come next. `opened`: records of its callbacks follow them. */
-static void play_call(td_play *p, uint64_t number, bool opened) {
-    if (number >= TD_CALL_COUNT) {
-        p->from.broken = true;
-        return;
-    }
-    const td_recorded_call *call = &td_recorded_calls[number];
-    td_decoded decoded = {.memory = p->memory, .pass = td_play_pass};
-    if (!td_codec_read(p->world, &p->from, call, &decoded)) {
-        p->short_of_memory |= decoded.short_of_memory;
-        p->from.broken |= !decoded.short_of_memory;
-        td_decoded_free(&decoded);
-        return;
-    }
-    td_play_frame frame = {.outer = p->frame};
-    if (opened) {
-        td_play_next_callback(p, &frame);
-    }
-    p->frame = &frame;
-    thud_result result = td_play_call(p, p->world, (int)number, &decoded);
-    p->frame = frame.outer;
-    if (td_play_goes_on(p)) {
-        p->short_of_memory = result == THUD_ERROR_MEMORY;
-        p->differs = !p->short_of_memory &&
-                     (result != THUD_OK || (opened && td_read_byte(&p->from) != TD_RECORD_CLOSE) ||
-                      !td_codec_same_outs(p->world, &p->from, call, &decoded));
-    }
-    td_decoded_free(&decoded);
-}
-
-void td_play_record(td_play *p, unsigned record) {
-    if (record == TD_RECORD_LOCKED) {
-        bool locked = p->world->locked;
-        p->world->locked = true;
-        td_play_record(p, td_read_byte(&p->from));
-        p->world->locked = locked;
-    } else if (record == TD_RECORD_OPEN) {
-        play_call(p, td_read_count(&p->from), true);
-    } else if (record >= TD_RECORD_CALL) {
-        play_call(p, record - TD_RECORD_CALL, false);
-    } else {
-        p->from.broken = true;
-    }
-}
 
 /* Compares the hash of the world with the next 8 bytes. */
 static bool is_same_hash(thud_player *p, td_reader *from) {
@@ -357,7 +361,7 @@ static void play_record(thud_player *p) {
         td_read_byte(from);
         break;
     default:
-        td_play_record(play, record);
+        play_nested(play, record);
         p->steps += play->world->steps - before;
     }
 }

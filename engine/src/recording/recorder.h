@@ -69,6 +69,8 @@ void td_record_open(td_record_frame *frame, thud_world *w, int call, const void 
 thud_result td_record_close(td_record_frame *frame, thud_result result);
 /* Writes the steps that were made and are not in the records yet. */
 void td_record_flush_steps(thud_recorder *r);
+/* Writes where the frame is: within a callback of an outer one, or after the steps so far. */
+void td_record_place(thud_recorder *r, td_record_frame *frame);
 /* The world has another state than by recorded calls. */
 void td_record_restored(thud_world *w);
 /* The world is being destroyed: finishes its recording. */
