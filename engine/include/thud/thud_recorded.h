@@ -1,6 +1,6 @@
-/* thud_recorded.h: records the calls of the source files that include it. Each function that changes
- * a world is redirected to one that makes the same call, and adds it to the recording of the world
- * (thud_recording.h), if there is one. Include it last: it includes all headers of thud itself.
+/* thud_recorded.h: records the calls of the source files that include it. Each function that
+ * changes a world is redirected to one that makes the same call, and adds it to the recording of
+ * the world (thud_recording.h), if there is one. Include it last: it includes all headers of thud.
  * Programs that do not include it link nothing of it.
  *
  * Calls have the same arguments, results and errors as without it. thud_all.h does not include this
