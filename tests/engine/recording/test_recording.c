@@ -28,7 +28,8 @@ typedef struct game {
     thud_world *world;
     thud_body_id ball[BALLS];
     thud_body_id wall;
-    int calls; /* of callbacks */
+    int calls;    /* of callbacks */
+    int replaced; /* bodies, by `hit` */
 } game;
 
 static game make_game(thud_world_def def) {
@@ -376,13 +377,16 @@ static void callbacks_are_not_needed(void **state) {
     }
 }
 
-/* Replaces every third body: inside a query, where the slot of a destroyed one is not free yet. */
+/* Replaces two bodies, and sets the velocity of a third one: inside a query, so that it takes
+ * effect after what is set when the query is over. */
 static bool hit(thud_shape_id shape, void *context) {
     game *g = context;
     thud_body_id body;
     OK(thud_shape_get_body(g->world, shape, &body));
-    if (g->calls++ % 3 == 0 && state_of(g->world, body).kind == THUD_BODY_DYNAMIC) {
+    OK(thud_body_set_velocity(g->world, g->ball[0], (thud_vec2){1, 5}, 0));
+    if (state_of(g->world, body).kind == THUD_BODY_DYNAMIC && g->replaced < 2) {
         thud_body_options ball = {.kind = THUD_BODY_DYNAMIC};
+        g->replaced++;
         OK(thud_body_destroy(g->world, body));
         assert_true(thud_body_make(g->world, thud_circle_at(-9, 3, 0.5), &ball).index1);
     }
@@ -421,6 +425,8 @@ static void other_callbacks_are_recorded(void **state) {
         if (i == 20) {
             OK(thud_world_overlap_aabb(g.world, (thud_pos){2, -1}, (thud_pos){9, 9}, NULL, hit,
                                        &g));
+            assert_int_equal(g.replaced, 2);
+            OK(thud_body_set_velocity(g.world, g.ball[0], (thud_vec2){0, 0}, 0));
         }
         if (i % 30 == 0) {
             OK(thud_world_advance(g.world, 0.04, 3, NULL, NULL));
