@@ -1,6 +1,7 @@
 /* player.c: plays recordings (thud_recording.h); their format is in recording.h. */
 #include "recording/play_call.h"
 #include "recording/recorded_calls.h"
+#include "recording/repeats.h"
 #include "state/handles.h"
 #include "thud/thud_all.h"
 
@@ -20,6 +21,7 @@ struct thud_player {
     size_t count;
     size_t next;         /* where the next segment begins */
     td_array keyframes;  /* td_keyframe */
+    td_array records;    /* uint8_t: of the segment under way */
     uint64_t waiting;    /* steps without anything else that come next */
     uint64_t first, end; /* steps before the first segment, and in all */
     uint64_t steps;      /* made so far */
@@ -216,6 +218,7 @@ void thud_player_destroy(thud_player *p) {
     thud_world_destroy(p->play.world);
     td_memory memory = p->memory;
     td_array_free(&memory, &p->keyframes);
+    td_array_free(&memory, &p->records);
     td_memory_put(&memory, p, sizeof *p);
 }
 
@@ -257,7 +260,8 @@ thud_result thud_player_create(thud_bytes recording, const thud_player_options *
                        .options = o,
                        .bytes = recording.data,
                        .count = recording.count,
-                       .keyframes = {.stride = (int)sizeof(td_keyframe)}};
+                       .keyframes = {.stride = (int)sizeof(td_keyframe)},
+                       .records = {.stride = 1}};
     p->play.memory = &p->memory;
     p->play.record = play_nested;
     bool short_of_memory = false;
@@ -366,6 +370,19 @@ static void play_record(thud_player *p) {
     }
 }
 
+/* Begins to read the records of a segment. */
+static void begin_records(thud_player *p, const segment *s) {
+    td_reader from = {p->bytes, s->at, s->at + s->count, false};
+    uint64_t count = td_read_count(&from);
+    bool fits = !from.broken && count <= INT32_MAX;
+    p->play.short_of_memory = fits && !td_array_reserve(&p->memory, &p->records, (int)count + 1);
+    if (p->play.short_of_memory) {
+        return;
+    }
+    fits = fits && td_repeats_read(&from, p->records.data, (size_t)count);
+    p->play.from = (td_reader){p->records.data, 0, fits ? (size_t)count : 0, !fits};
+}
+
 /* Begins the next segment. Keyframes are passed over; at the end its hash is compared. */
 static void begin_segment(thud_player *p) {
     segment s;
@@ -373,13 +390,15 @@ static void begin_segment(thud_player *p) {
         p->play.from.broken = true;
         return;
     }
-    p->play.from = (td_reader){p->bytes, s.at, s.at + s.count, false};
     if (s.kind == TD_SEGMENT_END) {
-        is_same_hash(p, &p->play.from);
+        td_reader from = {p->bytes, s.at, s.at + s.count, false};
+        is_same_hash(p, &from);
         p->ended = true;
-    } else {
-        p->next = s.next;
-        p->play.from.at = s.kind == TD_SEGMENT_KEYFRAME ? p->play.from.end : s.at;
+        return;
+    }
+    p->next = s.next;
+    if (s.kind == TD_SEGMENT_CALLS) {
+        begin_records(p, &s);
     }
 }
 

@@ -3,6 +3,7 @@
  * recording ends, and thud_recorder_get_bytes tells so. */
 #include "recording/recorder.h"
 
+#include "recording/repeats.h"
 #include "rules/rules.h"
 #include "sessions/packed.h"
 #include "state/handles.h"
@@ -13,8 +14,9 @@
 /* Defaults of options: a second at 60 Hz, and a fourth of a ring. Chosen. */
 enum { HASH_STEPS = 60, KEYFRAMES_A_RING = 4 };
 
-/* Bytes of records after which a segment ends, so that a sink is not kept waiting. Chosen. */
-enum { SEGMENT_BYTES = 1 << 16 };
+/* Bytes of records after which a segment ends, so that finding repeats is no long work in one step.
+ * Chosen. */
+enum { SEGMENT_BYTES = 1 << 14 };
 
 /* ---- segments ---- */
 
@@ -53,8 +55,12 @@ static void deliver(thud_recorder *r) {
 static void finish_records(thud_recorder *r) {
     td_record_flush_steps(r);
     if (r->records.count > 0) {
-        write_segment(r, TD_SEGMENT_CALLS, r->begun, r->records.bytes, r->records.count);
-        r->records.count = 0;
+        td_writer *to = &r->shorter;
+        td_write_count(to, r->records.count);
+        td_repeats_write(to, r->records.bytes, r->records.count);
+        r->failed |= to->broken;
+        write_segment(r, TD_SEGMENT_CALLS, r->begun, to->bytes, to->count);
+        r->records.count = to->count = 0;
     }
     r->begun = r->time;
 }
@@ -147,16 +153,17 @@ static void write_hash(thud_recorder *r) {
 /* What is due between calls, after steps. */
 static void take_stock(thud_recorder *r) {
     const thud_world *w = r->world;
+    bool finishes = r->records.count > SEGMENT_BYTES;
     if (r->time - r->hashed_at >= (uint64_t)r->options.hash_steps) {
         /* The first awake slot stands for static bodies. */
         if (r->changed || w->body_of.count > 1) {
             write_hash(r);
-            finish_records(r);
-            deliver(r);
+            finishes |= r->options.sink != NULL;
         }
         r->hashed_at = r->time;
         r->changed = false;
-    } else if (r->records.count > SEGMENT_BYTES) {
+    }
+    if (finishes) {
         finish_records(r);
         deliver(r);
     }
@@ -295,6 +302,7 @@ static void free_recorder(thud_recorder *r) {
     td_memory memory = r->memory;
     td_writer_free(&r->whole);
     td_writer_free(&r->records);
+    td_writer_free(&r->shorter);
     td_array_free(&memory, &r->places);
     td_memory_put(&memory, r, sizeof *r);
 }
@@ -328,6 +336,7 @@ thud_result thud_recorder_begin(thud_world *w, const thud_recorder_options *opti
                          .options = o,
                          .whole = {.memory = memory},
                          .records = {.memory = memory},
+                         .shorter = {.memory = memory},
                          .places = {.stride = (int)sizeof(td_segment_place)},
                          .steps = w->steps};
     td_write_bytes(&r->whole, TD_RECORDING_MAGIC, sizeof TD_RECORDING_MAGIC);

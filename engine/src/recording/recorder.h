@@ -41,6 +41,7 @@ struct thud_recorder {
     thud_recorder_options options;
     td_writer whole;        /* the segments that are finished, or what the sink has not got yet */
     td_writer records;      /* the contents of the segment under way */
+    td_writer shorter;      /* the same without repeats, when it is finished */
     td_array places;        /* td_segment_place, of the segments in `whole`; with a ring */
     uint64_t time;          /* steps that are recorded so far */
     uint64_t begun;         /* `time` as the segment under way began */

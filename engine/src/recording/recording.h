@@ -8,10 +8,11 @@
  *               the TD_SEGMENT_END
  *
  * A keyframe is the def of the world, the listeners that it has, and its snapshot, packed: nothing
- * before it is needed to play on from there. TD_SEGMENT_CALLS are records, each of which begins
- * with a byte: a td_record, or TD_RECORD_CALL plus the number of a call (recorded_calls.h), after
- * which its arguments and the handles that it returned follow. A call within which callbacks made
- * calls, or gave answers that are not the usual ones, is
+ * before it is needed to play on from there. TD_SEGMENT_CALLS are, after their length, and without
+ * what they repeat (repeats.h), records, each of which begins with a byte: a td_record, or
+ * TD_RECORD_CALL plus the number of a call (recorded_calls.h), after which its arguments and the
+ * handles that it returned follow. A call within which callbacks made calls, or gave answers that
+ * are not the usual ones, is
  *
  *     TD_RECORD_OPEN, number of the call, arguments
  *         TD_RECORD_CALLBACK, how many callbacks of this call after the last one that has a record
