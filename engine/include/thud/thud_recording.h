@@ -133,8 +133,9 @@ THUD_API thud_result thud_player_step(thud_player *player, bool *out_stepped);
  * last keyframe before it. Errors as for thud_player_step; THUD_ERROR_INVALID for another step. */
 THUD_API thud_result thud_player_seek(thud_player *player, int64_t step);
 
-/* The world of the player: for reads, queries and drawing. It belongs to the player; a change of it
- * makes the recording differ, until a seek goes back. THUD_ERROR_NULL. */
+/* The world of the player: for reads, queries and drawing; handles are those of the world that was
+ * recorded. It belongs to the player; a change of it makes the recording differ, until a seek goes
+ * back. THUD_ERROR_NULL. */
 THUD_API thud_result thud_player_get_world(thud_player *player, thud_world **out);
 
 typedef struct thud_player_progress {
