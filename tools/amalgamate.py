@@ -2,7 +2,7 @@
 """Makes thud.h, all public headers in one, and thud.c, the whole engine in one file, from the sources.
 
 A program is compiled with both beside it by one call of its compiler: cc -O2 game.c thud.c -lm.
-The same sources give the same bytes.
+The same sources give the same bytes. thud.hpp, for C++, is copied beside them.
 
 thud.h is the public headers, each after those that it includes, but thud_recorded.h, which stands beside
 it for programs whose calls are recorded. thud.c is four parts:
@@ -676,8 +676,9 @@ def main():
     options = parser.parse_args()
     engine = Engine(options.source)
     options.folder.mkdir(parents=True, exist_ok=True)
+    cpp = options.source / "engine/include/thud/thud.hpp"
     for name, text in (("thud.h", engine.header()), ("thud.c", engine.code()),
-                       (RECORDED, engine.recorded())):
+                       (RECORDED, engine.recorded()), ("thud.hpp", cpp.read_text(encoding="utf-8"))):
         with open(options.folder / name, "w", encoding="utf-8", newline="\n") as file:
             file.write(text)
 

@@ -163,6 +163,7 @@ need_test() {
     need_play
     need_demo
     need "Ninja" ninja-build have ninja
+    need "LuaJIT" luajit have luajit
     need "clang-format 16" clang-format-16 have clang-format-16
     need "clang 16" clang-16 have clang-16
     need "LLVM's linker" lld-16 test -x /usr/lib/llvm-16/bin/ld.lld

@@ -12,6 +12,7 @@
   sources     the C files that the CMakeLists name are those that exist; only demo/scenes takes
               all of its files, so that a scene needs no line
   lock        a package-lock.json names versions, and no host that they were installed from
+  changelog   CHANGELOG.md begins with the version of engine/include/thud/thud_version.h
   elsewhere   no text of web/ or tests/web names a folder of the machine that it was written on
 
 Prints one line per breach and exits with 1 if there is any.
@@ -33,6 +34,7 @@ ELSEWHERE = re.compile(r"(?<![\w.}])/(?:home|root|tmp|work)/")
 WHOLE_FOLDER = "demo/scenes"
 TREES = ("engine", "demo", "tests", "web")
 SKIPPED = {"node_modules", "target", "dist", "build", "generated"}
+VERSION, CHANGELOG = "engine/include/thud/thud_version.h", "CHANGELOG.md"
 INTRINSICS_HOME = "engine/src/base/simd.h"
 SLEEP_HOME = "web/wasm/api_threads.c"
 SLEEP = re.compile(r"__builtin_wasm_memory_atomic_(?:wait32|notify)\b")
@@ -223,6 +225,13 @@ def check_elsewhere(root):
             yield f"elsewhere: {file} has {found.group()}"
 
 
+def check_changelog(root):
+    numbers = re.findall(r"^#define THUD_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)$", read(root / VERSION), re.MULTILINE)
+    sections = re.findall(r"^## (\d+\.\d+\.\d+)\b", read(root / CHANGELOG), re.MULTILINE)
+    if sections[:1] != [".".join(numbers)]:
+        yield f"changelog: {CHANGELOG} begins with {', '.join(sections[:1])}, and {VERSION} has {'.'.join(numbers)}"
+
+
 def breaches(root):
     root = root.resolve()
     listing = read_listing(read(root / LIST_FILE))
@@ -230,7 +239,7 @@ def breaches(root):
     graph = include_graph(root, files)
     return [*check_listed(root, listing), *check_folders(root), *check_order(graph, listing),
             *check_cycles(graph), *check_public(graph), *check_intrinsics(root, files),
-            *check_sources(root, files), *check_lock(root), *check_elsewhere(root)]
+            *check_sources(root, files), *check_lock(root), *check_changelog(root), *check_elsewhere(root)]
 
 
 def main(arguments):

@@ -24,10 +24,13 @@ LISTING = """set(THUD_SOURCES
 """
 ROOMS = "".join(f"| `{folder}` | files |\n" for folder in ("base", "solver", "state", "api"))
 HEALTHY = {
+    "CHANGELOG.md": "# Changes\n\n## 1.2.3, not released yet\n\n## 1.2.2\n",
     "docs/architecture.md": ROOMS,
     "engine/CMakeLists.txt": LISTING,
     "engine/include/thud/thud.h": '#include "thud_math.h"\n',
     "engine/include/thud/thud_math.h": "#include <stdint.h>\n",
+    "engine/include/thud/thud_version.h": "#define THUD_VERSION_MAJOR 1\n#define THUD_VERSION_MINOR 2\n"
+                                          "#define THUD_VERSION_PATCH 3\n",
     "engine/src/base/base.h": '#include "thud/thud_math.h"\n',
     "engine/src/base/simd.h": "#include <immintrin.h>\n",
     "engine/src/solver/ray.h": '#include "base/base.h"\n',
@@ -66,6 +69,10 @@ class HouseTest(unittest.TestCase):
 
     def test_healthy_tree_has_no_breach(self):
         self.assertEqual(self.breaches(), [])
+
+    def test_changelog_without_the_present_version_is_noticed(self):
+        self.assert_noticed("changelog: ", {"CHANGELOG.md": "# Changes\n\n## 1.2.2\n"})
+        self.assert_noticed("changelog: ", {"CHANGELOG.md": "# Changes\n"})
 
     def test_include_of_what_stands_below_is_noticed(self):
         self.assert_noticed(

@@ -1,9 +1,11 @@
 """Tests the engine in one file: it is made to the same bytes twice, compiled without a warning by one
-call beside the program of README.md, and gives the bits of the library, golden hashes included.
+call beside the program of README.md, and gives the bits of the library, golden hashes included. Where
+there is a C++ compiler, thud.hpp stands beside it.
 
 usage: test_one_file.py SOURCE CC TEST..., where a TEST is a program's name, its object file and what is
 linked to it besides thud, between commas"""
 
+import re
 import shutil
 import sys
 import tempfile
@@ -43,7 +45,7 @@ class OneFileTest(unittest.TestCase):
     def test_files_are_the_same_to_the_byte(self):
         again = self.folder / "again"
         make(again)
-        for name in ("thud.h", "thud.c", "thud_recorded.h"):
+        for name in ("thud.h", "thud.c", "thud.hpp", "thud_recorded.h"):
             self.assertEqual((again / name).read_bytes(), (self.folder / name).read_bytes(), name)
         shutil.rmtree(again)
 
@@ -71,6 +73,16 @@ int main(void) {
         run(CC, "-std=c17", "-Wall", "-Werror", "recorded.c", self.engine, "-lm", "-o", "recorded",
             cwd=self.folder)
         run(self.folder / "recorded")
+
+    @unittest.skipUnless(shutil.which("c++"), "there is no C++ compiler")
+    def test_header_for_cplusplus_needs_no_other(self):
+        text = (SOURCE / "bindings/cpp/README.md").read_text(encoding="utf-8")
+        program = re.search(r"```cpp\n(.*?)```", text, re.DOTALL)[1]
+        (self.folder / "ball.cpp").write_text(program.replace("<thud/thud.hpp>", '"thud.hpp"'),
+                                              encoding="utf-8")
+        self.assertIn("\nc++ -std=c++17 -O2 ball.cpp thud.o -lm\n", text)
+        run("c++", "-std=c++17", "-O2", "ball.cpp", self.engine, "-lm", "-o", "ball_cpp", cwd=self.folder)
+        self.assertEqual(run(self.folder / "ball_cpp"), "0.5\n")
 
     def test_document_has_the_call(self):
         self.assertIn("\ncc -O2 ball.c thud.c -lm\n",
