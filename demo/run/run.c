@@ -17,7 +17,7 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Last: the calls of this file, and of act_thud.c as CMakeLists.txt compiles it, are recorded. */
+/* Last: the calls of this file are recorded, and those of a scene's step by CMakeLists.txt. */
 #include <thud/thud_recorded.h>
 
 /* A thud_clock_fn, in seconds. */

@@ -170,8 +170,8 @@ static bool packs_alike(matrix *m, const thud_world *world, lot snapshot, lot ba
     return alike;
 }
 
-/* Makes steps, and appends a recording of them. act_thud.c is compiled so that its calls are
- * recorded (CMakeLists.txt). */
+/* Makes steps, and appends a recording of them: CMakeLists.txt compiles act_thud.c and break_thud.c
+ * so that their calls are recorded. */
 static bool record(matrix *m, thud_world *world, const scene *s, int steps) {
     thud_recorder *recorder;
     thud_recorder_options options = {.hash_steps = 10, .keyframe_steps = 100, .body_hashes = true};

@@ -82,6 +82,10 @@ class ThudRun(unittest.TestCase):
             for workers in ("1", "2"):
                 played = json.loads(run("--replay", file, "--json", "--workers", workers).stdout)
                 self.assertEqual(played, {"steps": 40, "hashes": 41, "hash": made["hash"]})
+            # Crates break: the calls of the scene itself are recorded.
+            self.assertEqual(run("crates", "--steps", "70", "--record", file).returncode, 0)
+            self.assertEqual(run("--replay", file).returncode, 0)
+            made = json.loads(run("cradle", "--steps", "40", "--json", "--record", file).stdout)
             self.assertIn(f"40 steps, 41 hashes are the same, hash {made['hash']}",
                           run("--replay", file).stdout)
             with open(file, "r+b") as recording:
