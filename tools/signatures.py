@@ -27,10 +27,6 @@ from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parent.parent
 API = json.loads((ROOT / "bindings/api.json").read_text(encoding="utf-8"))
-# The calls of bindings are not redirected to those of thud_recorded.h, and so are not recorded. A program in
-# C++ may include both headers of recordings itself.
-for kind in ("functions", "callbacks", "structs"):
-    API[kind] = [entry for entry in API[kind] if entry["header"] != "thud_recording.h"]
 
 # A world and a handle of the noun that the name begins with make a member of that handle.
 OWNERS = {"thud_world": "world", "thud_rollback": "rollback", "thud_threads": "threads"}
@@ -47,6 +43,10 @@ RAW = {("thud_approximate", "out_shapes"), ("thud_rollback_get_state", "out_stat
        ("thud_log_to_stderr", "context"), ("thud_mover_passes_one_way", "context")}
 FOUND = {"out_hit", "out_found", "out_collided"}
 FUNCTIONS = {entry["name"]: entry for entry in API["functions"]}
+# The calls of bindings are not redirected to those of thud_recorded.h, and so are not recorded. A program in
+# C++ may include both headers of recordings itself.
+RECORDING = "thud_recording.h"
+RECORDINGS = {name for name, entry in FUNCTIONS.items() if entry["header"] == RECORDING}
 CALLBACKS = {entry["name"]: entry for entry in API["callbacks"]}
 STRUCTS = {entry["name"]: entry for entry in API["structs"]}
 ENUMS = {entry["name"]: entry for entry in API["enums"]}
