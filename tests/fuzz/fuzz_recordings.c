@@ -16,7 +16,7 @@
 enum { BUDGET_BYTE = 5, BUDGET_BIT = 128 };
 
 /* Seeks and damages for each recording. */
-enum { SEEKS = 6, DAMAGES = 8 };
+enum { SEEKS = 3, DAMAGES = 8 };
 
 static thud_player *open_player(const fuzz_session *s, thud_bytes bytes) {
     thud_player *player = NULL;
