@@ -24,6 +24,7 @@ SAYS = {
     "hash aacf65774d76a258\n",
     "pool": "10 to 5 balls in 42 shots, 0 and 1 fouls\n"
     "hash 4863f475cf0f7f35\n",
+    "recorded": "the hash is the same: yes\n",
     "rollback": "1 to 3 rounds in 847 steps\n"
     "363 steps played again\n"
     "388 steps played again\n"
@@ -34,7 +35,7 @@ SAYS = {
 
 name, program = sys.argv[1:]
 here = pathlib.Path(__file__).resolve().parent
-SHOWN = {"embed": "README.md", "on_threads": "docs/embedding.md"}
+SHOWN = {"embed": "README.md", "on_threads": "docs/embedding.md", "recorded": "docs/embedding.md"}
 if name in SHOWN:
     block = f"```c\n{(here / f'{name}.c').read_text()}```"
     if block not in (here.parent / SHOWN[name]).read_text():

@@ -4,7 +4,8 @@
 A program is compiled with both beside it by one call of its compiler: cc -O2 game.c thud.c -lm.
 The same sources give the same bytes. thud.hpp, for C++, is copied beside them.
 
-thud.h is the public headers, each after those that it includes. thud.c is four parts:
+thud.h is the public headers, each after those that it includes, but thud_recorded.h, which stands beside
+it for programs whose calls are recorded. thud.c is four parts:
 
 1. What has to be said once for the whole file: pragmas in the place of the build's flags, and headers
    of the compiler.
@@ -452,9 +453,16 @@ class Engine:
                 add(pathlib.PurePath(other[1] or other[2]).name)
             parts.append(HERE.format(f"thud/{name}") + OWN_INCLUDE.sub("", text).strip() + "\n")
 
+        done.add(RECORDED)
         for name in self.public:
             add(name)
         return "\n".join([self.head("thud.h", HEADER_HEAD)] + parts)
+
+    def recorded(self):
+        """thud_recorded.h, which redirects calls of a file that includes it, and so stays a file of its
+        own."""
+        text = OWN_INCLUDE.sub('#include "thud.h"\n', self.public[RECORDED])
+        return self.head(RECORDED, RECORDED_HEAD) + text
 
     def head(self, name, text):
         version = ".".join(re.findall(r"^#define THUD_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)",
@@ -585,6 +593,9 @@ class Engine:
                          + [AVX2_BEGINS, self.again_for_avx2(), AVX2_ENDS])
 
 
+RECORDED = "thud_recorded.h"
+RECORDED_HEAD = """, beside thud.h and thud.c, for files whose calls are recorded."""
+
 HEADER_HEAD = """, all of its public headers in one file. thud.c beside it is the engine.
  * Made by tools/amalgamate.py from the headers of engine/include/thud; change those."""
 
@@ -667,7 +678,7 @@ def main():
     options.folder.mkdir(parents=True, exist_ok=True)
     cpp = options.source / "engine/include/thud/thud.hpp"
     for name, text in (("thud.h", engine.header()), ("thud.c", engine.code()),
-                       ("thud.hpp", cpp.read_text(encoding="utf-8"))):
+                       (RECORDED, engine.recorded()), ("thud.hpp", cpp.read_text(encoding="utf-8"))):
         with open(options.folder / name, "w", encoding="utf-8", newline="\n") as file:
             file.write(text)
 

@@ -16,7 +16,8 @@ import re
 import subprocess
 import sys
 
-from signatures import API, CALLBACKS, FUNCTIONS, HANDLES, OWN, ROOT, STRUCTS, Signature, bare
+from signatures import (API, CALLBACKS, FUNCTIONS, HANDLES, OWN, RECORDING, RECORDINGS, ROOT, STRUCTS, Signature,
+                        bare)
 
 HEADER = ROOT / "engine/include/thud/thud.hpp"
 MADE = "// ---- made from bindings/api.json by tools/bind_cpp.py: {} ----\n"
@@ -297,7 +298,7 @@ def connections():
     """connect() of each struct that has callbacks and their `context`."""
     names, lines = {}, []
     for entry in API["structs"]:
-        if not any(field["name"] == "context" for field in entry["fields"]):
+        if entry["header"] == RECORDING or not any(field["name"] == "context" for field in entry["fields"]):
             continue
         fields = [(field["name"], field_callback(field)) for field in entry["fields"]]
         fields = [(name, found) for name, found in fields if found]
@@ -475,7 +476,7 @@ def classes(calls):
 
 
 def made_text(text, clang_format):
-    calls = [Call(function) for function in API["functions"] if function["name"] not in OWN]
+    calls = [Call(function) for function in API["functions"] if function["name"] not in OWN | RECORDINGS]
     names = [(call.owner, call.name) for call in calls]
     double = {name for name in names if names.count(name) > 1}
     assert not double, f"two functions of one name: {double}"

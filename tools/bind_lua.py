@@ -11,7 +11,7 @@ import argparse
 import sys
 import textwrap
 
-from signatures import API, CALLBACKS, ENUMS, FUNCTIONS, HANDLES, OWN, ROOT, STRUCTS, Signature
+from signatures import API, CALLBACKS, ENUMS, FUNCTIONS, HANDLES, OWN, RECORDINGS, ROOT, STRUCTS, Signature
 
 sys.path.append(str(ROOT / "bindings/python"))
 import declare  # noqa: E402; its C declarations
@@ -28,7 +28,7 @@ RESERVED = {"value", "list", "input", "array", "body", "shape", "joint", "pointe
 SCALARS = {"_Bool", "float", "double", "int", "unsigned int", "size_t",
            *(f"{sign}int{bits}_t" for sign in ("", "u") for bits in (8, 16, 32, 64))}
 # The world's log is the module's own.
-LEFT_OUT = OWN | {"thud_world_make", "thud_world_set_log", "thud_log_to_stderr"}
+LEFT_OUT = OWN | RECORDINGS | {"thud_world_make", "thud_world_set_log", "thud_log_to_stderr"}
 
 
 def by_value(callback):

@@ -1,8 +1,8 @@
-# fuzz.sh: ./run fuzz, which runs the fuzz targets: random calls, snapshots, levels, geometry and
-# calls of the JavaScript package. Sourced by ./run.
+# fuzz.sh: ./run fuzz, which runs the fuzz targets: random calls, recordings, snapshots, levels,
+# geometry and calls of the JavaScript package. Sourced by ./run.
 # shellcheck shell=sh
 
-FUZZ_TARGETS="calls snapshots levels geometry js"
+FUZZ_TARGETS="calls recordings snapshots levels geometry js"
 # Seconds between two lines about the progress.
 FUZZ_WORD_EVERY=30
 # A target with as many findings is not run any longer. Chosen.
@@ -17,6 +17,7 @@ sanitizers, and checks what thud guarantees. The time is divided among the targe
 or all:
 
   calls      any calls of the C API in any order, in two worlds whose results must be the same
+  recordings any calls of the C API, which are recorded, and played to the same states
   snapshots  snapshots with changed bytes and a correct checksum
   levels     maps of the Tiled editor
   geometry   shapes, volumes and ground without a world
@@ -82,8 +83,11 @@ fuzz_command() {
 fuzz_seed() {
     mkdir -p "build/fuzz/corpus/$1"
     [ "$1" != js ] || return 0
-    python3 -B tests/fuzz/pack.py unpack "tests/fuzz/corpus/$1.pack" "build/fuzz/corpus/$1"
-    [ ! -d "tests/fuzz/corpus/$1" ] || cp "tests/fuzz/corpus/$1"/* "build/fuzz/corpus/$1"
+    # Recordings are made of the inputs of calls.
+    seeds=$1
+    [ "$1" != recordings ] || seeds=calls
+    python3 -B tests/fuzz/pack.py unpack "tests/fuzz/corpus/$seeds.pack" "build/fuzz/corpus/$1"
+    [ ! -d "tests/fuzz/corpus/$seeds" ] || cp "tests/fuzz/corpus/$seeds"/* "build/fuzz/corpus/$1"
 }
 
 # fuzz_worker TARGET NUMBER END: runs a target until the time END (seconds of `date +%s`), again
@@ -163,7 +167,8 @@ fuzz_reproduce() {
 fuzz_keep() {
     say "Packing what reaches anything, into tests/fuzz/corpus"
     for target in $targets; do
-        [ "$target" != js ] || continue
+        # Recordings are made of the inputs of calls.
+        case $target in js | recordings) continue ;; esac
         rm -rf "build/fuzz/kept/$target"
         mkdir -p "build/fuzz/kept/$target"
         # Merged by edges alone, without counters, and limited in length, so that few and short
@@ -178,7 +183,7 @@ fuzz_keep() {
 # Builds the chosen `targets`.
 fuzz_build() {
     case " $targets " in
-        *' calls '* | *' snapshots '* | *' levels '* | *' geometry '*)
+        *' calls '* | *' recordings '* | *' snapshots '* | *' levels '* | *' geometry '*)
             cmake -B build/fuzz --preset fuzz -DTHUD_WERROR=ON
             # The list is meant to be split into words.
             # shellcheck disable=SC2046

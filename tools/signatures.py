@@ -43,6 +43,10 @@ RAW = {("thud_approximate", "out_shapes"), ("thud_rollback_get_state", "out_stat
        ("thud_log_to_stderr", "context"), ("thud_mover_passes_one_way", "context")}
 FOUND = {"out_hit", "out_found", "out_collided"}
 FUNCTIONS = {entry["name"]: entry for entry in API["functions"]}
+# The calls of bindings are not redirected to those of thud_recorded.h, and so are not recorded. A program in
+# C++ may include both headers of recordings itself.
+RECORDING = "thud_recording.h"
+RECORDINGS = {name for name, entry in FUNCTIONS.items() if entry["header"] == RECORDING}
 CALLBACKS = {entry["name"]: entry for entry in API["callbacks"]}
 STRUCTS = {entry["name"]: entry for entry in API["structs"]}
 ENUMS = {entry["name"]: entry for entry in API["enums"]}

@@ -79,8 +79,8 @@ test_native() {
 # but cmocka and the C library, since other libraries would have to be built with the sanitizers,
 # too.
 MEMORY_TESTS="test_determinism test_error test_event_ledger test_failing_memory test_float_mode
-    test_distances test_islands_bits test_joints_edits test_query test_snapshot test_snapshot_random test_workers
-    test_wrong_input"
+    test_distances test_islands_bits test_joints_edits test_query test_recording test_snapshot test_snapshot_random
+    test_workers test_wrong_input"
 THREADS_TESTS="test_determinism test_error test_distances test_float_mode test_islands_bits test_threads test_workers"
 
 # test_under PRESET TARGET...: builds with a sanitizer's preset, and runs these tests and the kept

@@ -120,6 +120,11 @@ typedef struct thud_bytes thud_bytes;
 typedef struct thud_prediction thud_prediction;
 typedef struct thud_step_settings thud_step_settings;
 typedef struct thud_broadphase_counts thud_broadphase_counts;
+typedef struct thud_recorder thud_recorder;
+typedef struct thud_recorder_options thud_recorder_options;
+typedef struct thud_player thud_player;
+typedef struct thud_player_options thud_player_options;
+typedef struct thud_player_progress thud_player_progress;
 typedef struct thud_rollback thud_rollback;
 typedef struct thud_rollback_options thud_rollback_options;
 typedef struct thud_rollback_progress thud_rollback_progress;
@@ -141,6 +146,8 @@ typedef void thud_prologue_all_fn(thud_world * world, const thud_contact * conta
 typedef void thud_epilogue_all_fn(thud_world * world, const thud_contact * contacts, int count, void * context);
 typedef void thud_object_epilogue_fn(thud_world * world, const thud_contact * contact, int side, void * context);
 typedef _Bool thud_mover_pass_fn(const thud_mover * mover, const thud_mover_hit * hit, thud_vec2 velocity, void * context);
+typedef _Bool thud_recording_sink_fn(const void * bytes, size_t count, void * context);
+typedef void thud_chunk_fn(const char * name, thud_bytes bytes, void * context);
 typedef thud_result thud_rollback_step_fn(thud_world * world, const uint64_t * inputs, void * state);
 typedef _Bool thud_filter_fn(const thud_world * world, thud_shape_id shape_a, thud_shape_id shape_b, void * context);
 struct thud_vec2 { float x; float y; };
@@ -215,6 +222,9 @@ struct thud_bytes { const void * data; size_t count; };
 struct thud_prediction { thud_body_id body; thud_pos position; double angle; thud_vec2 velocity; float angular_velocity; double seconds; thud_shape_id met; };
 struct thud_step_settings { thud_vec2 gravity; double time_step; double max_error; int substeps; _Bool sleeping; thud_quality quality; };
 struct thud_broadphase_counts { int moved; int64_t tested; int64_t found; int64_t sort_moves; int cells; int cell_shapes; int cell_shapes_max; };
+struct thud_recorder_options { int hash_steps; _Bool body_hashes; int keyframe_steps; int ring_steps; thud_recording_sink_fn * sink; void * context; };
+struct thud_player_options { thud_allocator allocator; thud_log_fn * log; void * log_context; thud_job_system job_system; thud_chunk_fn * chunk; void * context; };
+struct thud_player_progress { int64_t first; int64_t end; int64_t steps; int64_t hashes; _Bool differs; int64_t differs_after; int64_t differs_at; thud_body_id body; };
 struct thud_rollback_options { int players; int depth; uint64_t idle; thud_rollback_step_fn * step; void * state; size_t state_bytes; };
 struct thud_rollback_progress { int64_t steps; int64_t confirmed; int64_t replayed; };
 struct thud_rule { thud_rule_kind kind; thud_vec2 solid_side; float friction; float restitution; float surface_speed; float event_impulse; };
@@ -445,6 +455,16 @@ thud_result thud_shape_get_user_data(const thud_world * world, thud_shape_id sha
 thud_result thud_shape_get_body(const thud_world * world, thud_shape_id shape, thud_body_id * out_body);
 thud_result thud_world_get_step_settings(const thud_world * world, thud_step_settings * out);
 thud_result thud_world_get_broadphase_counts(const thud_world * world, thud_broadphase_counts * out);
+thud_result thud_recorder_begin(thud_world * world, const thud_recorder_options * options, thud_recorder ** out);
+void thud_recorder_end(thud_recorder * recorder);
+thud_result thud_recorder_get_bytes(thud_recorder * recorder, thud_bytes * out);
+thud_result thud_recorder_add_chunk(thud_recorder * recorder, const char * name, thud_bytes bytes);
+thud_result thud_player_create(thud_bytes recording, const thud_player_options * options, thud_player ** out);
+void thud_player_destroy(thud_player * player);
+thud_result thud_player_step(thud_player * player, _Bool * out_stepped);
+thud_result thud_player_seek(thud_player * player, int64_t step);
+thud_result thud_player_get_world(thud_player * player, thud_world ** out);
+thud_result thud_player_get_progress(const thud_player * player, thud_player_progress * out);
 thud_result thud_rollback_create(thud_world * world, const thud_rollback_options * options, thud_rollback ** out);
 void thud_rollback_destroy(thud_rollback * rollback);
 thud_result thud_rollback_input(thud_rollback * rollback, int player, int64_t step, uint64_t input);
@@ -526,6 +546,7 @@ thud.constants = {
     MOVER_FORCE_MAX = 1e+30,
     ROLLBACK_PLAYERS_MAX = 64,
     ROLLBACK_DEPTH_MAX = 1000,
+    RECORDING_STEPS_MAX = 1000000000,
     COORDINATE_MAX = 1000000000000000.0,
     VOLUME_MAX = 1e+16,
     TOLERANCE_MIN = 1e-15,
@@ -596,8 +617,8 @@ local CALLBACKS = {
     thud_log_fn = "void", thud_clock_fn = "double", thud_task_fn = "void", thud_parallel_fn = "void",
     thud_overlap_fn = "_Bool", thud_step_fn = "void", thud_cast_fn = "double", thud_prologue_fn = "_Bool",
     thud_epilogue_fn = "void", thud_prologue_all_fn = "void", thud_epilogue_all_fn = "void",
-    thud_object_epilogue_fn = "void", thud_mover_pass_fn = "_Bool", thud_rollback_step_fn = "thud_result",
-    thud_filter_fn = "_Bool"
+    thud_object_epilogue_fn = "void", thud_mover_pass_fn = "_Bool", thud_recording_sink_fn = "_Bool",
+    thud_chunk_fn = "void", thud_rollback_step_fn = "thud_result", thud_filter_fn = "_Bool"
 }
 local FIELDS = {
     thud_vec2 = { x = "float", y = "float" },
@@ -672,6 +693,9 @@ local FIELDS = {
     thud_prediction = { body = "thud_body_id", position = "thud_pos", angle = "double", velocity = "thud_vec2", angular_velocity = "float", seconds = "double", met = "thud_shape_id" },
     thud_step_settings = { gravity = "thud_vec2", time_step = "double", max_error = "double", substeps = "int", sleeping = "_Bool", quality = "thud_quality" },
     thud_broadphase_counts = { moved = "int", tested = "int64_t", found = "int64_t", sort_moves = "int64_t", cells = "int", cell_shapes = "int", cell_shapes_max = "int" },
+    thud_recorder_options = { hash_steps = "int", body_hashes = "_Bool", keyframe_steps = "int", ring_steps = "int", sink = "thud_recording_sink_fn *", context = "void *" },
+    thud_player_options = { allocator = "thud_allocator", log = "thud_log_fn *", log_context = "void *", job_system = "thud_job_system", chunk = "thud_chunk_fn *", context = "void *" },
+    thud_player_progress = { first = "int64_t", ["end"] = "int64_t", steps = "int64_t", hashes = "int64_t", differs = "_Bool", differs_after = "int64_t", differs_at = "int64_t", body = "thud_body_id" },
     thud_rollback_options = { players = "int", depth = "int", idle = "uint64_t", step = "thud_rollback_step_fn *", state = "void *", state_bytes = "size_t" },
     thud_rollback_progress = { steps = "int64_t", confirmed = "int64_t", replayed = "int64_t" },
     thud_rule = { kind = "thud_rule_kind", solid_side = "thud_vec2", friction = "float", restitution = "float", surface_speed = "float", event_impulse = "float" },

@@ -5,15 +5,20 @@
 #include "load.h"
 #include "options.h"
 #include "outcome.h"
+#include "recordings.h"
 #include "run.h"
 #include "uses.h"
 
 #include <string.h>
 
+static bool run_plainly(const run_options *options, const scene *s, run_outcome *out) {
+    return run_scene(options, s, NULL, out);
+}
+
 /* Runs the scene once and prints what was measured. */
 static bool run_and_print(const run_options *options, const scene *s) {
     run_outcome outcome;
-    if (!run_scene(options, s, NULL, &outcome))
+    if (!(options->record ? record_scene : run_plainly)(options, s, &outcome))
         return false;
     if (options->json)
         return run_print_json(&outcome, s, options);
@@ -64,6 +69,8 @@ int main(int count, char **arguments) {
         run_print_help();
     else if (options.list)
         run_print_list();
+    else if (options.replay)
+        return replay_file(&options) ? 0 : 1;
     else
         return load_and_run(&options);
     return 0;

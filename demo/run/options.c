@@ -109,6 +109,14 @@ bool run_options_set(const char *option, const char *value, run_options *out) {
         out->picture = value;
         return true;
     }
+    if (strcmp(option, "--record") == 0) {
+        out->record = value;
+        return true;
+    }
+    if (strcmp(option, "--replay") == 0) {
+        out->replay = value;
+        return true;
+    }
     const struct {
         const char *name;
         long high;
@@ -151,7 +159,13 @@ static bool parse_plain(const char *option, run_options *out) {
 static bool check(const run_options *options, bool only_for_advice) {
     if (options->help || options->list)
         return true;
-    if (!options->source)
+    if (options->replay && (options->source || options->record))
+        fprintf(stderr, "thud-run: --replay plays a recording, and no scene\n");
+    else if (options->record && (options->advise || options->uses))
+        fprintf(stderr, "thud-run: --record is for one run, without --advise or --uses\n");
+    else if (options->replay)
+        return true;
+    else if (!options->source)
         fprintf(stderr, "thud-run: which scene or level? See thud-run --help and --list\n");
     else if (only_for_advice && !options->advise)
         fprintf(stderr, "thud-run: --max-error, --budget, --repeat, --patience and "
@@ -186,7 +200,8 @@ bool run_options_parse(int count, char **arguments, run_options *out) {
                                              "--steps",     "--size",      "--quality",
                                              "--workers",   "--detection", "--broadphase",
                                              "--substeps",  "--without",   "--rate",
-                                             "--heavier",   "--cell-size"};
+                                             "--heavier",   "--cell-size", "--record",
+                                             "--replay"};
     enum { ONLY_FOR_ADVICE = 5 };
     run_options_default(out);
     bool only_for_advice = false;
@@ -299,6 +314,10 @@ void run_print_help(void) {
         "  --repeat N           timed runs of the settings that come into question (3)\n"
         "  --patience S         seconds that larger sizes of the scene may take to measure (20)\n"
         "  --picture FILE.svg   also draw the error of each setting over its time\n"
+        "  --record FILE        also write a recording of the run, with a hash of each body at\n"
+        "                       each step\n"
+        "  --replay FILE        play a recording instead of a scene, on any number of --workers:\n"
+        "                       the first step and the first body that differ are named\n"
         "  --list               list the built-in scenes\n"
         "  --jobs FILE          run the jobs of FILE over all cores instead, one JSON object a\n"
         "                       line: \"scene\" and any of the options above by their names, seed,\n"
@@ -311,8 +330,9 @@ void run_print_help(void) {
         "    --no-times         results without times, which are the same on every machine\n"
         "  --help               this text\n"
         "\n"
-        "Exit status: 0 done, 1 the scene cannot be loaded or run, 2 wrong arguments. With --jobs:\n"
-        "1 some jobs failed, and their results say so; 2 a job is wrong, and nothing was run.");
+        "Exit status: 0 done, 1 the scene cannot be loaded or run, or a recording is damaged or\n"
+        "differs when it is played, 2 wrong arguments. With --jobs: 1 some jobs failed,\n"
+        "and their results say so; 2 a job is wrong, and nothing was run.");
 }
 
 void run_print_list(void) {

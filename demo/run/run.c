@@ -17,6 +17,9 @@
 #include <time.h>
 #include <unistd.h>
 
+/* Last: the calls of this file are recorded, and those of a scene's step by CMakeLists.txt. */
+#include <thud/thud_recorded.h>
+
 /* A thud_clock_fn, in seconds. */
 static double seconds_now(void *context) {
     (void)context;

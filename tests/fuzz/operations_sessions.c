@@ -4,6 +4,7 @@
 
 #include <thud/thud_forces.h>
 #include <thud/thud_make.h>
+#include <thud/thud_recording.h>
 #include <thud/thud_rollback.h>
 #include <thud/thud_threads.h>
 
@@ -163,10 +164,51 @@ static void play_pool(fuzz_session *s) {
     COUNTED(thud_threads_destroy(threads));
 }
 
-/* The two share a byte. */
+/* ---- recordings ---- */
+
+static void count_chunk(const char *name, thud_bytes bytes, void *context) {
+    *(int *)context += bytes.count == 1 && name[0] == 'n';
+}
+
+/* A world that is recorded, and played to the same hash, with a chunk, by steps and by seeking. */
+static void play_recorded(fuzz_session *s) {
+    enum { RECORDED = 5 };
+    thud_world *world = COUNTED(thud_world_make((thud_vec2){0, -10}, &thud_quality_draft)), *played;
+    thud_body_options ball = {.kind = THUD_BODY_DYNAMIC};
+    thud_body_make(world, thud_circle_at(0, 2, 0.5), &ball);
+    thud_recorder *recorder = NULL;
+    thud_player *player = NULL;
+    thud_player_progress progress = {0};
+    thud_bytes bytes;
+    int chunks = 0;
+    thud_player_options options = {.chunk = count_chunk, .context = &chunks};
+    bool ok = COUNTED(thud_recorder_begin(world, NULL, &recorder)) == THUD_OK &&
+              COUNTED(thud_recorder_add_chunk(recorder, "n", (thud_bytes){"1", 1})) == THUD_OK;
+    for (int i = 0; i < RECORDED && ok; i++) {
+        ok = thud_world_step(world) == THUD_OK;
+    }
+    ok = ok && COUNTED(thud_recorder_get_bytes(recorder, &bytes)) == THUD_OK &&
+         COUNTED(thud_player_create(bytes, &options, &player)) == THUD_OK;
+    for (bool stepped = true; ok && stepped;) {
+        ok = COUNTED(thud_player_step(player, &stepped)) == THUD_OK;
+    }
+    ok = ok && COUNTED(thud_player_get_progress(player, &progress)) == THUD_OK && chunks == 1 &&
+         COUNTED(thud_player_get_world(player, &played)) == THUD_OK &&
+         thud_hash_of(played) == thud_hash_of(world) &&
+         COUNTED(thud_player_seek(player, progress.first)) == THUD_OK;
+    if (!ok) {
+        fuzz_fail(s, "a recording of a ball is not played");
+    }
+    COUNTED(thud_player_destroy(player));
+    COUNTED(thud_recorder_end(recorder));
+    thud_world_destroy(world);
+}
+
+/* The three share a byte. */
 void play_rollback(fuzz_session *s) {
     if (next_chance(&s->bytes, 8)) {
         play_pool(s);
+        play_recorded(s);
     } else {
         play_inputs(s);
     }

@@ -9,6 +9,7 @@
 #include <thud/thud_joint.h>
 #include <thud/thud_locks.h>
 #include <thud/thud_packed.h>
+#include <thud/thud_recording.h>
 #include <thud/thud_rollback.h>
 #include <thud/thud_rules.h>
 #include <thud/thud_snapshot.h>
@@ -317,10 +318,47 @@ static void packed_snapshots_unpack_to_the_same_bytes(trial *t) {
     free((void *)base.data);
 }
 
+/* ---- recordings ---- */
+
+/* Plays a recording, and finds the yard as it is. */
+static void play_recording(trial *t, const yard *y, thud_bytes bytes) {
+    thud_player *player = NULL;
+    thud_player_progress progress = {0};
+    yard played = *y;
+    DO(t, thud_player_create(bytes, NULL, &player));
+    for (bool stepped = true; stepped && !trial_failed(t);) {
+        DO(t, thud_player_step(player, &stepped));
+    }
+    DO(t, thud_player_get_progress(player, &progress));
+    DO(t, thud_player_get_world(player, &played.world));
+    if (!trial_failed(t) && (progress.steps != STEPS || yard_told(&played) != yard_told(y) ||
+                             thud_hash_of(played.world) != thud_hash_of(y->world))) {
+        trial_fault(t, "a recording is played to another state");
+    }
+    thud_player_destroy(player);
+}
+
+static void recordings_play_to_the_same_bits(trial *t) {
+    yard y;
+    thud_recorder *recorder = NULL;
+    thud_bytes bytes = {NULL, 0};
+    yard_make_with(&y, t, trial_def(t), 0, YARD_ALL);
+    DO(t, thud_recorder_begin(y.world, &(thud_recorder_options){.hash_steps = 8}, &recorder));
+    for (int i = 0; i < STEPS && !trial_failed(t); i++) {
+        yard_step(&y);
+    }
+    if (!trial_failed(t)) {
+        DO(t, thud_recorder_get_bytes(recorder, &bytes));
+        play_recording(t, &y, bytes);
+    }
+    thud_recorder_end(recorder);
+}
+
 const guarantee guarantees_of_features[] = {
     GUARANTEE(edits_of_callbacks_wait_for_the_step_asked_or_not),
     GUARANTEE(late_inputs_end_as_a_straight_run),
     GUARANTEE(packed_snapshots_unpack_to_the_same_bytes),
+    GUARANTEE(recordings_play_to_the_same_bits),
     GUARANTEE(same_bits_of_casts),
     GUARANTEE(same_bits_with_fields),
     GUARANTEE(same_bits_with_locks_and_joints),

@@ -8,6 +8,9 @@
 #include <thud/thud_locks.h>
 #include <thud/thud_rules.h>
 
+/* Last: a yard's edits are recorded where a guarantee records its world. */
+#include <thud/thud_recorded.h>
+
 /* Categories of shapes, as bits of their filter: bodies have KINDS categories from FIRST_KIND on by
  * turns. */
 enum { LINE = 7, FIRST_KIND = 2, KINDS = 3, PLATE_KIND = 16 };

@@ -26,8 +26,9 @@ from pathlib import Path
 
 ARGUMENTS_MAX = 7
 # Pointers that a call reads as well as writes, by the name of the argument.
-READ_AND_WRITTEN = {"world", "rollback", "mover", "threads", "context", "seen", "pair", "def", "buffer"}
-OBJECTS = ("thud_world", "thud_rollback", "thud_mover", "thud_threads")
+READ_AND_WRITTEN = {"world", "rollback", "mover", "threads", "recorder", "player", "context", "seen", "pair", "def", "buffer"}
+OBJECTS = ("thud_world", "thud_rollback", "thud_mover", "thud_threads", "thud_recorder",
+           "thud_player")
 PLAIN = {"thud_result", "_Bool", "void", "int", "const char *"}
 MAKES = re.compile(r"thud_default_\w+|thud_\w+_(?:at|make)")
 

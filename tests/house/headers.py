@@ -7,7 +7,7 @@
   numbers   no other header gives a limit as a number, and no file of the engine compares with one
   vectors   functions of a world take places and directions as thud_pos and thud_vec2, except the
             path of a ray or cast; geometry without a world takes and returns numbers
-  all       thud_all.h includes every other header
+  all       thud_all.h includes every other header, but thud_recorded.h, which includes it
 
 Prints one line per breach and exits with 1 if there is any.
 """
@@ -105,7 +105,7 @@ def check_vectors(headers):
 
 def check_all(headers):
     included = set(re.findall(r'#include "(\w+\.h)"', headers["thud_all.h"]))
-    for name in sorted(set(headers) - included - {"thud_all.h"}):
+    for name in sorted(set(headers) - included - {"thud_all.h", "thud_recorded.h"}):
         yield f"all: thud_all.h does not include {name}"
 
 

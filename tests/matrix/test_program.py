@@ -78,6 +78,19 @@ class ProgramTest(unittest.TestCase):
         self.assertTrue(done.stdout.startswith("scene pyramid refused: its snapshot is packed to other"),
                         done.stdout[:90])
 
+    def test_recordings_are_played(self):
+        data = bytearray((self.place / "snapshots").read_bytes())
+        at = 0
+        for _ in range(3):  # the snapshot, the one before, and what is packed
+            at += 8 + int.from_bytes(data[at:at + 8], "little")
+        self.assertEqual(data[at + 8:at + 15], b"thudrec")
+        data[at + 200] ^= 1
+        (self.place / "recorded").write_bytes(data)
+        done = self.start(*SHORT, "--continue", self.at("recorded"))
+        self.assertTrue(done.stdout.startswith("scene pyramid refused: player: the recording is damaged"),
+                        done.stdout[:90])
+        self.assertEqual(done.stdout.count("refused"), 1)
+
     def test_damaged_plain_scenes_are_refused(self):
         text = (self.place / "levels").read_text(encoding="utf-8")
         for wrong in (text[:-5], text.replace("0", "x", 1), "level\n"):

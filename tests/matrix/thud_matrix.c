@@ -14,6 +14,7 @@
 
 #include <thud/thud.h>
 #include <thud/thud_packed.h>
+#include <thud/thud_recording.h>
 #include <thud/thud_snapshot.h>
 #include <thud/thud_testing.h>
 
@@ -72,9 +73,9 @@ static bool make_steps(thud_world *world, const scene *s, int count) {
     return true;
 }
 
-/* ---- snapshot files: for each run three lots of bytes, each after its size in 8 bytes,
- * little-endian: the snapshot, the one of the step before, and the first packed against the second
- * ---- */
+/* ---- snapshot files: for each run four lots of bytes, each after its size in 8 bytes,
+ * little-endian: the snapshot, the one of the step before, the first packed against the second, and
+ * a recording of the second half ---- */
 
 /* Bytes in memory from malloc. */
 typedef struct lot {
@@ -169,20 +170,56 @@ static bool packs_alike(matrix *m, const thud_world *world, lot snapshot, lot ba
     return alike;
 }
 
-/* ---- a line of output ---- */
-
-/* Makes all steps, and takes a snapshot in the middle if wanted. */
-static bool run_through(matrix *m, thud_world *world, const scene *s) {
-    int half = m->options.steps / 2;
-    return (m->snapshots ? take(m, world, s, half) : make_steps(world, s, half)) &&
-           make_steps(world, s, half);
+/* Makes steps, and appends a recording of them: CMakeLists.txt compiles act_thud.c and break_thud.c
+ * so that their calls are recorded. */
+static bool record(matrix *m, thud_world *world, const scene *s, int steps) {
+    thud_recorder *recorder;
+    thud_recorder_options options = {.hash_steps = 10, .keyframe_steps = 100, .body_hashes = true};
+    if (thud_recorder_begin(world, &options, &recorder) != THUD_OK)
+        return false;
+    thud_bytes bytes;
+    bool made = make_steps(world, s, steps) && thud_recorder_get_bytes(recorder, &bytes) == THUD_OK;
+    if (made) {
+        lot recording = {malloc(bytes.count), bytes.count};
+        if (recording.bytes)
+            memcpy(recording.bytes, bytes.data, bytes.count);
+        made = append(m, recording);
+        free(recording.bytes);
+    }
+    thud_recorder_end(recorder);
+    return made;
 }
 
-/* Restores the next snapshot and makes the second half of the steps. False if it is refused, or
- * packed to other bytes. */
+/* Whether a recording, which may be of another row, is played to the state of this world. */
+static bool plays_alike(matrix *m, const thud_world *world, lot recording) {
+    thud_player_options options = {.log = keep_reason, .log_context = m};
+    thud_player *player = NULL;
+    thud_world *played = NULL;
+    thud_result result = thud_player_create(in_lot(recording), &options, &player);
+    for (bool stepped = true; result == THUD_OK && stepped;)
+        result = thud_player_step(player, &stepped);
+    bool alike = result == THUD_OK && thud_player_get_world(player, &played) == THUD_OK &&
+                 thud_hash_of(played) == thud_hash_of(world);
+    if (result == THUD_OK && !alike)
+        snprintf(m->reason, sizeof m->reason, "its recording is played to another state");
+    thud_player_destroy(player);
+    return alike;
+}
+
+/* ---- a line of output ---- */
+
+/* Makes all steps; if wanted takes a snapshot in the middle, and records what follows. */
+static bool run_through(matrix *m, thud_world *world, const scene *s) {
+    int half = m->options.steps / 2;
+    return m->snapshots ? take(m, world, s, half) && record(m, world, s, half)
+                        : make_steps(world, s, 2 * half);
+}
+
+/* Restores the next snapshot and makes the second half of the steps, which the recording has, too.
+ * False if it is refused, packed to other bytes, or the recording differs. */
 static bool run_on(matrix *m, thud_world *world, const scene *s) {
-    lot snapshot = next_lot(m), base = next_lot(m), packed = next_lot(m);
-    bool whole = snapshot.bytes && base.bytes && packed.bytes;
+    lot snapshot = next_lot(m), base = next_lot(m), packed = next_lot(m), recording = next_lot(m);
+    bool whole = snapshot.bytes && base.bytes && packed.bytes && recording.bytes;
     if (!whole)
         snprintf(m->reason, sizeof m->reason, "the file of snapshots ends too early");
     bool restored = whole && thud_world_restore(world, snapshot.bytes, snapshot.size) == THUD_OK &&
@@ -190,7 +227,10 @@ static bool run_on(matrix *m, thud_world *world, const scene *s) {
     free(snapshot.bytes);
     free(base.bytes);
     free(packed.bytes);
-    return restored && make_steps(world, s, m->options.steps / 2);
+    bool done =
+        restored && make_steps(world, s, m->options.steps / 2) && plays_alike(m, world, recording);
+    free(recording.bytes);
+    return done;
 }
 
 static void print_run(matrix *m, const plain_title *title, scene *s) {

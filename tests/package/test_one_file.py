@@ -45,12 +45,34 @@ class OneFileTest(unittest.TestCase):
     def test_files_are_the_same_to_the_byte(self):
         again = self.folder / "again"
         make(again)
-        for name in ("thud.h", "thud.c", "thud.hpp"):
+        for name in ("thud.h", "thud.c", "thud.hpp", "thud_recorded.h"):
             self.assertEqual((again / name).read_bytes(), (self.folder / name).read_bytes(), name)
         shutil.rmtree(again)
 
     def test_program_of_the_readme_runs(self):
         self.assertEqual(run(self.folder / "ball"), "the ball rests at y = 0.50\n")
+
+    def test_calls_can_be_recorded(self):
+        program = """#include "thud.h"
+#include "thud_recorded.h"
+int main(void) {
+    thud_world *world = thud_world_make((thud_vec2){0, -10}, &thud_quality_default);
+    thud_recorder *recorder = NULL;
+    thud_player *player = NULL;
+    thud_player_progress progress;
+    thud_bytes bytes;
+    if (thud_recorder_begin(world, NULL, &recorder) == THUD_OK && thud_world_step(world) == THUD_OK &&
+        thud_recorder_get_bytes(recorder, &bytes) == THUD_OK &&
+        thud_player_create(bytes, NULL, &player) == THUD_OK &&
+        thud_player_get_progress(player, &progress) == THUD_OK)
+        return progress.end == 1 ? 0 : 1;
+    return 2;
+}
+"""
+        (self.folder / "recorded.c").write_text(program, encoding="utf-8")
+        run(CC, "-std=c17", "-Wall", "-Werror", "recorded.c", self.engine, "-lm", "-o", "recorded",
+            cwd=self.folder)
+        run(self.folder / "recorded")
 
     @unittest.skipUnless(shutil.which("c++"), "there is no C++ compiler")
     def test_header_for_cplusplus_needs_no_other(self):

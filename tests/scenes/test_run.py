@@ -75,6 +75,31 @@ class ThudRun(unittest.TestCase):
                               for name in ("overlap", "continuous", "bisect", "swept")}), 4)
         self.assertEqual(hash_with(), hash_with("--detection", "continuous"))
 
+    def test_recording_plays_to_the_same_hash_and_tells_where_it_differs(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "run.rec")
+            made = json.loads(run("cradle", "--steps", "40", "--json", "--record", file).stdout)
+            for workers in ("1", "2"):
+                played = json.loads(run("--replay", file, "--json", "--workers", workers).stdout)
+                self.assertEqual(played, {"steps": 40, "hashes": 41, "hash": made["hash"]})
+            # Crates break: the calls of the scene itself are recorded.
+            self.assertEqual(run("crates", "--steps", "70", "--record", file).returncode, 0)
+            self.assertEqual(run("--replay", file).returncode, 0)
+            made = json.loads(run("cradle", "--steps", "40", "--json", "--record", file).stdout)
+            self.assertIn(f"40 steps, 41 hashes are the same, hash {made['hash']}",
+                          run("--replay", file).stdout)
+            with open(file, "r+b") as recording:
+                recording.seek(-30, os.SEEK_END)
+                recording.write(b"?")
+            done = run("--replay", file)
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertIn("damaged", done.stderr)
+            self.assertEqual(run("cradle", "--record", os.path.join(folder, "no", "where")).returncode, 1)
+            self.assertEqual(run("--replay", os.path.join(folder, "nothing")).returncode, 1)
+        for wrong in (("cradle", "--replay", "x"), ("--replay", "x", "--record", "y"),
+                      ("cradle", "--record", "x", "--uses"), ("--record",)):
+            self.assertEqual(run(*wrong).returncode, 2, wrong)
+
     def test_list_and_help_succeed(self):
         self.assertIn("pyramid", run("--list").stdout)
         for flag in ("--help", "-h"):

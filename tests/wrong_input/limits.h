@@ -173,22 +173,26 @@
     FIELD(thud_joint_def, ratio, ratio, THUD_GEAR_RATIO_MIN, THUD_GEAR_RATIO_MAX, gear)        \
     FIELD(thud_joint_def, ratio, ratio, -THUD_GEAR_RATIO_MAX, -THUD_GEAR_RATIO_MIN, gear)
 
-#define QUERY_LIMITS(FIELD, CALL)                                                              \
-    CALL(thud_world_cast_ray, origin, LENGTHS(-THUD_PLACE_MAX), LENGTHS(THUD_PLACE_MAX),       \
-         thud_world_cast_ray(p->world, &(thud_ray){(thud_pos){x, 0}, 0, 1, NULL}, NULL, NULL)) \
-    CALL(thud_world_cast_ray, dy, LENGTHS(-THUD_PLACE_MAX), LENGTHS(THUD_PLACE_MAX),           \
-         thud_world_cast_ray(p->world, &(thud_ray){(thud_pos){0, 0}, 0, x, NULL}, NULL, NULL)) \
-    CALL(thud_world_closest, max_distance, 0, LENGTHS(THUD_PLACE_MAX),                         \
-         thud_world_closest(p->world, (thud_pos){0, 0}, x, NULL, NULL, NULL))                  \
-    FIELD(thud_rollback_options, players, players, 0, THUD_ROLLBACK_PLAYERS_MAX, rollback)     \
-    FIELD(thud_rollback_options, depth, depth, 0, THUD_ROLLBACK_DEPTH_MAX, rollback)           \
-    FIELD(thud_mover, max_slope, max_slope, 0, THUD_MOVER_SLOPE_MAX, mover)                    \
-    FIELD(thud_mover, step_height, step_height, 0, THUD_MOVER_STEP_MAX, mover)                 \
-    FIELD(thud_mover, snap_distance, snap_distance, 0, THUD_MOVER_STEP_MAX, mover)             \
-    FIELD(thud_mover, push_force, push_force, 0, THUD_MOVER_FORCE_MAX, mover)                  \
-    CALL(thud_mover_move, dt, OPEN(0), THUD_TIME_STEP_MAX,                                     \
-         thud_mover_move(p->world, &p->mover, (thud_vec2){0, 0}, x, NULL))                     \
-    CALL(thud_mover_move, velocity, -THUD_MOVER_DISTANCE_MAX, THUD_MOVER_DISTANCE_MAX,         \
+#define QUERY_LIMITS(FIELD, CALL)                                                               \
+    CALL(thud_world_cast_ray, origin, LENGTHS(-THUD_PLACE_MAX), LENGTHS(THUD_PLACE_MAX),        \
+         thud_world_cast_ray(p->world, &(thud_ray){(thud_pos){x, 0}, 0, 1, NULL}, NULL, NULL))  \
+    CALL(thud_world_cast_ray, dy, LENGTHS(-THUD_PLACE_MAX), LENGTHS(THUD_PLACE_MAX),            \
+         thud_world_cast_ray(p->world, &(thud_ray){(thud_pos){0, 0}, 0, x, NULL}, NULL, NULL))  \
+    CALL(thud_world_closest, max_distance, 0, LENGTHS(THUD_PLACE_MAX),                          \
+         thud_world_closest(p->world, (thud_pos){0, 0}, x, NULL, NULL, NULL))                   \
+    FIELD(thud_rollback_options, players, players, 0, THUD_ROLLBACK_PLAYERS_MAX, rollback)      \
+    FIELD(thud_rollback_options, depth, depth, 0, THUD_ROLLBACK_DEPTH_MAX, rollback)            \
+    FIELD(thud_recorder_options, hash_steps, hash_steps, 0, THUD_RECORDING_STEPS_MAX, recorder) \
+    FIELD(thud_recorder_options, keyframe_steps, keyframe_steps, 0, THUD_RECORDING_STEPS_MAX,   \
+          recorder)                                                                             \
+    FIELD(thud_recorder_options, ring_steps, ring_steps, 0, THUD_RECORDING_STEPS_MAX, recorder) \
+    FIELD(thud_mover, max_slope, max_slope, 0, THUD_MOVER_SLOPE_MAX, mover)                     \
+    FIELD(thud_mover, step_height, step_height, 0, THUD_MOVER_STEP_MAX, mover)                  \
+    FIELD(thud_mover, snap_distance, snap_distance, 0, THUD_MOVER_STEP_MAX, mover)              \
+    FIELD(thud_mover, push_force, push_force, 0, THUD_MOVER_FORCE_MAX, mover)                   \
+    CALL(thud_mover_move, dt, OPEN(0), THUD_TIME_STEP_MAX,                                      \
+         thud_mover_move(p->world, &p->mover, (thud_vec2){0, 0}, x, NULL))                      \
+    CALL(thud_mover_move, velocity, -THUD_MOVER_DISTANCE_MAX, THUD_MOVER_DISTANCE_MAX,          \
          thud_mover_move(p->world, &p->mover, (thud_vec2){(float)x, 0}, 1, NULL))
 
 #define GEOMETRY_LIMITS(FIELD, CALL)                                                               \

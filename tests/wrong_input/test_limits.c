@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include <thud/thud_prediction.h>
+#include <thud/thud_recording.h>
 
 typedef struct row row;
 typedef thud_result try_fn(place *p, const row *r, double x);
@@ -158,6 +159,15 @@ static thud_result gear(place *p, const row *r, double x) {
     OK(thud_joint_create(p->world, &hinge, &def.gear[1]));
     put(&def, r, x);
     return thud_joint_create(p->world, &def, NULL);
+}
+
+static thud_result recorder(place *p, const row *r, double x) {
+    thud_recorder_options one = {0};
+    thud_recorder *made = NULL;
+    put(&one, r, x);
+    thud_result result = thud_recorder_begin(p->world, &one, &made);
+    thud_recorder_end(made);
+    return result;
 }
 
 /* A rollback step without an effect. */

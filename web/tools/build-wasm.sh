@@ -1,6 +1,6 @@
 #!/bin/sh
-# Builds the WebAssembly modules with emcc: thud.wasm, thud-scalar.wasm and thud-threads.wasm into
-# the package, thud-demo.wasm for the page. THUD_WASM_BUILD names another build directory than build/wasm.
+# Builds the WebAssembly modules with emcc: thud.wasm, thud-scalar.wasm, thud-threads.wasm and
+# thud-recorded.wasm into the package, thud-demo.wasm for the page. THUD_WASM_BUILD names another build directory than build/wasm.
 set -eu
 cd "$(dirname "$0")/../.."
 build=${THUD_WASM_BUILD:-build/wasm}
@@ -34,7 +34,7 @@ compile() {
     cmake --build "$directory" --parallel 2 --target "$@"
 }
 
-compile "$build" -msimd128 OFF thud-web thud-demo
+compile "$build" -msimd128 OFF thud-web thud-demo thud-recorded
 # For browsers without WebAssembly SIMD: the same source gives the same results, but is slower.
 compile "$build-scalar" "" OFF thud-web
 # For pages that are cross-origin isolated, and Node.js: shares large steps among threads.
@@ -44,4 +44,5 @@ mkdir -p web/package/dist web/generated
 cp -p "$build/web/thud-web.wasm" web/package/dist/thud.wasm
 cp -p "$build-scalar/web/thud-web.wasm" web/package/dist/thud-scalar.wasm
 cp -p "$build-threads/web/thud-web.wasm" web/package/dist/thud-threads.wasm
+cp -p "$build/web/thud-recorded.wasm" web/package/dist/thud-recorded.wasm
 cp -p "$build/web/thud-demo.wasm" web/generated/thud-demo.wasm

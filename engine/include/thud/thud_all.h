@@ -30,6 +30,7 @@
 #include "thud_quality.h"
 #include "thud_queries.h"
 #include "thud_reads.h"
+#include "thud_recording.h"
 #include "thud_result.h"
 #include "thud_rollback.h"
 #include "thud_rules.h"

@@ -78,6 +78,10 @@
 #define THUD_ROLLBACK_PLAYERS_MAX 64
 #define THUD_ROLLBACK_DEPTH_MAX 1000 /* steps */
 
+/* ---- recordings ---- */
+
+#define THUD_RECORDING_STEPS_MAX 1000000000 /* steps */
+
 /* ---- geometry without a world, in the caller's own lengths ---- */
 
 #define THUD_COORDINATE_MAX                                                                      \

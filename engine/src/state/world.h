@@ -126,6 +126,10 @@ struct thud_world {
     td_budget budget;
     thud_stats stats;
     td_broadphase_counts broadphase; /* of the last step; not in snapshots */
+
+    /* recording/recorder.h; null: the world is not being recorded. Last, so that nothing else has
+     * another place by it. */
+    struct thud_recorder *recorder;
 };
 
 /* Shapes above which loops that read records all over memory prefetch them: those of fewer shapes

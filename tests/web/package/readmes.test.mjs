@@ -33,7 +33,7 @@ const blocksOf = (file, language) =>
  */
 const BLOCKS = {
   "README.md": { sh: 1, c: 1, cmake: 1, js: 1 },
-  "docs/embedding.md": { cmake: 1, sh: 1, c: 1, json: 1 },
+  "docs/embedding.md": { cmake: 1, sh: 1, c: 2, json: 1 },
   "web/README.md": { js: 1, c: 1 },
   "web/package/README.md": { ts: 1 },
 };

@@ -56,6 +56,7 @@ pub const THUD_MOVER_DISTANCE_MAX: f64 = 1000000.0;
 pub const THUD_MOVER_FORCE_MAX: f64 = 1e+30;
 pub const THUD_ROLLBACK_PLAYERS_MAX: i64 = 64;
 pub const THUD_ROLLBACK_DEPTH_MAX: i64 = 1000;
+pub const THUD_RECORDING_STEPS_MAX: i64 = 1000000000;
 pub const THUD_COORDINATE_MAX: f64 = 1000000000000000.0;
 pub const THUD_VOLUME_MAX: f64 = 1e+16;
 pub const THUD_TOLERANCE_MIN: f64 = 1e-15;
@@ -193,6 +194,8 @@ pub type thud_prologue_all_fn = unsafe extern "C" fn(*mut thud_world, *const thu
 pub type thud_epilogue_all_fn = unsafe extern "C" fn(*mut thud_world, *const thud_contact, c_int, *mut c_void);
 pub type thud_object_epilogue_fn = unsafe extern "C" fn(*mut thud_world, *const thud_contact, c_int, *mut c_void);
 pub type thud_mover_pass_fn = unsafe extern "C" fn(*const thud_mover, *const thud_mover_hit, thud_vec2, *mut c_void) -> bool;
+pub type thud_recording_sink_fn = unsafe extern "C" fn(*const c_void, usize, *mut c_void) -> bool;
+pub type thud_chunk_fn = unsafe extern "C" fn(*const c_char, thud_bytes, *mut c_void);
 pub type thud_rollback_step_fn = unsafe extern "C" fn(*mut thud_world, *const u64, *mut c_void) -> thud_result;
 pub type thud_filter_fn = unsafe extern "C" fn(*const thud_world, thud_shape_id, thud_shape_id, *mut c_void) -> bool;
 pub type thud_volume = thud_geometry;
@@ -1053,6 +1056,53 @@ pub struct thud_broadphase_counts {
 
 #[repr(C)]
 #[derive(Debug)]
+pub struct thud_recorder {
+    _private: [u8; 0],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct thud_recorder_options {
+    pub hash_steps: c_int,
+    pub body_hashes: bool,
+    pub keyframe_steps: c_int,
+    pub ring_steps: c_int,
+    pub sink: Option<thud_recording_sink_fn>,
+    pub context: *mut c_void,
+}
+
+#[repr(C)]
+#[derive(Debug)]
+pub struct thud_player {
+    _private: [u8; 0],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct thud_player_options {
+    pub allocator: thud_allocator,
+    pub log: Option<thud_log_fn>,
+    pub log_context: *mut c_void,
+    pub job_system: thud_job_system,
+    pub chunk: Option<thud_chunk_fn>,
+    pub context: *mut c_void,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct thud_player_progress {
+    pub first: i64,
+    pub end: i64,
+    pub steps: i64,
+    pub hashes: i64,
+    pub differs: bool,
+    pub differs_after: i64,
+    pub differs_at: i64,
+    pub body: thud_body_id,
+}
+
+#[repr(C)]
+#[derive(Debug)]
 pub struct thud_rollback {
     _private: [u8; 0],
 }
@@ -1396,6 +1446,16 @@ extern "C" {
     pub fn thud_shape_get_body(world: *const thud_world, shape: thud_shape_id, out_body: *mut thud_body_id) -> thud_result;
     pub fn thud_world_get_step_settings(world: *const thud_world, out: *mut thud_step_settings) -> thud_result;
     pub fn thud_world_get_broadphase_counts(world: *const thud_world, out: *mut thud_broadphase_counts) -> thud_result;
+    pub fn thud_recorder_begin(world: *mut thud_world, options: *const thud_recorder_options, out: *mut *mut thud_recorder) -> thud_result;
+    pub fn thud_recorder_end(recorder: *mut thud_recorder);
+    pub fn thud_recorder_get_bytes(recorder: *mut thud_recorder, out: *mut thud_bytes) -> thud_result;
+    pub fn thud_recorder_add_chunk(recorder: *mut thud_recorder, name: *const c_char, bytes: thud_bytes) -> thud_result;
+    pub fn thud_player_create(recording: thud_bytes, options: *const thud_player_options, out: *mut *mut thud_player) -> thud_result;
+    pub fn thud_player_destroy(player: *mut thud_player);
+    pub fn thud_player_step(player: *mut thud_player, out_stepped: *mut bool) -> thud_result;
+    pub fn thud_player_seek(player: *mut thud_player, step: i64) -> thud_result;
+    pub fn thud_player_get_world(player: *mut thud_player, out: *mut *mut thud_world) -> thud_result;
+    pub fn thud_player_get_progress(player: *const thud_player, out: *mut thud_player_progress) -> thud_result;
     pub fn thud_rollback_create(world: *mut thud_world, options: *const thud_rollback_options, out: *mut *mut thud_rollback) -> thud_result;
     pub fn thud_rollback_destroy(rollback: *mut thud_rollback);
     pub fn thud_rollback_input(rollback: *mut thud_rollback, player: c_int, step: i64, input: u64) -> thud_result;

@@ -56,6 +56,7 @@ pub use sys::thud_mover_report as MoverReport;
 pub use sys::thud_one_way as OneWay;
 pub use sys::thud_pair as Pair;
 pub use sys::thud_pair_side as PairSide;
+pub use sys::thud_player_progress as PlayerProgress;
 pub use sys::thud_pos as Pos;
 pub use sys::thud_pose as Pose;
 pub use sys::thud_prediction as Prediction;

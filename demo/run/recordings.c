@@ -1,0 +1,134 @@
+/* recordings.c: see recordings.h. */
+#include "recordings.h"
+
+#include "run.h"
+
+#include <thud/thud_recording.h>
+#include <thud/thud_threads.h>
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* ---- recording ---- */
+
+/* A recording under way. */
+typedef struct tape {
+    FILE *file;
+    thud_recorder *recorder;
+    bool failed;
+} tape;
+
+static bool write_bytes(const void *bytes, size_t count, void *context) {
+    tape *t = context;
+    t->failed |= fwrite(bytes, 1, count, t->file) != count;
+    return !t->failed;
+}
+
+/* Every step has a hash of each body, so that the first that differs is named. */
+static bool begin(thud_world *world, void *context) {
+    tape *t = context;
+    thud_recorder_options options = {.hash_steps = 1,
+                                     .body_hashes = true,
+                                     .sink = write_bytes,
+                                     .context = t};
+    thud_result result = thud_recorder_begin(world, &options, &t->recorder);
+    t->failed |= result != THUD_OK;
+    return result == THUD_OK;
+}
+
+static bool go_on(thud_world *world, const run_outcome *so_far, void *context) {
+    (void)world;
+    (void)so_far;
+    return !((const tape *)context)->failed;
+}
+
+bool record_scene(const run_options *options, const scene *s, run_outcome *out) {
+    tape t = {.file = fopen(options->record, "wb")};
+    if (!t.file) {
+        fprintf(stderr, "thud-run: cannot write %s\n", options->record);
+        return false;
+    }
+    run_watch watch = {.built = begin, .stepped = go_on, .context = &t};
+    bool done = run_scene(options, s, &watch, out);
+    /* The run has destroyed its world, with which the recording ended. */
+    thud_recorder_end(t.recorder);
+    t.failed |= fclose(t.file) != 0;
+    if (t.failed)
+        fprintf(stderr, "thud-run: %s cannot be written\n", options->record);
+    return done && !t.failed;
+}
+
+/* ---- playing ---- */
+
+/* Reads a file whole. Null after a message. */
+static char *read_file(const char *path, size_t *bytes) {
+    FILE *file = fopen(path, "rb");
+    long length = file && fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
+    char *text = length >= 0 && fseek(file, 0, SEEK_SET) == 0 ? malloc((size_t)length + 1) : NULL;
+    if (text && fread(text, 1, (size_t)length, file) != (size_t)length) {
+        free(text);
+        text = NULL;
+    }
+    if (file)
+        fclose(file);
+    if (!text)
+        fprintf(stderr, "thud-run: cannot read %s\n", path);
+    *bytes = (size_t)length;
+    return text;
+}
+
+static void log_to_stderr(thud_result result, const char *message, void *context) {
+    (void)result;
+    (void)context;
+    fprintf(stderr, "thud: %s\n", message);
+}
+
+/* Says where a recording differs. */
+static void tell_difference(const thud_player_progress *p) {
+    fprintf(stderr, "thud-run: the state differs after step %" PRId64 ", at step %" PRId64,
+            p->differs_after, p->differs_at);
+    if (p->body.index1)
+        fprintf(stderr, ", first in the body of slot %" PRIu32, p->body.index1 - 1);
+    fprintf(stderr, "\n");
+}
+
+/* Plays all steps, and prints how that ended. */
+static bool play(const run_options *options, thud_player *player) {
+    thud_player_progress p;
+    thud_world *world = NULL;
+    thud_result result = THUD_OK;
+    for (bool stepped = true; stepped && result == THUD_OK;)
+        result = thud_player_step(player, &stepped);
+    thud_player_get_progress(player, &p);
+    thud_player_get_world(player, &world);
+    if (p.differs)
+        tell_difference(&p);
+    if (result != THUD_OK)
+        return false;
+    uint64_t hash = thud_hash_of(world);
+    const char *text = options->json ? "{\"steps\": %" PRId64 ", \"hashes\": %" PRId64
+                                       ", \"hash\": \"%016" PRIx64 "\"}\n"
+                                     : "%" PRId64 " steps, %" PRId64
+                                       " hashes are the same, hash %016" PRIx64 "\n";
+    printf(text, p.steps - p.first, p.hashes, hash);
+    return true;
+}
+
+bool replay_file(const run_options *options) {
+    size_t count;
+    char *bytes = read_file(options->replay, &count);
+    if (!bytes)
+        return false;
+    thud_threads *threads = NULL;
+    if (options->workers > 1 && thud_threads_create(options->workers, NULL, &threads) != THUD_OK)
+        fprintf(stderr, "thud-run: threads cannot be created; playing on one thread\n");
+    thud_player_options how = {.log = log_to_stderr, .job_system = thud_job_system_of(threads)};
+    thud_player *player = NULL;
+    bool done = thud_player_create((thud_bytes){bytes, count}, &how, &player) == THUD_OK &&
+                play(options, player);
+    thud_player_destroy(player);
+    thud_threads_destroy(threads);
+    free(bytes);
+    return done;
+}

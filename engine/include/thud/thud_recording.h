@@ -1,0 +1,162 @@
+/* thud_recording.h: records a world: a snapshot, and then every call that changes the world, with
+ * hashes of its state; and plays such a recording, to the same bits, on every platform. For bug
+ * reports, replays of games, and tests. thud.h does not include this header; a program that uses it
+ * links what thud_snapshot.h names, and a player links every function that can be recorded.
+ *
+ *     #include <thud/thud_recording.h>
+ *     #include <thud/thud_recorded.h>     last: the calls of this file are recorded
+ *     ...
+ *     thud_recorder_begin(world, NULL, &recorder);
+ *     ... steps and calls, as ever
+ *     thud_recorder_get_bytes(recorder, &bytes);      to be written to a file
+ *     thud_recorder_end(recorder);
+ *
+ *     thud_player_create(bytes, NULL, &player);
+ *     for (bool stepped = true; stepped;) {
+ *         thud_player_step(player, &stepped);
+ *     }
+ *
+ * What is recorded are the calls of source files that include thud_recorded.h. Those of other files
+ * are not, and cost nothing: a step, restore or rollback among them is noticed by the number of
+ * steps, and the recording then has a snapshot of the world as it is now; another call makes the
+ * recording differ when it is played, which its hashes tell. A refused call is recorded as refused,
+ * without its arguments.
+ *
+ * Listeners and filters of the world are recorded by their answers, and by the calls that they
+ * make, and are not needed to play the recording. Not recorded: the log, the clock, the allocator,
+ * the job system, which change no results; queries, which change nothing. A world with a
+ * time_budget cannot be recorded, since it depends on the clock.
+ *
+ * A recording is bytes with a version and checksums, the same on every platform for the same calls,
+ * except for the snapshots in it, which thud_packed.h describes: 64-bit machines with the byte
+ * order of x86-64 and WebAssembly can play the recordings of each other. */
+#ifndef THUD_RECORDING_H
+#define THUD_RECORDING_H
+
+#include "thud_hooks.h"
+#include "thud_ids.h"
+#include "thud_limits.h"
+#include "thud_packed.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- recording ---- */
+
+/* The recording of one world. It uses the world's allocator. */
+typedef struct thud_recorder thud_recorder;
+
+/* Receives the next bytes of a recording; false: they could not be kept, and the recording ends
+ * there. It must not call any function of the world. */
+typedef bool thud_recording_sink_fn(const void *bytes, size_t count, void *context);
+
+/* All zero selects the defaults. */
+typedef struct thud_recorder_options {
+    int hash_steps;     /* steps from one hash to the next, [0, THUD_RECORDING_STEPS_MAX]; default
+                           (0) 60. A hash is a pass over all bodies; none is written while nothing
+                           is awake and nothing is called */
+    bool body_hashes;   /* with each hash 16 bits for every body, by which a player names the body
+                           that differs */
+    int keyframe_steps; /* steps from one keyframe to the next, [0, THUD_RECORDING_STEPS_MAX]: a
+                           packed snapshot, from which a player can start; default (0) none but the
+                           first, or with ring_steps a quarter of it */
+    int ring_steps;     /* [0, THUD_RECORDING_STEPS_MAX]: keeps the last so many steps, up to a
+                           keyframe more; default (0) all */
+    thud_recording_sink_fn *sink; /* receives the recording, piece by piece, at every hash, and
+                                     keeps no memory for it; not with ring_steps. Default null: the
+                                     recording is kept in memory */
+    void *context;                /* passed to sink */
+} thud_recorder_options;
+
+/* Begins to record a world, from its present state. `options` null: the defaults. THUD_ERROR_NULL;
+ * THUD_ERROR_INVALID for an option out of range, a ring with a sink, a world with a time_budget,
+ * and one that is being recorded; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_MEMORY. */
+THUD_NODISCARD THUD_API thud_result thud_recorder_begin(thud_world *world,
+                                                        const thud_recorder_options *options,
+                                                        thud_recorder **out);
+/* Ends the recording, and frees it; a sink receives its last bytes. Null does nothing. Inside a
+ * callback of the world the call does nothing either, and the log is told THUD_ERROR_LOCKED. The
+ * world stays usable. Where thud_world_destroy is a recorded call, the world may be destroyed
+ * before; otherwise the recorder must be ended first. */
+THUD_API void thud_recorder_end(thud_recorder *recorder);
+
+/* Gets the recording so far, whole: bytes that can be played. They are valid until the next
+ * recorded call. The recording goes on. THUD_ERROR_NULL; THUD_ERROR_INVALID for a recorder with a
+ * sink; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_MEMORY, also if memory was short at an
+ * earlier call: the recording has then ended at that call, and is lost. */
+THUD_API thud_result thud_recorder_get_bytes(thud_recorder *recorder, thud_bytes *out);
+
+/* Adds the caller's own bytes, under a name, at this place: inputs, a message, the state of a game.
+ * THUD_ERROR_NULL for a null recorder or name, or null bytes of a count; THUD_ERROR_LOCKED inside a
+ * recorded call; THUD_ERROR_MEMORY as above. */
+THUD_API thud_result thud_recorder_add_chunk(thud_recorder *recorder, const char *name,
+                                             thud_bytes bytes);
+
+/* ---- playing ---- */
+
+/* A recording that is played, with a world of its own. */
+typedef struct thud_player thud_player;
+
+/* Receives a chunk of the recording as it is played. `name` is valid during the call. */
+typedef void thud_chunk_fn(const char *name, thud_bytes bytes, void *context);
+
+/* All zero selects the defaults. */
+typedef struct thud_player_options {
+    thud_allocator allocator;   /* of the player and its world */
+    thud_log_fn *log;           /* of its world; is told why a recording is refused, too */
+    void *log_context;          /* passed to log */
+    thud_job_system job_system; /* of its world */
+    thud_chunk_fn *chunk;       /* default null: chunks are passed over */
+    void *context;              /* passed to chunk */
+} thud_player_options;
+
+/* Opens a recording, at its first step. All of its checksums are tested. The bytes are not copied,
+ * and must exist as long as the player; `options` null: the defaults. THUD_ERROR_NULL;
+ * THUD_ERROR_INVALID for bytes that are cut short, damaged, no recording, or of another version or
+ * build of thud, with the reason in the log; THUD_ERROR_MEMORY. As with snapshots, the checksums
+ * are no protection against forged bytes: play only recordings that you trust. */
+THUD_NODISCARD THUD_API thud_result thud_player_create(thud_bytes recording,
+                                                       const thud_player_options *options,
+                                                       thud_player **out);
+/* Destroys a player and its world. Null does nothing. */
+THUD_API void thud_player_destroy(thud_player *player);
+
+/* Plays the calls up to the next step, and this step; or all steps of the next
+ * thud_world_advance. *out_stepped (may be null) is false at the end of the recording, where
+ * nothing is done. THUD_ERROR_NULL; THUD_ERROR_MEMORY; THUD_ERROR_INVALID where the recording
+ * differs from what happens (thud_player_progress.differs), or contradicts itself: only
+ * thud_player_seek goes on from there. */
+THUD_API thud_result thud_player_step(thud_player *player, bool *out_stepped);
+
+/* Goes to a step, [first, end] of thud_player_progress: forwards by playing, backwards from the
+ * last keyframe before it. Errors as for thud_player_step; THUD_ERROR_INVALID for another step. */
+THUD_API thud_result thud_player_seek(thud_player *player, int64_t step);
+
+/* The world of the player: for reads, queries and drawing; handles are those of the world that was
+ * recorded. It belongs to the player; a change of it makes the recording differ, until a seek goes
+ * back. THUD_ERROR_NULL. */
+THUD_API thud_result thud_player_get_world(thud_player *player, thud_world **out);
+
+typedef struct thud_player_progress {
+    int64_t first;  /* steps are counted from the begin of the recording: this is the first one that
+                       a ring has kept, else 0 */
+    int64_t end;    /* steps in all: where it ends */
+    int64_t steps;  /* steps made so far: where it stands */
+    int64_t hashes; /* hashes that were compared so far, and were equal */
+    bool differs;   /* the state is another one than was recorded: of these steps, after
+                       differs_after, one is the first that differs */
+    int64_t differs_after; /* the step up to which all was equal */
+    int64_t differs_at;    /* the step at which a difference was found */
+    thud_body_id body; /* the first body that differs; null where that is not known, or where a call
+                          has another result than was recorded */
+} thud_player_progress;
+
+/* THUD_ERROR_NULL. */
+THUD_API thud_result thud_player_get_progress(const thud_player *player, thud_player_progress *out);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

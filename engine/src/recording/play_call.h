@@ -1,0 +1,50 @@
+/* play_call.h: what a player makes calls with. The functions that it calls are chosen by number in
+ * play_call.c, which tools/recorded.py makes. */
+#ifndef TD_PLAY_CALL_H
+#define TD_PLAY_CALL_H
+
+#include "recording/codec.h"
+#include "recording/recording.h"
+
+/* A call that is being played. */
+typedef struct td_play_frame {
+    struct td_play_frame *outer;
+    uint64_t callbacks; /* so many were called so far */
+    uint64_t next;      /* number of the next one that has a record; 0: none has */
+} td_play_frame;
+
+/* The records that are played, and the world that they change. */
+typedef struct td_play {
+    thud_world *world;
+    td_memory *memory;
+    td_reader from;       /* the records of the segment under way */
+    td_play_frame *frame; /* null: between calls */
+    /* Plays the record that begins with this byte, a call; callbacks call it. */
+    void (*record)(struct td_play *p, unsigned record);
+    bool differs; /* a call has another result than was recorded */
+    bool short_of_memory;
+} td_play;
+
+/* Whether records can be played on. */
+static inline bool td_play_goes_on(const td_play *p) {
+    return !p->differs && !p->short_of_memory && !p->from.broken;
+}
+
+/* Makes the call of this number. */
+thud_result td_play_call(td_play *p, thud_world *w, int call, td_decoded *d);
+
+/* ---- play_callbacks.c ---- */
+
+/* Sets `next` of the frame: the callback whose record comes next, if one does. */
+void td_play_next_callback(td_play *p, td_play_frame *frame);
+/* Sets the listeners and the filter of the world to the player's, without an effect on its state.
+ * False when memory is short. */
+bool td_play_set_callbacks(td_play *p, unsigned calls, uint32_t without);
+
+thud_mover_pass_fn td_play_pass;
+thud_result td_play_world_advance_with(td_play *p, thud_world *w, const td_decoded *d);
+thud_result td_play_world_set_filter(td_play *p, thud_world *w, const td_decoded *d);
+thud_result td_play_world_set_listeners(td_play *p, thud_world *w, const td_decoded *d);
+thud_result td_play_mover_move(td_play *p, thud_world *w, const td_decoded *d);
+
+#endif

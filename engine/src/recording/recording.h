@@ -1,0 +1,70 @@
+/* recording.h: the format of a recording (thud_recording.h), which recorder.c writes and player.c
+ * reads:
+ *
+ *     head      MAGIC, version (4 bytes)
+ *     segment   kind (1 byte), number (4), steps recorded before it (8), length (8),
+ *               contents, checksum of all of these (8: td_stream_sum)
+ *     ...       numbers rise by one. The first segment is a TD_SEGMENT_KEYFRAME, the last one is
+ *               the TD_SEGMENT_END
+ *
+ * A keyframe is the def of the world, the listeners that it has, and its snapshot, packed: nothing
+ * before it is needed to play on from there. TD_SEGMENT_CALLS are, after their length, and without
+ * what they repeat (repeats.h), records, each of which begins with a byte: a td_record, or
+ * TD_RECORD_CALL plus the number of a call (recorded_calls.h), after which its arguments and the
+ * handles that it returned follow. A call within which callbacks made calls, or gave answers that
+ * are not the usual ones, is
+ *
+ *     TD_RECORD_OPEN, number of the call, arguments
+ *         TD_RECORD_CALLBACK, how many callbacks of this call after the last one that has a record
+ *             records of the calls that it made
+ *         TD_RECORD_ANSWER, the answer (callbacks.h)
+ *         ...
+ *     TD_RECORD_CLOSE, handles that the call returned
+ *
+ * so that callbacks which only look take no bytes. */
+#ifndef TD_RECORDING_H
+#define TD_RECORDING_H
+
+#include "recording/codec.h"
+#include "recording/stream.h"
+
+#define TD_RECORDING_MAGIC "thudrec"
+
+enum {
+    TD_RECORDING_VERSION = 1, /* to be raised whenever the meaning of the bytes changes */
+    TD_RECORDING_HEAD = 12,   /* bytes of the head */
+    TD_SEGMENT_HEAD = 21,     /* bytes before the contents of a segment */
+    TD_SEGMENT_SUM = 8        /* bytes after them */
+};
+
+/* Kinds of segments. */
+enum { TD_SEGMENT_KEYFRAME = 'K', TD_SEGMENT_CALLS = 'C', TD_SEGMENT_END = 'E' };
+
+typedef enum td_record {
+    TD_RECORD_STEPS,     /* so many steps without anything else */
+    TD_RECORD_HASH,      /* the hash of the world */
+    TD_RECORD_BODIES,    /* the same, number of body slots, 16 bits of each */
+    TD_RECORD_STATE,     /* the world was restored: a snapshot, packed */
+    TD_RECORD_LISTENERS, /* TD_CALLS_..., thud_listeners.without: there are these from now on */
+    TD_RECORD_CHUNK,     /* name and bytes of the caller */
+    TD_RECORD_REFUSED,   /* a call that was refused, and its result */
+    TD_RECORD_LOCKED,    /* the call that follows was made inside a callback of a query */
+    TD_RECORD_OPEN,
+    TD_RECORD_CALLBACK,
+    TD_RECORD_ANSWER,
+    TD_RECORD_CLOSE,
+    TD_RECORD_CALL = 16
+} td_record;
+
+/* Bits of the answer of a prologue about a contact: whether the pair collides, and whether
+ * friction, restitution and surface speed follow. */
+enum { TD_ANSWER_YES = 1, TD_ANSWER_SETTINGS = 2 };
+
+/* A body's state in 16 bits: pose and velocity. */
+uint16_t td_recording_body_hash(const thud_world *w, td_body_index body);
+/* Writes and reads what a keyframe has of the def of a world: the fields that have no setter, on
+ * which the snapshot has to agree. Reading begins with the default def. */
+void td_recording_write_def(td_writer *to, const thud_world *w);
+bool td_recording_read_def(td_reader *from, thud_world_def *def);
+
+#endif
