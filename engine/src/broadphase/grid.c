@@ -307,8 +307,8 @@ static bool follow(thud_world *w, td_proxy_set *grid, const int *moved, int coun
 
 /* ---- shapes that come to rest ---- */
 
-/* The level of the strays, shapes at rest that stand in no cell: the lowest one in use, whose cells
- * have no width. Null where it would be the first level in use. */
+/* The level of the strays, shapes at rest that stand in no cell. It stands below the levels with
+ * cells, and its own have no width. Null in an empty grid. */
 static td_level *level_of_strays(td_proxy_set *grid) {
     td_level *level = &grid->levels[TD_LEVELS - 1];
     while (level[-1].count > 0) {
