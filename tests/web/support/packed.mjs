@@ -57,9 +57,9 @@ async function share(count) {
     // A pile that sleeps would leave the threads nothing to do.
     const world = engine.createWorld({ sleeping: false });
     world.createTerrain(world.createBody(), { kind: "flat" });
-    for (let i = 0; i < 900; i++) {
-      const ball = world.createBody({ kind: "dynamic", position: [i % 30, 0.5 + Math.floor(i / 30)] });
-      world.createCircle(ball, { radius: 0.5 });
+    for (let i = 0; i < 2500; i++) {
+      const box = world.createBody({ kind: "dynamic", position: [i % 50, 0.5 + Math.floor(i / 50)] });
+      world.createObb(box, { halfWidth: 0.5, halfHeight: 0.5 });
     }
     for (let i = 0; i < 30; i++) world.step();
     return world;
