@@ -29,8 +29,8 @@ Builds and tests everything, or only the parts that are named:
               hour; all this in the part native. In the part page, tests of what the page's own code
               decides run in Firefox, too, and not in Chromium alone
 
-Two lanes run side by side: wasm, page and baseline, of which the page often waits, and all others,
-which give way to them. What a part prints is in build/test/PART.log and shown as it ends.
+Two lanes run side by side: wasm and baseline; native, sanitizers and page, of which the first two
+give way to the other lane. What a part prints is in build/test/PART.log and shown as it ends.
 END
 }
 
@@ -152,11 +152,20 @@ test_wasm() {
     npm_packages tests/web/bundlers "bundlers to try the package with" &
     bundlers=$!
     build_page
+    touch build/test/page.ready
     wait "$bundlers"
     (cd web && npm run test:node && npm run test:bundlers)
 }
 
+# The part wasm, where it runs beside this one, builds the page for both.
 test_page() {
+    case " $parts " in
+        *' wasm '*)
+            until [ -f build/test/page.ready ] || [ -f build/test/wasm.code ]; do
+                sleep 1
+            done
+            ;;
+    esac
     build_page
     if [ "$full" = yes ]; then
         export THUD_FULL=1
@@ -262,18 +271,21 @@ test_everything() {
     summary=
     waiting=
     for part in $parts; do
-        rm -f "build/test/$part.began" "build/test/$part.code"
+        rm -f "build/test/$part.began" "build/test/$part.code" build/test/page.ready
         waiting="$waiting $part"
     done
     prepare_test
     # Without this the lanes would go on when the shell is interrupted.
     trap 'trap - TERM; kill -TERM 0' INT HUP
     say "Testing:$parts"
-    run_lane wasm page baseline &
+    run_lane wasm baseline &
     (
-        # This lane has a lower priority, so that the browsers of the other lane get processor time.
-        renice -n 5 -p "$(exec sh -c 'echo "$PPID"')" >/dev/null 2>&1 || :
-        run_lane native sanitizers
+        (
+            # These have a lower priority, so that what waits for less time gets the processor.
+            renice -n 5 -p "$(exec sh -c 'echo "$PPID"')" >/dev/null 2>&1 || :
+            run_lane native sanitizers
+        )
+        run_lane page
     ) &
     ticks=0
     while [ -n "$waiting" ]; do
