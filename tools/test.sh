@@ -29,8 +29,8 @@ Builds and tests everything, or only the parts that are named:
               hour; all this in the part native. In the part page, tests of what the page's own code
               decides run in Firefox, too, and not in Chromium alone
 
-Two lanes run side by side: wasm and baseline; native, sanitizers and page, of which the first two
-give way to the other lane. What a part prints is in build/test/PART.log and shown as it ends.
+Two lanes run side by side: wasm and baseline; native, sanitizers and then page, to which all others
+give way. What a part prints is in build/test/PART.log and shown as it ends.
 END
 }
 
@@ -262,6 +262,11 @@ run_lane() {
     done
 }
 
+# Lowers the priority of this shell, so that the browsers of the part page get processor time.
+give_way() {
+    renice -n 5 -p "$(exec sh -c 'echo "$PPID"')" >/dev/null 2>&1 || :
+}
+
 # test_everything: runs `parts` in two lanes, and prints a summary.
 test_everything() {
     # make itself takes a tenth of the time of a build. Existing directories keep their generator.
@@ -278,13 +283,9 @@ test_everything() {
     # Without this the lanes would go on when the shell is interrupted.
     trap 'trap - TERM; kill -TERM 0' INT HUP
     say "Testing:$parts"
-    run_lane wasm baseline &
+    (give_way && run_lane wasm baseline) &
     (
-        (
-            # These have a lower priority, so that what waits for less time gets the processor.
-            renice -n 5 -p "$(exec sh -c 'echo "$PPID"')" >/dev/null 2>&1 || :
-            run_lane native sanitizers
-        )
+        (give_way && run_lane native sanitizers)
         run_lane page
     ) &
     ticks=0
