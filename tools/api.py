@@ -26,12 +26,13 @@ headers: `unit`, `range`, `default`. `errors` are the results that comment, grou
 these name none, the head of the header names.
 """
 
-import argparse
 import json
 import re
 import subprocess
 import sys
 from pathlib import Path
+
+import made
 
 ROOT = Path(__file__).resolve().parent.parent
 HEADERS = ROOT / "engine" / "include" / "thud"
@@ -345,18 +346,10 @@ def written(item):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser = made.parser_of(__doc__)
     parser.add_argument("--clang", default="clang-16")
-    parser.add_argument("--check", action="store_true", help="write nothing; compare")
     options = parser.parse_args()
-    text = Api(options.clang).text()
-    if options.check:
-        if WRITTEN.is_file() and WRITTEN.read_text(encoding="utf-8") == text:
-            return 0
-        print(f"{WRITTEN.relative_to(ROOT)} is not what the headers say: run tools/api.py")
-        return 1
-    WRITTEN.write_text(text, encoding="utf-8")
-    return 0
+    return made.write({WRITTEN: Api(options.clang).text()}, options.check, "api.py", "the headers")
 
 
 if __name__ == "__main__":

@@ -11,11 +11,11 @@ span<T>, `view` a span that is returned, `read` and `written` const_bytes and by
 a callable by reference, without temporaries where a setter keeps it. Outputs are returned: one value,
 or a struct of several, in a std::optional where they may be missing."""
 
-import argparse
 import re
 import subprocess
 import sys
 
+import made
 from signatures import (API, CALLBACKS, FUNCTIONS, HANDLES, OWN, RECORDING, RECORDINGS, ROOT, STRUCTS, Signature,
                         bare)
 
@@ -489,18 +489,11 @@ def made_text(text, clang_format):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser = made.parser_of(__doc__)
     parser.add_argument("--clang-format", default="clang-format-16")
-    parser.add_argument("--check", action="store_true", help="write nothing; compare")
     options = parser.parse_args()
-    there = HEADER.read_text(encoding="utf-8")
-    text = made_text(there, options.clang_format)
-    if options.check:
-        if there != text:
-            print(f"{HEADER.relative_to(ROOT)} is not what api.json says: run tools/bind_cpp.py")
-        return there != text
-    HEADER.write_text(text, encoding="utf-8")
-    return 0
+    text = made_text(HEADER.read_text(encoding="utf-8"), options.clang_format)
+    return made.write({HEADER: text}, options.check, "bind_cpp.py")
 
 
 if __name__ == "__main__":

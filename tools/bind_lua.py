@@ -7,10 +7,10 @@ Between the lines `made from bindings/api.json` and `end` the file is made, the 
 hand. With --check nothing is written: the exit status is 1 if the file is not as it would be made.
 Signatures are read by signatures.py. Outputs are returned one by one, in the order of C."""
 
-import argparse
 import sys
 import textwrap
 
+import made
 from signatures import API, CALLBACKS, ENUMS, FUNCTIONS, HANDLES, OWN, RECORDINGS, ROOT, STRUCTS, Signature
 
 sys.path.append(str(ROOT / "bindings/python"))
@@ -239,17 +239,8 @@ def made_text(text):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
-    parser.add_argument("--check", action="store_true", help="write nothing; compare")
-    options = parser.parse_args()
-    there = FILE.read_text(encoding="utf-8")
-    text = made_text(there)
-    if options.check:
-        if there != text:
-            print(f"{FILE.relative_to(ROOT)} is not what api.json says: run tools/bind_lua.py")
-        return there != text
-    FILE.write_text(text, encoding="utf-8")
-    return 0
+    options = made.parser_of(__doc__).parse_args()
+    return made.write({FILE: made_text(FILE.read_text(encoding="utf-8"))}, options.check, "bind_lua.py")
 
 
 if __name__ == "__main__":

@@ -8,10 +8,10 @@ has the safe calls: those whose structs have no pointers, or are wrapped by hand
 crates have the version of the headers. With --check nothing is written: the exit status is 1 if a file is not as it would be made. Signatures are
 read by signatures.py."""
 
-import argparse
 import re
 import sys
 
+import made
 from signatures import API, CALLBACKS, ENUMS, FUNCTIONS, HANDLES, OWN, ROOT, STRUCTS, Signature, bare
 
 SYS = ROOT / "bindings/rust/thud-sys/src/lib.rs"
@@ -366,18 +366,9 @@ def versioned(path):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
-    parser.add_argument("--check", action="store_true", help="write nothing; compare")
-    options = parser.parse_args()
-    wrong = False
-    for path, text in ((SYS, declarations()), (CALLS, calls_text()), (WORKSPACE, versioned(WORKSPACE)),
-                       (CRATE, versioned(CRATE))):
-        if not options.check:
-            path.write_text(text, encoding="utf-8")
-        elif not path.is_file() or path.read_text(encoding="utf-8") != text:
-            print(f"{path.relative_to(ROOT)} is not what api.json says: run tools/bind_rust.py")
-            wrong = True
-    return wrong
+    options = made.parser_of(__doc__).parse_args()
+    files = {SYS: declarations(), CALLS: calls_text(), WORKSPACE: versioned(WORKSPACE), CRATE: versioned(CRATE)}
+    return made.write(files, options.check, "bind_rust.py")
 
 
 if __name__ == "__main__":

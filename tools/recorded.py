@@ -21,6 +21,8 @@ import json
 import sys
 from pathlib import Path
 
+import made
+
 ROOT = Path(__file__).resolve().parent.parent
 API = ROOT / "bindings" / "api.json"
 NUMBERS = ROOT / "tools" / "recorded_calls.txt"
@@ -325,7 +327,7 @@ def write_player(api, calls):
     return "\n".join(lines + ["    }", "    return THUD_ERROR_INVALID;", "}", "/* clang-format on */", ""])
 
 
-def made(api):
+def made_files(api):
     calls = select(api)
     tables = write_tables(api, calls)
     source = ROOT / "engine" / "src" / "recording"
@@ -337,20 +339,10 @@ def made(api):
             source / "play_call.c": write_player(api, calls)}
 
 
-def main(arguments):
-    if arguments not in ([], ["--check"]):
-        print(__doc__)
-        return 0 if arguments in (["-h"], ["--help"]) else 2
-    files = made(Api(API.read_text(encoding="utf-8")))
-    old = [path for path, text in files.items()
-           if not path.is_file() or path.read_text(encoding="utf-8") != text]
-    for path in old:
-        if arguments:
-            print(f"{path.relative_to(ROOT)} is not what tools/recorded.py makes of bindings/api.json")
-        else:
-            path.write_text(files[path], encoding="utf-8")
-    return 1 if arguments and old else 0
+def main():
+    options = made.parser_of(__doc__).parse_args()
+    return made.write(made_files(Api(API.read_text(encoding="utf-8"))), options.check, "recorded.py")
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

@@ -67,7 +67,7 @@ static void same_bits_twice(trial *t) {
 /* Columns of two boxes. A step runs on several workers from 512 points of blocks on
  * (SHARED_POINTS_MIN in jobs.c). A block holds up to eight contacts and counts two points, so that
  * the two contacts of each column make at least 525 of them. */
-enum { COLUMNS = 1050, FIELD_STEPS = STEPS / 8 };
+enum { COLUMNS = 1050, FIELD_STEPS = STEPS / 4 };
 
 /* A world of COLUMNS pairs of stacked boxes on a floor. The trial's source of random numbers is
  * reset, so that each call makes the same scene. */

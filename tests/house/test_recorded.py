@@ -21,7 +21,7 @@ class RecordedTest(unittest.TestCase):
                                       [world, *({"name": n, "type": t} for n, t in parameters)]})
 
     def made(self):
-        return recorded.made(recorded.Api(json.dumps(self.api)))
+        return recorded.made_files(recorded.Api(json.dumps(self.api)))
 
     def test_a_new_function_is_recorded_as_the_last_one(self):
         self.add("thud_body_spin", ("body", "thud_body_id"), ("speed", "float"))
