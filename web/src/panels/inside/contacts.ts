@@ -37,6 +37,8 @@ export class ContactsPart {
   #pair: Met | null = null;
   /** The next list that comes is of a step in which something met: that comes into the microscope. */
   #takesNew = false;
+  /** The visitor has chosen a pair: the focus goes to the microscope's head when it is shown. */
+  #goesThere = false;
   /** The number of the step that is shown, and of the last question; an answer to an older one is
    * dropped. */
   #step = -1;
@@ -69,6 +71,7 @@ export class ContactsPart {
       run: () => {
         this.#pair = null;
         this.#step = -1;
+        this.#goesThere = false;
         this.#scope.replaceChildren();
       },
       frame: (frame) => {
@@ -175,9 +178,9 @@ export class ContactsPart {
     const app = this.#app;
     if (!app.state.paused) app.setPaused(true);
     this.#pair = met;
+    this.#goesThere = true;
     try {
       await this.#open(met, step, this.#asked);
-      this.#scope.querySelector("h3")?.focus();
     } catch (error) {
       this.#fail(error);
     }
@@ -186,13 +189,15 @@ export class ContactsPart {
   async #open(met: Met, step: number, number: number): Promise<void> {
     const { a, b } = met;
     const found = await this.#app.client.ask("examine", { pair: { a, b }, step });
-    if (number !== this.#asked) return;
-    const open = this.#scope.contains(document.activeElement);
+    if (number !== this.#asked || met !== this.#pair) return;
+    const open = this.#goesThere || this.#scope.contains(document.activeElement);
+    this.#goesThere = false;
     this.#scope.replaceChildren(...microscope(found));
     if (open) this.#scope.querySelector("h3")?.focus();
   }
 
   #fail(error: unknown): void {
+    this.#goesThere = false;
     this.#scope.replaceChildren(
       make("p", { class: "quiet" }, error instanceof Error ? error.message : String(error)),
     );
