@@ -16,29 +16,10 @@
 #include "api/step.h"
 #include "islands/wake.h"
 
-/* Sorts the waiting contacts into those that touch (scratch.begins), those whose bounds have parted
- * (scratch.ends), and the rest. */
-static void test_waiting(thud_world *w) {
-    const thud_shared_stages *shared = TD_HAS_THREADS ? w->def.job_system.stages : NULL;
-    td_waiting_part parts[TD_PAIR_TOUCH_COUNT];
-    int count = 0;
-    for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
-        if (w->waiting[kind].count) {
-            parts[count++] = (td_waiting_part){.kind = kind,
-                                               .contacts = w->waiting[kind].data,
-                                               .count = w->waiting[kind].count,
-                                               .begins = &w->scratch.begins,
-                                               .ends = &w->scratch.ends};
-        }
-    }
-    if (count) {
-        (shared ? shared->waiting : td_waiting_test_all)(w, parts, count);
-    }
-}
-
 /* Part 1: finds the waiting contacts that touch. Contacts that have begun in a step that then ran
  * out of memory stay in scratch.begins, since their events have not been published. */
 static bool find_touching(thud_world *w) {
+    const thud_shared_stages *shared = TD_HAS_THREADS ? w->def.job_system.stages : NULL;
     int contacts = w->constraints.live, *begins = w->scratch.begins.data, kept_count = 0;
     for (int i = 0; i < w->scratch.begins.count; i++) {
         const td_contact *contact = td_contact_at(w, begins[i]);
@@ -53,7 +34,7 @@ static bool find_touching(thud_world *w) {
         !td_array_reserve(&w->memory, &w->scratch.ends, contacts)) {
         return false;
     }
-    test_waiting(w);
+    (shared ? shared->waiting : td_waiting_test_all)(w);
     return true;
 }
 

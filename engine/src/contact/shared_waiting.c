@@ -14,20 +14,19 @@ enum { SHARED_WAITING_MIN = 1024 };
 /* What the workers share; each has a copy, with its own thread. */
 typedef struct testing {
     thud_world *w;
-    const td_waiting_part *parts;
     td_job *job;
     int shares, thread;
 } testing;
 
-static int shares_of(const td_waiting_part *part) {
-    return (part->count + TD_SHARE_WAITING - 1) / TD_SHARE_WAITING;
+static int shares_of(const thud_world *w, int kind) {
+    return (w->waiting[kind].count + TD_SHARE_WAITING - 1) / TD_SHARE_WAITING;
 }
 
 static td_waiting_share *share_at(const thud_world *w, int index) {
     return &TD_AT(td_share, &w->scratch.shares, index)->waiting;
 }
 
-/* Tests one share of the contacts (a td_chunk_fn). The shares of a part follow those of the part
+/* Tests one share of the contacts (a td_chunk_fn). The shares of a kind follow those of the kind
  * before. */
 static void test_share(void *work, int index) {
     const testing *t = work;
@@ -37,18 +36,15 @@ static void test_share(void *work, int index) {
         *lists[i] =
             (td_array){.data = share->room[i], .capacity = TD_SHARE_WAITING, .stride = sizeof(int)};
     }
-    const td_waiting_part *whole = t->parts;
-    for (; index >= shares_of(whole); whole++) {
-        index -= shares_of(whole);
+    int kind = 0;
+    for (; index >= shares_of(t->w, kind); kind++) {
+        index -= shares_of(t->w, kind);
     }
     int first = index * TD_SHARE_WAITING;
-    td_waiting_part part = {.kind = whole->kind,
-                            .contacts = whole->contacts + first,
-                            .count = td_min_int(whole->count - first, TD_SHARE_WAITING),
-                            .begins = &share->begins,
-                            .ends = &share->ends,
-                            .thread = t->thread};
-    td_waiting_test(t->w, &part);
+    td_waiting_found found = {&share->begins, &share->ends, t->thread};
+    const td_array *waiting = &t->w->waiting[kind];
+    td_waiting_test(t->w, kind, (const int *)waiting->data + first,
+                    td_min_int(waiting->count - first, TD_SHARE_WAITING), &found);
 }
 
 static void test_as_worker(void *argument) {
@@ -73,22 +69,22 @@ static bool is_shared(thud_world *w, int contacts, int shares) {
            td_array_reserve(&w->memory, &w->scratch.shares, shares);
 }
 
-void td_shared_waiting(thud_world *w, const td_waiting_part *parts, int count) {
+void td_shared_waiting(thud_world *w) {
     td_job job;
-    testing t = {.w = w, .parts = parts, .job = &job};
+    testing t = {.w = w, .job = &job};
     int contacts = 0;
-    for (int i = 0; i < count; i++) {
-        contacts += parts[i].count;
-        t.shares += shares_of(&parts[i]);
+    for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
+        contacts += w->waiting[kind].count;
+        t.shares += shares_of(w, kind);
     }
     if (!is_shared(w, contacts, t.shares)) {
-        td_waiting_test_all(w, parts, count);
+        td_waiting_test_all(w);
         return;
     }
     td_job_begin(&job, w->def.job_system.workers);
     td_job_run(w, &job, test_as_worker, &t);
     for (int i = 0; i < t.shares; i++) {
-        append(parts->begins, &share_at(w, i)->begins);
-        append(parts->ends, &share_at(w, i)->ends);
+        append(&w->scratch.begins, &share_at(w, i)->begins);
+        append(&w->scratch.ends, &share_at(w, i)->ends);
     }
 }

@@ -46,9 +46,9 @@ bool td_waiting_reserve(thud_world *w, int threads) {
 }
 
 /* Runs the kind's kernel on contacts in scratch blocks, and lists those that touch. */
-static void test_contacts(thud_world *w, const td_waiting_part *part, const int *contacts,
-                          int count) {
-    int first = part->thread * TEST_BLOCKS;
+static void test_contacts(thud_world *w, int kind, const int *contacts, int count,
+                          const td_waiting_found *found) {
+    int first = TD_HAS_THREADS ? found->thread * TEST_BLOCKS : 0;
     td_block **list = (td_block **)w->scratch.test_list.data + first;
     int blocks = (count + TD_LANES - 1) / TD_LANES;
     for (int i = 0; i < blocks; i++) {
@@ -69,13 +69,13 @@ static void test_contacts(thud_world *w, const td_waiting_part *part, const int 
     }
     td_block *separated[TEST_BLOCKS + 1];
     int separated_count = 0;
-    td_collide_blocks(w, part->kind, list, blocks, separated, &separated_count);
+    td_collide_blocks(w, kind, list, blocks, separated, &separated_count);
     for (int i = 0; i < blocks; i++) {
         if (w->internal_edges) {
-            w->internal_edges->amend(w, list[i], part->kind);
+            w->internal_edges->amend(w, list[i], kind);
         }
         for (unsigned bits = list[i]->touching; bits; bits &= bits - 1) {
-            td_push_int(part->begins, list[i]->constraint[__builtin_ctz(bits)]);
+            td_push_int(found->begins, list[i]->constraint[__builtin_ctz(bits)]);
         }
     }
 }
@@ -83,7 +83,8 @@ static void test_contacts(thud_world *w, const td_waiting_part *part, const int 
 /* Waiting contacts that are collected for the exact test. */
 typedef struct batch {
     thud_world *w;
-    const td_waiting_part *part;
+    int kind;
+    const td_waiting_found *found;
     int count;
     int contacts[TEST_BLOCKS * TD_LANES];
 } batch;
@@ -91,7 +92,7 @@ typedef struct batch {
 /* Tests the collected contacts and empties the batch. */
 static void test_batch(batch *b) {
     if (b->count) {
-        test_contacts(b->w, b->part, b->contacts, b->count);
+        test_contacts(b->w, b->kind, b->contacts, b->count, b->found);
     }
     b->count = 0;
 }
@@ -105,24 +106,21 @@ static void add_to_batch(batch *b, int contact) {
 
 /* Collects the contacts whose bounds overlap and lists those whose bounds have parted, one by one:
  * for kinds without a sift function, and in a vast world. */
-static void sift_singly(batch *b) {
-    const int *waiting = b->part->contacts;
-    for (int i = 0; i < b->part->count; i++) {
+static void sift_singly(batch *b, const int *waiting, int count) {
+    for (int i = 0; i < count; i++) {
         if (td_contact_bounds_meet(b->w, td_contact_at(b->w, waiting[i]))) {
             add_to_batch(b, waiting[i]);
         } else {
-            td_push_int(b->part->ends, waiting[i]);
+            td_push_int(b->found->ends, waiting[i]);
         }
     }
 }
 
 /* The same eight at a time. Of contacts whose bounds overlap, only those are collected whose
  * separation may be below the margin, by a lower bound that is cheap to compute. */
-static void sift_widely(batch *b) {
+static void sift_widely(batch *b, const int *waiting, int count) {
     thud_world *w = b->w;
-    const int *waiting = b->part->contacts;
-    int count = b->part->count;
-    td_sift_fn *sift = w->kinds[b->part->kind]->sift;
+    td_sift_fn *sift = w->kinds[b->kind]->sift;
     td_collide_context context = context_of(w);
     int fetched = td_fetches(w) ? count : 0;
     for (int first = 0; first < count; first += TD_LANES) {
@@ -145,7 +143,7 @@ static void sift_widely(batch *b) {
         td_sifted sifted = sift(shape_a, shape_b, &context);
         unsigned here = (1u << used) - 1u;
         for (unsigned bits = sifted.bounds_apart & here; bits; bits &= bits - 1) {
-            td_push_int(b->part->ends, waiting[first + __builtin_ctz(bits)]);
+            td_push_int(b->found->ends, waiting[first + __builtin_ctz(bits)]);
         }
         for (unsigned bits = sifted.near & here; bits; bits &= bits - 1) {
             add_to_batch(b, waiting[first + __builtin_ctz(bits)]);
@@ -153,18 +151,22 @@ static void sift_widely(batch *b) {
     }
 }
 
-void td_waiting_test(thud_world *w, const td_waiting_part *part) {
-    batch b = {.w = w, .part = part};
-    if (w->kinds[part->kind]->sift && !w->vast) {
-        sift_widely(&b);
+void td_waiting_test(thud_world *w, int kind, const int *contacts, int count,
+                     const td_waiting_found *found) {
+    batch b = {.w = w, .kind = kind, .found = found};
+    if (w->kinds[kind]->sift && !w->vast) {
+        sift_widely(&b, contacts, count);
     } else {
-        sift_singly(&b);
+        sift_singly(&b, contacts, count);
     }
     test_batch(&b);
 }
 
-void td_waiting_test_all(thud_world *w, const td_waiting_part *parts, int count) {
-    for (int i = 0; i < count; i++) {
-        td_waiting_test(w, &parts[i]);
+void td_waiting_test_all(thud_world *w) {
+    td_waiting_found found = {&w->scratch.begins, &w->scratch.ends, 0};
+    for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
+        if (w->waiting[kind].count) {
+            td_waiting_test(w, kind, w->waiting[kind].data, w->waiting[kind].count, &found);
+        }
     }
 }

@@ -5,20 +5,18 @@
 #include "constraint/block.h"
 #include "state/world.h"
 
-/* Waiting contacts of one kind that one thread tests. */
-typedef struct td_waiting_part {
-    int kind;
-    const int *contacts;
-    int count;
-    td_array *begins, *ends; /* int: those that touch, and those whose bounds have parted, are
-                                appended in their order; room for all of the contacts */
-    int thread;              /* which of the scratch blocks are used: those of this thread */
-} td_waiting_part;
+/* Where a thread writes what it finds. */
+typedef struct td_waiting_found {
+    td_array *begins, *ends; /* int: contacts that touch, and those whose bounds have parted, are
+                                appended in their order; room for all that are tested */
+    int thread;              /* its scratch blocks are those of this thread */
+} td_waiting_found;
 
-/* Tests the contacts of a part. Threads may test different parts at the same time. */
-void td_waiting_test(thud_world *w, const td_waiting_part *part);
-/* Tests parts with the same lists, one after the other. */
-typedef void td_waiting_fn(thud_world *w, const td_waiting_part *parts, int count);
+/* Tests waiting contacts of a kind. Threads may test different ones at the same time. */
+void td_waiting_test(thud_world *w, int kind, const int *contacts, int count,
+                     const td_waiting_found *found);
+/* Tests all waiting contacts, for scratch.begins and scratch.ends. */
+typedef void td_waiting_fn(thud_world *w);
 td_waiting_fn td_waiting_test_all;
 /* Reserves the scratch blocks of so many threads. False when memory is short. */
 bool td_waiting_reserve(thud_world *w, int threads);
