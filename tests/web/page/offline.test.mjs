@@ -92,7 +92,7 @@ test("browser_with_simd_keeps_that_flavour_of_both_engines_alone", async (t) => 
     return (await cache.keys()).map((request) => request.url);
   });
   const engines = kept.flatMap((address) => /[^/]+(?=-[\w-]{8}\.wasm$)/.exec(address) ?? []);
-  assert.deepEqual(engines.sort(), ["Box2D.deluxe", "thud-first", "thud-rest"], kept.join("\n"));
+  assert.deepEqual(engines.sort(), ["Box2D.deluxe", "thud-first", "thud-recorded", "thud-rest"], kept.join("\n"));
 });
 
 test("new_build_waits_for_the_visitor_and_then_replaces_the_old_one", async (t) => {

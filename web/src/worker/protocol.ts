@@ -31,6 +31,17 @@ export interface Choices {
   topSpeed: number;
 }
 
+/** A recording of a world (thud/recording) that is played. */
+export interface Recording {
+  /** The name of its file, without the ending. */
+  name: string;
+  bytes: Uint8Array<ArrayBuffer>;
+  /** The address of thud-recorded.wasm, which plays it. */
+  wasm: string;
+  /** The step from which the world goes on by hand; null: the recording plays. */
+  fork: number | null;
+}
+
 /** A scene to run, with its settings. */
 export interface SceneRequest {
   /** The name of the module's file in web/public/scenes, without ".js". */
@@ -42,6 +53,8 @@ export interface SceneRequest {
    * fetches a file of the page.
    */
   files?: Readonly<Record<string, string>>;
+  /** Played in place of a scene; all that is said of scenes here is then ignored. */
+  recording?: Recording;
   /** Clamped to the scene's sizes; undefined: the scene's usual size. */
   size?: number;
   seed: number;

@@ -16,7 +16,7 @@ import { History, type Moment } from "./history";
 import { aimHold, holds, letGo, moveHold, type Pull, takeHold } from "./hold";
 import type { Choices, Rerun, StateHash } from "./protocol";
 import { SceneError } from "./trouble";
-import { unseen } from "./watch";
+import { recordOf, unseen } from "./watch";
 
 type PointerCommand = Extract<Command, { kind: "pointer" }>;
 
@@ -58,7 +58,6 @@ export interface Companion {
 
 export class Session {
   readonly world: World;
-  readonly history = new History();
   /** Number of steps made since the scene began. */
   step = 0;
   /** What the scene's `paint` returned last. */
@@ -92,6 +91,7 @@ export class Session {
     readonly timeStep: number,
     readonly title: string | null,
     readonly others: readonly { close(): void }[],
+    readonly history = new History(),
   ) {
     this.world = scene.world;
     this.paint = scene.paint?.() ?? null;
@@ -106,6 +106,16 @@ export class Session {
 
   get pull(): Pull | null {
     return this.#hands.pull;
+  }
+
+  /** The step after which there is none; a scene goes on for ever. */
+  get end(): number {
+    return Infinity;
+  }
+
+  /** Whether the world may have joints. */
+  get tied(): boolean {
+    return recordOf(this.world)?.tied ?? false;
   }
 
   /** Applies a command to the world at once; the next step puts it into the journal. */

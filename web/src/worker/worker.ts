@@ -130,8 +130,9 @@ const answers: Answers = {
   },
 };
 
-/** Imports and sets up a scene. */
+/** Imports and sets up a scene, or opens a recording. `run`: 0 for one that is measured. */
 async function open(request: SceneRequest, run = 0): Promise<Session> {
+  if (request.recording) return (await import("./playback")).play(request.recording, run);
   const module = await importScene(base, request.name, request.code);
   const readText = (file: string) => readFile(file, request.files);
   return setUp(run, module, engine, request, readText);
@@ -181,7 +182,8 @@ async function answer(id: number, name: QuestionName, value: never): Promise<voi
 /** Makes steps up to number `until`, for PATIENCE milliseconds at most. */
 function tick(running: Session, until: number): void {
   const end = performance.now() + PATIENCE;
-  while (running.step < until && performance.now() < end) running.makeStep();
+  const last = Math.min(until, running.end);
+  while (running.step < last && performance.now() < end) running.makeStep();
 }
 
 self.onmessage = ({ data }: MessageEvent<ToWorker>) => {

@@ -1,0 +1,207 @@
+/**
+ * Plays recordings of worlds (thud/recording) as if they were scenes, and goes on from one of their
+ * steps by hand ("Fork here"). Imported, with the engine that plays them, when the first recording
+ * is opened.
+ */
+import type { Engine } from "thud";
+import { load } from "thud/first";
+import { Player } from "thud/recording";
+import type { Paint, Scene } from "../scene/scene";
+import type { Command } from "./commands";
+import { History } from "./history";
+import type { Recording, Rerun } from "./protocol";
+import { Session } from "./session";
+import { SceneError } from "./trouble";
+
+/** What visitors do to bodies, which a recording does not allow. */
+const BY_HAND: readonly Command["kind"][] = ["grab", "spawn", "explode", "dig"];
+/** Steps for which the visitor is told so. Chosen. */
+const TOLD = 180;
+const REFUSAL = "A recording plays as it was made. Fork it to change what happens.";
+
+/** The engine of thud-recorded.wasm, loaded once. */
+let engine: Promise<Engine> | null = null;
+
+/** That engine. A failure to load it is forgotten. */
+export function recordedEngine(wasm: string): Promise<Engine> {
+  engine ??= load(wasm);
+  engine.catch(() => (engine = null));
+  return engine;
+}
+
+/** Opens a recording. Throws a SceneError if it is none, or damaged. */
+export async function play(recording: Recording, run: number): Promise<Session> {
+  if (run === 0)
+    throw new SceneError({
+      message: "Only what a scene builds can be measured: a recording cannot be built anew.",
+    });
+  const player = openPlayer(await recordedEngine(recording.wasm), recording);
+  try {
+    if (recording.fork === null) return new Playback(run, player, recording.name);
+    player.seek(recording.fork);
+    return new Fork(run, player, `${recording.name}, from step ${recording.fork} on`);
+  } catch (error) {
+    player.close();
+    throw error;
+  }
+}
+
+function openPlayer(recorded: Engine, { name, bytes }: Recording): Player {
+  try {
+    return new Player(recorded, bytes);
+  } catch (error) {
+    const why = error instanceof Error ? error.message : String(error);
+    throw new SceneError({ message: `“${name}” cannot be played: ${why}` });
+  }
+}
+
+/** The steps that a recording has: all of them can be gone to. */
+class Recorded extends History {
+  constructor(private readonly player: Player) {
+    super();
+  }
+
+  override get first(): number {
+    return this.player.progress.first;
+  }
+
+  override get last(): number {
+    return this.player.progress.end;
+  }
+}
+
+/** A session whose world belongs to a player. */
+abstract class Played extends Session {
+  constructor(
+    run: number,
+    protected readonly player: Player,
+    title: string,
+    scene: Omit<Scene, "world">,
+    history?: History,
+  ) {
+    const { world } = player;
+    const { timeStep } = world.stepSettings();
+    super(run, { world, ...scene }, 0, null, 1, timeStep, title, [], history);
+  }
+
+  /** The calls that made the world are not known. */
+  override get tied(): boolean {
+    return true;
+  }
+
+  override close(): void {
+    this.companion?.end();
+    this.player.close();
+  }
+}
+
+/** A recording that plays. Its steps are those of the recording, of which a ring has not the first
+ * ones. */
+class Playback extends Played {
+  /** The step up to which the visitor is told that nothing can be changed. */
+  #told = -1;
+
+  constructor(run: number, player: Player, title: string) {
+    super(run, player, title, { paint: () => paintOf(player) }, new Recorded(player));
+    this.step = player.progress.first;
+  }
+
+  override get end(): number {
+    const { end, difference } = this.player.progress;
+    return difference ? this.step : end;
+  }
+
+  override do({ kind }: Command): void {
+    if (!BY_HAND.includes(kind)) return;
+    this.#told = this.step + TOLD;
+    this.#show();
+  }
+
+  override makeStep(): void {
+    const start = performance.now();
+    this.#play(() => this.player.step());
+    this.samples.push({
+      step: this.step,
+      milliseconds: performance.now() - start,
+      penetration: this.world.stepError().penetrationMax,
+      awake: this.world.stats().awakeBodies,
+    });
+  }
+
+  override seek(step: number): boolean {
+    const { first, last } = this.history;
+    if (step < first || step > last) return false;
+    this.#told = -1;
+    this.#play(() => this.player.seek(step));
+    return true;
+  }
+
+  override rerun(steps: number): Rerun {
+    const { step, hash } = this.hash;
+    const from = Math.max(this.history.first, step - steps);
+    this.player.seek(from);
+    this.player.seek(step);
+    return { from, step, hash, again: this.world.hash() };
+  }
+
+  override review<T>(step: number, read: () => T): [before: T, after: T] {
+    if (step <= this.history.first) throw new Error(`Step ${step} is not in the recording.`);
+    const present = this.step;
+    try {
+      this.player.seek(step - 1);
+      const before = read();
+      this.player.seek(step);
+      return [before, read()];
+    } finally {
+      this.player.seek(present);
+    }
+  }
+
+  /** Plays or seeks. A difference from what was recorded is no error here: it is shown. */
+  #play(act: () => unknown): void {
+    try {
+      act();
+    } catch (error) {
+      if (!this.player.progress.difference) throw error;
+    }
+    this.step = this.player.progress.steps;
+    this.#show();
+  }
+
+  #show(): void {
+    const paint = paintOf(this.player);
+    if (this.step < this.#told) paint.message ??= REFUSAL;
+    this.paint = paint;
+  }
+}
+
+/** A step of a recording from which the world goes on by hand. */
+class Fork extends Played {
+  constructor(run: number, player: Player, title: string) {
+    super(run, player, title, {});
+  }
+}
+
+/** How far a recording has been played, and where what happens differs from it. */
+function paintOf({ progress, world }: Player): Paint {
+  const { end, steps, hashes, difference } = progress;
+  const figures = [
+    { label: "Step", value: `${steps} of ${end}` },
+    { label: "Hashes equal", value: String(hashes) },
+  ];
+  if (!difference) return { figures };
+  const { after, at, body } = difference;
+  const which = after + 1 < at ? `One of the steps ${after + 1} to ${at}` : `Step ${at}`;
+  const first = body ? ` The first body that differs is number ${body.index}, marked here.` : "";
+  const message = `${which} is not what was recorded.${first}`;
+  if (!body || !world.isValid(body)) return { figures, message };
+  const [x, y] = world.bodyStateOf(body).position;
+  return {
+    figures,
+    message,
+    marks: [
+      { kind: "circle", x, y, radius: 1, ink: "bad" },
+      { kind: "text", x, y, text: "differs", ink: "bad" },
+    ],
+  };
+}
