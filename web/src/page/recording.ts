@@ -7,6 +7,7 @@ import recordedUrl from "thud/thud-recorded.wasm?url";
 import { messageOf } from "../shared/error";
 import type { App } from "./app";
 import { byId, make } from "./dom";
+import { count } from "./format";
 import { notice } from "./messages";
 import { SPEEDS } from "./url";
 
@@ -15,7 +16,10 @@ const RECORDING = "recording";
 /** Bytes of a recording that is opened at most. Chosen. */
 const LARGEST_FILE = 2 ** 28;
 
-/** The bar of each page, of which there is one. */
+/** Milliseconds for which a file that is saved stays there for the browser. Chosen. */
+const KEPT = 60_000;
+
+/** Made when the first recording is opened. */
 let bar: Bar | null = null;
 
 /** Plays a file in place of what runs. If it cannot be played, that is told, and what runs goes
@@ -32,6 +36,23 @@ export async function openRecording(app: App, file: File): Promise<void> {
     app.setPaused(false);
 }
 
+/** Records what the time slider reaches, and gives it to the visitor as a file. */
+export async function saveRecording(app: App): Promise<void> {
+  const { title } = app;
+  try {
+    const { bytes, steps } = await app.client.ask("record", { wasm: recordedUrl }, (part) =>
+      notice(`Recording: ${Math.floor(100 * part)} %`),
+    );
+    const url = URL.createObjectURL(new Blob([bytes], { type: "application/octet-stream" }));
+    make("a", { href: url, download: `${title.replace(/[^\p{L}\p{N}]+/gu, "-")}.rec` }).click();
+    // The browser may read it later.
+    setTimeout(() => URL.revokeObjectURL(url), KEPT);
+    notice(`Recorded: ${count(steps)} steps, ${count(Math.ceil(bytes.length / 1000))} kB.`);
+  } catch (error) {
+    notice(`Nothing is recorded: ${messageOf(error)}`, 20);
+  }
+}
+
 /** The bar of a recording that is shown: its speed, and the way to change it and back. */
 class Bar {
   readonly #app: App;
@@ -40,12 +61,17 @@ class Bar {
     { id: "played-speed", "aria-label": "Speed" },
     ...SPEEDS.map((speed) => make("option", { value: speed }, `${speed}×`)),
   );
-  readonly #fork = make("button", { id: "fork" }, "Fork here");
-  readonly #back = make("button", { id: "to-recording" }, "Back to the recording");
+  readonly #name = make("span", { class: "name", "aria-hidden": "true" });
+  readonly #fork = make(
+    "button",
+    { id: "fork", class: "primary", title: "Go on by hand from the step that is shown" },
+    "Fork here",
+  );
+  readonly #back = make("button", { id: "to-recording" }, "To the recording");
   readonly #element = make(
     "div",
     { id: "played", class: "panel", role: "group", "aria-label": "Recording", hidden: true },
-    make("span", { class: "name", "aria-hidden": "true" }, "Recording"),
+    this.#name,
     this.#speed,
     this.#fork,
     this.#back,
@@ -74,8 +100,10 @@ class Bar {
     const { recording } = this.#app.state;
     const hidden = this.#element.hidden;
     this.#element.hidden = !recording;
-    this.#fork.hidden = recording?.fork !== null;
-    this.#back.hidden = !this.#fork.hidden;
+    const forked = recording?.fork !== null;
+    this.#fork.hidden = forked;
+    this.#back.hidden = !forked;
+    this.#name.textContent = forked ? "Fork" : "Recording";
     // The page makes room for what comes, and takes what goes.
     if (hidden !== this.#element.hidden) window.dispatchEvent(new Event("resize"));
   }

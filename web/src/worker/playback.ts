@@ -7,6 +7,7 @@ import type { Engine } from "thud";
 import { load } from "thud/first";
 import { Player } from "thud/recording";
 import type { Paint, Scene } from "../scene/scene";
+import { messageOf } from "../shared/error";
 import type { Command } from "./commands";
 import { History } from "./history";
 import type { Recording, Rerun } from "./protocol";
@@ -50,7 +51,8 @@ function openPlayer(recorded: Engine, { name, bytes }: Recording): Player {
   try {
     return new Player(recorded, bytes);
   } catch (error) {
-    const why = error instanceof Error ? error.message : String(error);
+    // The engine says first which kind of error it is, and then what is wrong.
+    const why = messageOf(error).replace(/^.*player: /, "");
     throw new SceneError({ message: `“${name}” cannot be played: ${why}` });
   }
 }
@@ -97,7 +99,7 @@ abstract class Played extends Session {
 
 /** A recording that plays. Its steps are those of the recording, of which a ring has not the first
  * ones. */
-class Playback extends Played {
+export class Playback extends Played {
   /** The step up to which the visitor is told that nothing can be changed. */
   #told = -1;
 
@@ -179,6 +181,13 @@ class Playback extends Played {
 class Fork extends Played {
   constructor(run: number, player: Player, title: string) {
     super(run, player, title, {});
+  }
+
+  /** The engine does not time this world: its clock was not recorded. */
+  override makeStep(): void {
+    const start = performance.now();
+    super.makeStep();
+    this.samples.at(-1)!.milliseconds = performance.now() - start;
   }
 }
 

@@ -42,6 +42,13 @@ export interface Recording {
   fork: number | null;
 }
 
+/** What "record" has made. */
+export interface Recorded {
+  bytes: Uint8Array<ArrayBuffer>;
+  /** The number of its steps. */
+  steps: number;
+}
+
 /** A scene to run, with its settings. */
 export interface SceneRequest {
   /** The name of the module's file in web/public/scenes, without ".js". */
@@ -159,6 +166,11 @@ export interface Questions {
   advance: { ask: { steps: number }; answer: StateHash };
   /** Goes back by so many steps, or as many as are kept, and runs to the present step again. */
   rerun: { ask: { steps: number }; answer: Rerun };
+  /**
+   * Records what runs, from the first step that is kept to the present one. `wasm` is the address
+   * of thud-recorded.wasm. The progress is a part of the whole.
+   */
+  record: { ask: { wasm: string }; answer: Recorded; progress: number };
   /** See World.bisectionLimit. */
   bisectionLimit: { ask: Record<string, never>; answer: number };
   /** The state of the body in a slot; null if there is none. */

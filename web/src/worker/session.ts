@@ -215,6 +215,22 @@ export class Session {
     }
   }
 
+  /**
+   * Takes another session of the same scene, perhaps in another engine, to the first step that is
+   * kept, and makes the steps from there to the present one with the same commands. `begin` is
+   * called at that first step, and `made` after each one.
+   */
+  repeatIn(other: Session, begin: () => void, made: (step: number) => void): void {
+    other.#goTo(this.history.before(this.history.first)!);
+    begin();
+    while (other.step < this.step) {
+      for (const command of this.history.commandsAt(other.step)) other.#apply(command);
+      other.#advance(null);
+      made(other.step);
+    }
+    for (const command of this.#done) other.#apply(command);
+  }
+
   get hash(): StateHash {
     return { step: this.step, hash: this.world.hash() };
   }

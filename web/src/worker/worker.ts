@@ -19,6 +19,8 @@ let engine: Engine;
 let companionKeeper: CompanionKeeper;
 let base: string;
 let session: Session | null = null;
+/** What the session was started with. */
+let begun: SceneRequest;
 let frames: Frames;
 /** Number of scenes that were asked for. */
 let runs = 0;
@@ -58,6 +60,7 @@ const answers: Answers = {
     }
     session?.close();
     session = next;
+    begun = request;
     frames = new Frames(session);
     void companionKeeper.join(session);
     return describe(session);
@@ -85,6 +88,11 @@ const answers: Answers = {
   },
 
   rerun: ({ steps }) => needSession().rerun(steps),
+
+  async record({ wasm }, report) {
+    const { record } = await import("./record");
+    return record(needSession(), wasm, (engine) => open(begun, runs, engine), report);
+  },
 
   bisectionLimit: () => needSession().world.bisectionLimit(),
 
@@ -131,11 +139,11 @@ const answers: Answers = {
 };
 
 /** Imports and sets up a scene, or opens a recording. `run`: 0 for one that is measured. */
-async function open(request: SceneRequest, run = 0): Promise<Session> {
+async function open(request: SceneRequest, run = 0, within = engine): Promise<Session> {
   if (request.recording) return (await import("./playback")).play(request.recording, run);
   const module = await importScene(base, request.name, request.code);
   const readText = (file: string) => readFile(file, request.files);
-  return setUp(run, module, engine, request, readText);
+  return setUp(run, module, within, request, readText);
 }
 
 /** The running session. Throws if there is none. */
