@@ -36,7 +36,7 @@ async function visitedOnce(t) {
   return { page, url };
 }
 
-test("page_without_network_after_one_visit_runs_other_scenes_and_levels_and_opens_panels", async (t) => {
+test("page_without_network_after_one_visit_runs_other_scenes_and_levels_opens_panels_and_records", async (t) => {
   const { page, url } = await visitedOnce(t);
   for (const search of ["", "?scene=tumbler", "?level=towers"]) {
     await page.goto(url + search);
@@ -47,6 +47,8 @@ test("page_without_network_after_one_visit_runs_other_scenes_and_levels_and_open
     await page.keyboard.press(key);
     await page.waitForSelector(`#dock[data-panel=${name}] #dock-body > :not(.quiet)`);
   }
+  await page.click("#record");
+  await until(() => page.textContent("#notice"), (text) => /^Recorded/.test(text), "it records");
 });
 
 test("page_of_the_site_that_was_visited_is_there_without_network_and_can_be_searched", async (t) => {

@@ -13,6 +13,7 @@ import { root, thud } from "../support/package.mjs";
 import {
   BROWSERS,
   DESKTOP,
+  drawn,
   failureText,
   figure,
   leftOut,
@@ -25,7 +26,7 @@ import {
 } from "../support/page.mjs";
 import { until, untilFigures, untilStep } from "../support/wait.mjs";
 
-const { Recorder } = await import(`${root}web/package/dist/recording.js`);
+const { Player, Recorder } = await import(`${root}web/package/dist/recording.js`);
 const engine = await thud.load(new URL(`file://${root}web/package/dist/thud-recorded.wasm`));
 
 const folder = mkdtempSync(join(tmpdir(), "thud-"));
@@ -35,13 +36,14 @@ after(() => rmSync(folder, { recursive: true }));
 const STEPS = 40;
 
 /** A ball that falls beside others. With `tamper` its velocity changes after step 20 by no call,
- * so that the recording differs from then on. */
-function ballRecording({ tamper = false } = {}) {
+ * so that the recording differs from then on. `shown`: the text that tells the page how to show it. */
+function ballRecording({ tamper = false, shown = null } = {}) {
   const world = engine.createWorld();
   for (let i = 0; i < 3; i++)
     world.createCircle(world.createBody({ kind: "dynamic", position: [3 * i, 5] }), { radius: 1 });
   const [, ball] = world.bodies();
   const recorder = new Recorder(world, { hashSteps: 1, bodyHashes: true });
+  if (shown !== null) recorder.chunk("thud-page", Buffer.from(shown));
   for (let step = 0; step < STEPS; step++) {
     if (tamper && step === 20) changeInMemory(world, ball);
     world.step();
@@ -178,6 +180,13 @@ for (const browser of BROWSERS)
       const { steps: replayed, hashes } = JSON.parse(replay);
       assert.equal(String(replayed), steps);
       assert.ok(hashes > 10, `${hashes} hashes`);
+      const player = new Player(engine, new Uint8Array(readFileSync(file)));
+      player.step();
+      const [{ name, bytes }] = player.chunks;
+      player.close();
+      assert.equal(name, "thud-page");
+      const { view, lengthScale } = JSON.parse(Buffer.from(bytes).toString());
+      assert.ok(view.height > 1 && lengthScale === 1, "it says how it was shown");
       await openFile(page, "again.rec", readFileSync(file));
       await page.waitForFunction(() => /^again/.test(document.title));
       await untilStep(page, Number(steps));
@@ -194,6 +203,19 @@ for (const browser of BROWSERS)
       await page.waitForSelector('#pause[aria-pressed="true"]');
       await seek(page, 5);
       assert.ok(await page.isHidden("#message"), "up to there all is as it was recorded");
+      assert.deepEqual(errors, []);
+      await close();
+    });
+
+    test("recording_is_shown_as_it_says_and_nonsense_is_passed_over", LOGIC, async () => {
+      const { page, errors, close } = await visitor.open("?scene=cradle");
+      const view = { x: 1000, y: 5, height: 12, width: 12 };
+      await playToEnd(page, "far.rec", ballRecording({ shown: JSON.stringify({ view }) }));
+      await until(() => drawn(page), ({ count }) => count === 0, "the balls are out of sight");
+      for (const shown of ["nonsense", '{"view":{"x":"far"}}', '{"view":null,"lengthScale":-1}']) {
+        await playToEnd(page, "near.rec", ballRecording({ shown }));
+        await until(() => drawn(page), ({ count }) => count > 100, `${shown}: all is in sight`);
+      }
       assert.deepEqual(errors, []);
       await close();
     });

@@ -6,8 +6,9 @@
 import type { Engine } from "thud";
 import { load } from "thud/first";
 import { Player } from "thud/recording";
-import type { Paint, Scene } from "../scene/scene";
+import type { Paint, Scene, View } from "../scene/scene";
 import { messageOf } from "../shared/error";
+import { checkScene } from "./check";
 import type { Command } from "./commands";
 import { History } from "./history";
 import type { Recording, Rerun } from "./protocol";
@@ -19,6 +20,15 @@ const BY_HAND: readonly Command["kind"][] = ["grab", "spawn", "explode", "dig"];
 /** Steps for which the visitor is told so. Chosen. */
 const TOLD = 180;
 const REFUSAL = "A recording plays as it was made. Fork it to change what happens.";
+
+/** The name of the chunk in which the page notes how a recording is shown; see `Shown`. */
+export const SHOWN = "thud-page";
+
+/** How the scene was shown that was recorded, as JSON in the chunk SHOWN. */
+export interface Shown {
+  view: View;
+  lengthScale: number;
+}
 
 /** The engine of thud-recorded.wasm, loaded once. */
 let engine: Promise<Engine> | null = null;
@@ -36,11 +46,14 @@ export async function play(recording: Recording, run: number): Promise<Session> 
     throw new SceneError({
       message: "Only what a scene builds can be measured: a recording cannot be built anew.",
     });
-  const player = openPlayer(await recordedEngine(recording.wasm), recording);
+  const recorded = await recordedEngine(recording.wasm);
+  const { name, fork } = recording;
+  const shown = shownIn(recorded, recording);
+  const player = openPlayer(recorded, recording);
   try {
-    if (recording.fork === null) return new Playback(run, player, recording.name);
-    player.seek(recording.fork);
-    return new Fork(run, player, `${recording.name}, from step ${recording.fork} on`);
+    if (fork === null) return new Playback(run, player, name, shown);
+    player.seek(fork);
+    return new Fork(run, player, `${name}, from step ${fork} on`, shown, {});
   } catch (error) {
     player.close();
     throw error;
@@ -54,6 +67,25 @@ function openPlayer(recorded: Engine, { name, bytes }: Recording): Player {
     // The engine says first which kind of error it is, and then what is wrong.
     const why = messageOf(error).replace(/^.*player: /, "");
     throw new SceneError({ message: `“${name}” cannot be played: ${why}` });
+  }
+}
+
+/** How the page showed what it recorded; of another recording nothing is known. The chunk comes with
+ * the first step, which a player of its own makes here. */
+function shownIn(recorded: Engine, recording: Recording): Partial<Shown> {
+  const player = openPlayer(recorded, recording);
+  try {
+    player.step();
+    const chunk = player.chunks.find(({ name }) => name === SHOWN);
+    if (!chunk) return {};
+    const { view, lengthScale } = JSON.parse(new TextDecoder().decode(chunk.bytes)) as Shown;
+    checkScene({ world: player.world, view });
+    return lengthScale > 0 && Number.isFinite(lengthScale) ? { view, lengthScale } : { view };
+  } catch {
+    // What differs in the first step is told when it plays; a damaged note is passed over.
+    return {};
+  } finally {
+    player.close();
   }
 }
 
@@ -78,12 +110,13 @@ abstract class Played extends Session {
     run: number,
     protected readonly player: Player,
     title: string,
+    { view, lengthScale = 1 }: Partial<Shown>,
     scene: Omit<Scene, "world">,
     history?: History,
   ) {
     const { world } = player;
     const { timeStep } = world.stepSettings();
-    super(run, { world, ...scene }, 0, null, 1, timeStep, title, [], history);
+    super(run, { world, view, ...scene }, 0, null, lengthScale, timeStep, title, [], history);
   }
 
   /** The calls that made the world are not known. */
@@ -103,8 +136,8 @@ export class Playback extends Played {
   /** The step up to which the visitor is told that nothing can be changed. */
   #told = -1;
 
-  constructor(run: number, player: Player, title: string) {
-    super(run, player, title, { paint: () => paintOf(player) }, new Recorded(player));
+  constructor(run: number, player: Player, title: string, shown: Partial<Shown>) {
+    super(run, player, title, shown, { paint: () => paintOf(player) }, new Recorded(player));
     this.step = player.progress.first;
   }
 
@@ -179,10 +212,6 @@ export class Playback extends Played {
 
 /** A step of a recording from which the world goes on by hand. */
 class Fork extends Played {
-  constructor(run: number, player: Player, title: string) {
-    super(run, player, title, {});
-  }
-
   /** The engine does not time this world: its clock was not recorded. */
   override makeStep(): void {
     const start = performance.now();

@@ -6,9 +6,10 @@
  */
 import type { Engine } from "thud";
 import { Recorder } from "thud/recording";
-import { Playback, recordedEngine } from "./playback";
+import { Playback, recordedEngine, type Shown, SHOWN } from "./playback";
 import type { Recorded } from "./protocol";
 import type { Session } from "./session";
+import { describe } from "./stage";
 import { SceneError } from "./trouble";
 
 /** Bytes that the hashes of bodies may take, of which each has 2 with each hash. Chosen. */
@@ -50,11 +51,13 @@ function repeat(session: Session, again: Session, report: (part: number) => void
     session.repeatIn(
       again,
       () => {
+        const shown: Shown = { view: describe(session).view, lengthScale: session.lengthScale };
         recorder = new Recorder(world, {
           hashSteps: Math.max(1, Math.ceil(hashBytes / HASH_BYTES)),
           bodyHashes: true,
           keyframeSteps: KEYFRAME_STEPS,
         });
+        recorder.chunk(SHOWN, new TextEncoder().encode(JSON.stringify(shown)));
       },
       (step) => {
         if (performance.now() - reported < REPORT) return;
