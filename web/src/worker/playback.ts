@@ -105,7 +105,7 @@ class Recorded extends History {
 }
 
 /** A session whose world belongs to a player. */
-abstract class Played extends Session {
+export abstract class Played extends Session {
   constructor(
     run: number,
     protected readonly player: Player,

@@ -217,12 +217,17 @@ export class Session {
 
   /**
    * Takes another session of the same scene, perhaps in another engine, to the first step that is
-   * kept, and makes the steps from there to the present one with the same commands. `begin` is
-   * called at that first step, and `made` after each one.
+   * kept.
    */
-  repeatIn(other: Session, begin: () => void, made: (step: number) => void): void {
+  startIn(other: Session): void {
     other.#goTo(this.history.before(this.history.first)!);
-    begin();
+  }
+
+  /**
+   * Makes the steps to the present one in a session in which this one was started, with the same
+   * commands. `made` is called after each step.
+   */
+  repeatIn(other: Session, made: (step: number) => void): void {
     while (other.step < this.step) {
       for (const command of this.history.commandsAt(other.step)) other.#apply(command);
       other.#advance(null);
