@@ -36,8 +36,8 @@ function played(bytes) {
   return { ...progress, hash };
 }
 
-// A character, rules, joints, ground with a texture, rollback, explosions, water.
-for (const name of ["platformer_game", "meetings", "ragdolls", "textured", "lab_latency", "explosion", "boats"])
+// A character, rules, ground with a texture, rollback, explosions, water.
+for (const name of ["platformer_game", "meetings", "textured", "lab_latency", "explosion", "boats"])
   test(`recording_of_${name}_ends_with_the_hash_of_what_ran`, async () => {
     // The handles that the code of a scene keeps have the number of their world.
     for (let i = 0; i < 3; i++) engine.createWorld().close();
