@@ -8,6 +8,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, describe, test } from "node:test";
+import { untilStatus } from "../support/code.mjs";
 import { skip, thudRun } from "../support/native.mjs";
 import { root, thud } from "../support/package.mjs";
 import {
@@ -195,9 +196,15 @@ for (const browser of BROWSERS)
       await close();
     });
 
-    test("difference_names_the_step_and_the_body", LOGIC, async () => {
+    test("difference_in_a_file_that_is_dropped_names_the_step_and_the_body", LOGIC, async () => {
       const { page, errors, close } = await visitor.open("?scene=cradle");
-      await openFile(page, "tampered.rec", ballRecording({ tamper: true }));
+      // Dropped, and known by what is in it.
+      await page.waitForSelector("[data-entry]", { state: "attached" });
+      await page.evaluate((bytes) => {
+        const dataTransfer = new DataTransfer();
+        dataTransfer.items.add(new File([new Uint8Array(bytes)], "tampered.dat"));
+        document.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true }));
+      }, [...ballRecording({ tamper: true })]);
       const told = /Step 21 is not what was recorded.*body that differs is number 1,/;
       await until(() => page.textContent("#message"), (text) => told.test(text), String(told));
       await page.waitForSelector('#pause[aria-pressed="true"]');
@@ -221,7 +228,7 @@ for (const browser of BROWSERS)
     });
 
     test("recording_cannot_be_changed_and_says_so", LOGIC, async () => {
-      const { page, close } = await visitor.open("?scene=cradle");
+      const { page, errors, close } = await visitor.open("?scene=cradle");
       await playToEnd(page, "ball.rec", ballRecording());
       await seek(page, 10);
       await act(page, "n");
@@ -234,6 +241,9 @@ for (const browser of BROWSERS)
         (text) => /a recording already/.test(text),
         "it is not recorded again",
       );
+      await page.keyboard.press("k");
+      await untilStatus(page, "A recording has no code.");
+      assert.deepEqual(errors, []);
       await close();
     });
 
