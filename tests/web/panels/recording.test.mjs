@@ -242,6 +242,7 @@ for (const browser of BROWSERS)
         "it is not recorded again",
       );
       await page.keyboard.press("k");
+      await page.waitForSelector(".code-status");
       await untilStatus(page, "A recording has no code.");
       assert.deepEqual(errors, []);
       await close();
