@@ -23,6 +23,8 @@ import type { RunningScene } from "./worker/protocol";
 
 /** What runs a level that a visitor brings. */
 const OWN_LEVEL = "own_level";
+/** What plays a recording that a visitor brings. */
+const RECORDING = "recording";
 /** Where code is shown, and its errors. */
 const CODE_PANEL = "code";
 /** Where a scene's controls are. */
@@ -104,14 +106,8 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   const change = () => layOut(app, stage);
   const dock = new Dock(app, panels(stage), change);
   const openFiles = async (brought: Brought[]) => {
-    try {
-      const { findLevel } = await import("./page/own-level");
-      const { name, files, others } = await findLevel(brought);
-      await app.open(OWN_LEVEL, { level: { name, files } });
-      if (others.length > 0) notice(`This is “${name}”; also there: ${others.join(", ")}`, 20);
-    } catch (error) {
-      notice(messageOf(error), 20);
-    }
+    const { openBrought } = await import("./page/brought");
+    await openBrought(app, brought);
   };
   addDialogs();
   let gallery: Promise<void> | null = null;
@@ -220,6 +216,11 @@ async function runFirst(app: App, state: Partial<State>): Promise<void> {
   const { scene = FIRST_SCENE, size, seed, code, camera, claim, level } = state;
   const own = scene === OWN_LEVEL;
   if (own ? !level : !findScene(scene)) {
+    if (scene === RECORDING) {
+      const text = "No link holds a recording. Whoever has its file can open it here, under Scenes.";
+      fail("The recording is not in this link", text, [], toFirst(app));
+      return;
+    }
     const text = own
       ? "It was too large for a link, or the link is damaged. Whoever has its file can open it " +
         "here, under Scenes."
@@ -343,7 +344,7 @@ function listenToScenes(
       if (running) notice(`The scene stopped: ${message}`, 30);
       else
         takeBack = fail(
-          `This ${app.state.level ? "level" : "scene"} cannot be run`,
+          `This ${app.state.recording ? "recording" : app.state.level ? "level" : "scene"} cannot be run`,
           message,
           details,
           // What ran before has never stopped.

@@ -16,7 +16,7 @@ function listOf(url) {
   if (url === "sw.js" || url.endsWith(".map")) return null;
   // The site, of which a visitor of the page may want none.
   if (url.startsWith("docs/")) return null;
-  if (/^assets\/thud-(first|rest)-[\w-]{8}\.wasm$/.test(url)) return "simd";
+  if (/^assets\/thud-(first|rest|recorded)-[\w-]{8}\.wasm$/.test(url)) return "simd";
   // The engine in one file, the package's default, which the page never fetches, and the one with
   // threads, which it fetches where a visitor asks for them.
   if (/^assets\/(thud-(threads-)?[\w-]{8}\.wasm|thread-[\w-]{8}\.js)$/.test(url)) return null;

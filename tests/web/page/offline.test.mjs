@@ -36,7 +36,7 @@ async function visitedOnce(t) {
   return { page, url };
 }
 
-test("page_without_network_after_one_visit_runs_other_scenes_and_levels_and_opens_panels", async (t) => {
+test("page_without_network_after_one_visit_runs_other_scenes_and_levels_opens_panels_and_records", async (t) => {
   const { page, url } = await visitedOnce(t);
   for (const search of ["", "?scene=tumbler", "?level=towers"]) {
     await page.goto(url + search);
@@ -47,6 +47,8 @@ test("page_without_network_after_one_visit_runs_other_scenes_and_levels_and_open
     await page.keyboard.press(key);
     await page.waitForSelector(`#dock[data-panel=${name}] #dock-body > :not(.quiet)`);
   }
+  await page.click("#record");
+  await until(() => page.textContent("#notice"), (text) => /^Recorded/.test(text), "it records");
 });
 
 test("page_of_the_site_that_was_visited_is_there_without_network_and_can_be_searched", async (t) => {
@@ -92,7 +94,7 @@ test("browser_with_simd_keeps_that_flavour_of_both_engines_alone", async (t) => 
     return (await cache.keys()).map((request) => request.url);
   });
   const engines = kept.flatMap((address) => /[^/]+(?=-[\w-]{8}\.wasm$)/.exec(address) ?? []);
-  assert.deepEqual(engines.sort(), ["Box2D.deluxe", "thud-first", "thud-rest"], kept.join("\n"));
+  assert.deepEqual(engines.sort(), ["Box2D.deluxe", "thud-first", "thud-recorded", "thud-rest"], kept.join("\n"));
 });
 
 test("new_build_waits_for_the_visitor_and_then_replaces_the_old_one", async (t) => {

@@ -29,6 +29,7 @@ export const sidebar = [
       page("Characters", "guide-characters"),
       page("Wind, water, explosions", "guide-fields"),
       page("Snapshots and rollback", "guide-snapshots"),
+      page("Recordings", "guide-recordings"),
       page("Determinism", "guide-determinism"),
       page("Threads", "guide-threads"),
       page("Drawing", "guide-drawing"),

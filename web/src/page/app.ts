@@ -34,10 +34,12 @@ export interface Listener {
 }
 
 /** Parts of the state that `open` sets besides the scene's name; those left out are reset. */
-type Opening = Partial<Pick<State, "code" | "size" | "seed" | "camera" | "claim" | "level">>;
+type Opening = Partial<
+  Pick<State, "code" | "size" | "seed" | "camera" | "claim" | "level" | "recording">
+>;
 
 /** The part of the state that determines what the running scene was started with. */
-type Begun = Pick<State, "scene" | "code" | "size" | "seed" | "level">;
+type Begun = Pick<State, "scene" | "code" | "size" | "seed" | "level" | "recording">;
 
 /** Choices that are fixed when a world is created. */
 const ANEW = ["detection", "broadphase", "stepRate", "topSpeed"] as const;
@@ -48,6 +50,7 @@ export class App {
   readonly state: State = {
     scene: "towers",
     level: null,
+    recording: null,
     seed: 0,
     choices: { ...USUAL },
     versus: { ...USUAL_VERSUS },
@@ -132,6 +135,7 @@ export class App {
     state.camera = more.camera ?? null;
     state.claim = more.claim ?? null;
     state.level = more.level ?? null;
+    state.recording = more.recording ?? null;
     return this.#run();
   }
 
@@ -142,8 +146,16 @@ export class App {
 
   /** The current choices, as a worker's request to run the scene. */
   get request(): SceneRequest {
-    const { scene, code, size, seed, choices } = this.state;
-    return { name: scene, code: code ?? undefined, files: this.files, size, seed, choices };
+    const { scene, code, recording, size, seed, choices } = this.state;
+    return {
+      name: scene,
+      code: code ?? undefined,
+      files: this.files,
+      recording: recording ?? undefined,
+      size,
+      seed,
+      choices,
+    };
   }
 
   /** Runs the scene from its beginning with the current choices. Returns as `open` does. */
@@ -206,8 +218,9 @@ export class App {
 
   /** The running scene's title, with ", edited" where the visitor's code runs. */
   get title(): string {
-    const { code, level } = this.state;
-    const title = findScene(this.state.scene)?.title ?? level?.name ?? "";
+    const { code, level, recording } = this.state;
+    const own = recording ? this.scene?.title : level?.name;
+    const title = findScene(this.state.scene)?.title ?? own ?? "";
     return code === null ? title : `${this.scene?.title ?? title}, edited`;
   }
 
@@ -250,13 +263,14 @@ export class App {
   #begin(scene: RunningScene): void {
     // The worker has clamped the size to the scene's range; a scene of one size has none.
     if (this.state.size !== undefined) this.state.size = scene.sizes ? scene.size : undefined;
-    const { scene: name, code, size, seed, level } = this.state;
+    const { scene: name, code, size, seed, level, recording } = this.state;
     this.scene = scene;
     if (code !== null || name !== this.#running?.scene) this.offeredCode = null;
-    if (!this.#arrives && (name !== this.#running?.scene || level !== this.#running.level))
-      this.#goesOn = true;
+    const before = this.#running;
+    const same = level === before?.level && recording === before.recording;
+    if (!this.#arrives && (name !== before?.scene || !same)) this.#goesOn = true;
     this.#arrives = false;
-    this.#running = { scene: name, code, size, seed, level };
+    this.#running = { scene: name, code, size, seed, level, recording };
     this.shapes = null;
     this.#owed = 0;
     if (this.#halted) this.setPaused(false);

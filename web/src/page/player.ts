@@ -55,6 +55,11 @@ export class Player {
     this.#place = this.#due = frame.step;
   }
 
+  /** Shows this step, of which a frame has come, without playing up to it. */
+  skipTo(step: number): void {
+    this.#place = this.#due = step;
+  }
+
   /** Shows the end of the newest step, so that a single step continues from what is shown. */
   settle(): void {
     const newest = this.#frames.at(-1);

@@ -5,7 +5,7 @@
  */
 import { BROADPHASES, DETECTIONS, QUALITIES } from "thud";
 import { OVERLAYS, type OverlayName } from "../scene/overlays";
-import type { Choices } from "../worker/protocol";
+import type { Choices, Recording } from "../worker/protocol";
 
 /** Speeds that the page offers, in simulated seconds per second. */
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
@@ -88,6 +88,8 @@ export interface State {
   scene: string;
   /** The level of the scene "own_level", which runs levels of visitors; null in other scenes. */
   level: OwnLevel | null;
+  /** What the scene "recording" plays, which no address holds; null in other scenes. */
+  recording: Recording | null;
   /** How many bodies or the like; undefined: the scene's usual size. */
   size?: number;
   seed: number;

@@ -1,4 +1,4 @@
-/** The panel Options: speed, theme, threads, random seed, and a link to the present view. */
+/** The panel Options: speed, theme, threads, random seed, a recording, and a link to the present view. */
 import type { App } from "../page/app";
 import { choiceBar, make } from "../page/dom";
 import type { Panel } from "../page/dock";
@@ -93,6 +93,19 @@ export function createPanel(app: App): Panel {
       () => notice("The clipboard is not allowed here: copy the address from the address bar."),
     );
   });
+  const record = make("button", { class: "wide", id: "record" }, "Save a recording");
+  record.addEventListener("click", async () => {
+    record.disabled = true;
+    try {
+      const { saveRecording } = await import("../page/recording");
+      await saveRecording(app);
+    } catch (error) {
+      notice(`A part of the page cannot be loaded: ${messageOf(error)}`);
+    }
+    record.disabled = false;
+    // A button that is disabled loses the focus.
+    if (document.activeElement === document.body) record.focus();
+  });
   const element = make(
     "div",
     {},
@@ -104,6 +117,17 @@ export function createPanel(app: App): Panel {
       {},
       make("legend", {}, make("label", { for: "seed" }, "Random seed")),
       seed,
+    ),
+    make(
+      "fieldset",
+      {},
+      make(
+        "legend",
+        {},
+        "Recording ",
+        make("small", {}, "of all that the time slider reaches, to be opened under Scenes"),
+      ),
+      record,
     ),
     make("div", { class: "section" }, share),
   );

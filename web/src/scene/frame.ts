@@ -57,6 +57,8 @@ export interface Frame {
   spent?: { steps: number; picture: number };
   /** The first and last step that the visitor can go to. */
   history: { first: number; last: number };
+  /** Nothing comes after this step: a recording ends here. */
+  ended?: boolean;
   /** The other engine's poses, laid out like `before` and `now`, while it runs. */
   box2d?: { before: Float32Array; now: Float32Array };
   /** Why the other engine does not run although the page wants it. */

@@ -14,7 +14,6 @@ import { groundLines } from "./lookup";
 import type { Look } from "./protocol";
 import type { Session } from "./session";
 import type * as Sums from "./sums";
-import { recordOf } from "./watch";
 
 /**
  * Steps between two looks at which bodies sleep. Chosen: a tenth of a second at 60 steps a second.
@@ -39,8 +38,8 @@ export async function bringSums(): Promise<void> {
  * Imports what the first frame of a scene needs. It cannot wait for the next frame, because a
  * paused scene may have only one.
  */
-export async function readyFor({ world, scene }: Session): Promise<void> {
-  if (recordOf(world)?.tied && !jointReader) await bringJoints();
+export async function readyFor({ tied, scene }: Session): Promise<void> {
+  if (tied && !jointReader) await bringJoints();
   if (scene.sums) await bringSums();
 }
 
@@ -84,6 +83,7 @@ export class Frames {
       error: this.#error(),
       samples,
       history: { first: session.history.first, last: session.history.last },
+      ended: session.step >= session.end,
     };
     const { controls, state } = session.scene;
     if (controls) frame.settings = settingsOf(controls, state);
@@ -98,7 +98,7 @@ export class Frames {
     const on = new Set(look.overlays);
     frame.drawing = draw(world, look, on);
     if (on.has("sums")) frame.sums = this.#sums(look);
-    if (recordOf(world)?.tied) this.#addJoints(frame, standing, on.has("joints"));
+    if (session.tied) this.#addJoints(frame, standing, on.has("joints"));
     frame.box2d = session.companion?.poses(look.origin);
     frame.box2dTrouble = session.box2dTrouble ?? undefined;
     return frame;

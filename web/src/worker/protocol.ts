@@ -31,6 +31,24 @@ export interface Choices {
   topSpeed: number;
 }
 
+/** A recording of a world (thud/recording) that is played. */
+export interface Recording {
+  /** The name of its file, without the ending. */
+  name: string;
+  bytes: Uint8Array<ArrayBuffer>;
+  /** The address of thud-recorded.wasm, which plays it. */
+  wasm: string;
+  /** The step from which the world goes on by hand; null: the recording plays. */
+  fork: number | null;
+}
+
+/** What "record" has made. */
+export interface Recorded {
+  bytes: Uint8Array<ArrayBuffer>;
+  /** The number of its steps. */
+  steps: number;
+}
+
 /** A scene to run, with its settings. */
 export interface SceneRequest {
   /** The name of the module's file in web/public/scenes, without ".js". */
@@ -42,6 +60,8 @@ export interface SceneRequest {
    * fetches a file of the page.
    */
   files?: Readonly<Record<string, string>>;
+  /** Played in place of a scene; all that is said of scenes here is then ignored. */
+  recording?: Recording;
   /** Clamped to the scene's sizes; undefined: the scene's usual size. */
   size?: number;
   seed: number;
@@ -146,6 +166,11 @@ export interface Questions {
   advance: { ask: { steps: number }; answer: StateHash };
   /** Goes back by so many steps, or as many as are kept, and runs to the present step again. */
   rerun: { ask: { steps: number }; answer: Rerun };
+  /**
+   * Records what runs, from the first step that is kept to the present one. `wasm` is the address
+   * of thud-recorded.wasm. The progress is a part of the whole.
+   */
+  record: { ask: { wasm: string }; answer: Recorded; progress: number };
   /** See World.bisectionLimit. */
   bisectionLimit: { ask: Record<string, never>; answer: number };
   /** The state of the body in a slot; null if there is none. */

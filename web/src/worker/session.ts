@@ -16,7 +16,7 @@ import { History, type Moment } from "./history";
 import { aimHold, holds, letGo, moveHold, type Pull, takeHold } from "./hold";
 import type { Choices, Rerun, StateHash } from "./protocol";
 import { SceneError } from "./trouble";
-import { unseen } from "./watch";
+import { recordOf, unseen } from "./watch";
 
 type PointerCommand = Extract<Command, { kind: "pointer" }>;
 
@@ -58,7 +58,6 @@ export interface Companion {
 
 export class Session {
   readonly world: World;
-  readonly history = new History();
   /** Number of steps made since the scene began. */
   step = 0;
   /** What the scene's `paint` returned last. */
@@ -92,6 +91,7 @@ export class Session {
     readonly timeStep: number,
     readonly title: string | null,
     readonly others: readonly { close(): void }[],
+    readonly history = new History(),
   ) {
     this.world = scene.world;
     this.paint = scene.paint?.() ?? null;
@@ -106,6 +106,16 @@ export class Session {
 
   get pull(): Pull | null {
     return this.#hands.pull;
+  }
+
+  /** The step after which there is none; a scene goes on for ever. */
+  get end(): number {
+    return Infinity;
+  }
+
+  /** Whether the world may have joints. */
+  get tied(): boolean {
+    return recordOf(this.world)?.tied ?? false;
   }
 
   /** Applies a command to the world at once; the next step puts it into the journal. */
@@ -203,6 +213,27 @@ export class Session {
     } finally {
       this.#goTo(present);
     }
+  }
+
+  /**
+   * Takes another session of the same scene, perhaps in another engine, to the first step that is
+   * kept.
+   */
+  startIn(other: Session): void {
+    other.#goTo(this.history.before(this.history.first)!);
+  }
+
+  /**
+   * Makes the steps to the present one in a session in which this one was started, with the same
+   * commands. `made` is called after each step.
+   */
+  repeatIn(other: Session, made: (step: number) => void): void {
+    while (other.step < this.step) {
+      for (const command of this.history.commandsAt(other.step)) other.#apply(command);
+      other.#advance(null);
+      made(other.step);
+    }
+    for (const command of this.#done) other.#apply(command);
   }
 
   get hash(): StateHash {

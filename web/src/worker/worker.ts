@@ -19,6 +19,8 @@ let engine: Engine;
 let companionKeeper: CompanionKeeper;
 let base: string;
 let session: Session | null = null;
+/** What the session was started with. */
+let begun: SceneRequest;
 let frames: Frames;
 /** Number of scenes that were asked for. */
 let runs = 0;
@@ -58,6 +60,7 @@ const answers: Answers = {
     }
     session?.close();
     session = next;
+    begun = request;
     frames = new Frames(session);
     void companionKeeper.join(session);
     return describe(session);
@@ -85,6 +88,11 @@ const answers: Answers = {
   },
 
   rerun: ({ steps }) => needSession().rerun(steps),
+
+  async record({ wasm }, report) {
+    const { record } = await import("./record");
+    return record(needSession(), wasm, (engine) => open(begun, runs, engine), report);
+  },
 
   bisectionLimit: () => needSession().world.bisectionLimit(),
 
@@ -130,11 +138,12 @@ const answers: Answers = {
   },
 };
 
-/** Imports and sets up a scene. */
-async function open(request: SceneRequest, run = 0): Promise<Session> {
+/** Imports and sets up a scene, or opens a recording. `run`: 0 for one that is measured. */
+async function open(request: SceneRequest, run = 0, within = engine): Promise<Session> {
+  if (request.recording) return (await import("./playback")).play(request.recording, run);
   const module = await importScene(base, request.name, request.code);
   const readText = (file: string) => readFile(file, request.files);
-  return setUp(run, module, engine, request, readText);
+  return setUp(run, module, within, request, readText);
 }
 
 /** The running session. Throws if there is none. */
@@ -181,7 +190,8 @@ async function answer(id: number, name: QuestionName, value: never): Promise<voi
 /** Makes steps up to number `until`, for PATIENCE milliseconds at most. */
 function tick(running: Session, until: number): void {
   const end = performance.now() + PATIENCE;
-  while (running.step < until && performance.now() < end) running.makeStep();
+  const last = Math.min(until, running.end);
+  while (running.step < last && performance.now() < end) running.makeStep();
 }
 
 self.onmessage = ({ data }: MessageEvent<ToWorker>) => {

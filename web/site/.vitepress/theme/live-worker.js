@@ -15,9 +15,13 @@ let frame = null;
 /** The body that the reader drags. */
 let held = null;
 
+/** The engine that records, which examples name as it lies in a project. */
+const RECORDED = /\bthud-recorded\.wasm$/;
+const recordedUrl = new URL("../../../package/dist/thud-recorded.wasm", import.meta.url);
+
 /** `load` of the package, with engines that remember the world that was made last. */
 async function load(...sources) {
-  const engine = await thud.load(...sources);
+  const engine = await thud.load(...(RECORDED.test(sources[0]) ? [recordedUrl] : sources));
   const createWorld = engine.createWorld.bind(engine);
   engine.createWorld = (options) => (world = createWorld(options));
   return engine;
@@ -28,8 +32,21 @@ let rival = null;
 
 const bringRival = async (name) => (await import("./rivals.js"))[name]((shown) => (world = rival = shown));
 
+/** "thud/recording", with players whose world is shown. */
+async function bringRecording() {
+  const recording = await import("thud/recording");
+  class Player extends recording.Player {
+    constructor(...given) {
+      super(...given);
+      world = this.world;
+    }
+  }
+  return { ...recording, Player };
+}
+
 const MODULES = {
   thud: async () => ({ ...thud, load }),
+  "thud/recording": bringRecording,
   "thud/geometry": async () => geometry,
   planck: () => bringRival("planck"),
   "matter-js": () => bringRival("matter"),

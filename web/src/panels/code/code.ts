@@ -109,7 +109,11 @@ class CodePanel implements Panel {
   /** Shows the running scene's module: the link's code, the draft, or what runs, in this order. */
   async #load(): Promise<void> {
     const load = ++this.#loads;
-    const { scene } = this.#app.state;
+    const { scene, recording } = this.#app.state;
+    if (recording) {
+      this.#status.textContent = "A recording has no code.";
+      return;
+    }
     const path = sceneFile(scene);
     let original: string;
     try {
@@ -176,6 +180,7 @@ class CodePanel implements Panel {
    * been warned. */
   async #run(): Promise<void> {
     const app = this.#app;
+    if (app.state.recording) return;
     if (app.offeredCode !== null && !this.#offer.warned && !(await isConfined(workerScript))) {
       this.#offer.warn();
       return;
@@ -270,6 +275,7 @@ class CodePanel implements Panel {
   #refresh(): void {
     const { state, offeredCode } = this.#app;
     this.#offer.show(offeredCode !== null);
+    if (state.recording) return;
     const text = this.#text;
     const changed = text !== (state.code ?? this.#original);
     let status = "Runs unchanged";
