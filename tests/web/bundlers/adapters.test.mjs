@@ -13,7 +13,10 @@ import { near, PATIENCE } from "../support/page.mjs";
 import { root } from "../support/package.mjs";
 
 /** Pages of examples/adapters, and the libraries that they import. */
-const PAGES = { canvas: [] };
+const PAGES = { canvas: [], pixi: ["pixi.js"], three: ["three"] };
+
+/** A folder that screenshots are written to, if any. */
+const SHOTS = process.env.THUD_SCREENSHOTS;
 
 const folder = mkdtempSync(join(tmpdir(), "thud-adapters-"));
 after(() => rmSync(folder, { recursive: true }));
@@ -47,7 +50,7 @@ after(async () => {
   await server?.close();
 });
 
-/** Makes pictures at 144 Hz; returns the mean place of red pixels, and where the ball is, in pixels. */
+/** Makes pictures at 144 Hz; returns the mean place of red pixels, and where the ball is, in pixels; and how many are green. */
 function pictures(page, count) {
   return page.evaluate(async (many) => {
     const { world, ball, canvas, picture } = globalThis.example;
@@ -57,16 +60,17 @@ function pictures(page, count) {
     const context = Object.assign(document.createElement("canvas"), { width, height }).getContext("2d");
     context.drawImage(canvas, 0, 0); // before the browser takes the picture, which may clear it
     const { data } = context.getImageData(0, 0, width, height);
-    let [red, x, y] = [0, 0, 0];
+    let [red, green, x, y] = [0, 0, 0, 0];
     for (let at = 0; at < data.length; at += 4)
-      if (data[at] > 200 && data[at + 1] < 50 && data[at + 2] < 50) {
+      if (data[at + 1] > Math.max(data[at], data[at + 2]) + 20) green++;
+      else if (data[at] > 200 && data[at + 1] < 50 && data[at + 2] < 50) {
         red++;
         x += (at / 4) % width;
         y += Math.floor(at / 4 / width);
       }
     const [ballX, ballY] = world.poses(alpha).subarray(4 * ball.index);
     const [drawnX, drawnY] = [x / red + 0.5, y / red + 0.5];
-    return { red, drawn: [drawnX, drawnY], place: [width / 2 + 40 * ballX, height / 2 - 40 * ballY], alpha };
+    return { red, green, drawn: [drawnX, drawnY], place: [width / 2 + 40 * ballX, height / 2 - 40 * ballY], alpha };
   }, count);
 }
 
@@ -104,11 +108,18 @@ for (const name of Object.keys(PAGES))
     near(held.place[0], 480, 8, "x of a held ball");
     near(held.place[1], 100, 8, "y of a held ball");
     assertDrawn(held);
-    if (process.env.THUD_SCREENSHOTS) await page.screenshot({ path: join(process.env.THUD_SCREENSHOTS, `${name}.png`) });
+    if (SHOTS) await page.screenshot({ path: join(SHOTS, `${name}.png`) });
     await page.mouse.up();
     const fallen = await pictures(page, 288);
     assert.ok(fallen.place[1] > 300, `${fallen.place}`);
     assertDrawn(fallen);
+
+    // The engine's debug drawing has the outlines of moving bodies in green.
+    assert.equal(fallen.green, 0);
+    await page.evaluate(() => history.replaceState(null, "", "?debug"));
+    const { green } = await pictures(page, 1);
+    if (SHOTS) await page.screenshot({ path: join(SHOTS, `${name}-debug.png`) });
+    assert.ok(green > 100, `${green} green pixels`);
     assert.deepEqual(errors, []);
     await page.close();
   });

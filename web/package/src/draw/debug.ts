@@ -20,7 +20,7 @@ const COLOURS: Partial<Record<(typeof DRAW_STYLES)[number], number>> = {
   static: 0x8a93a3,
   kinematic: 0x3d7dd8,
   dynamic: 0x2f9e5a,
-  sleeping: 0x6a7f72,
+  sleeping: 0x5f8f74,
   sensor: 0xb8860b,
   contact: 0xe03131,
   normal: 0xe03131,
