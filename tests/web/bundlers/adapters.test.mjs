@@ -13,7 +13,7 @@ import { near, PATIENCE } from "../support/page.mjs";
 import { root } from "../support/package.mjs";
 
 /** Pages of examples/adapters, and the libraries that they import. */
-const PAGES = { canvas: [], pixi: ["pixi.js"], three: ["three"] };
+const PAGES = { canvas: [], pixi: ["pixi.js"], three: ["three"], phaser: ["phaser"] };
 
 /** A folder that screenshots are written to, if any. */
 const SHOTS = process.env.THUD_SCREENSHOTS;
