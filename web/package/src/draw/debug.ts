@@ -10,7 +10,7 @@ import type { World } from "../world.js";
  */
 export type Pen = (points: readonly number[], closed: boolean, colour: number) => void;
 
-/** Corners of a polygon that stands for a circle. Chosen: its sides are 1 % of the radius from the circle. */
+/** Corners of the polygon that stands for a circle. Chosen: at usual sizes it looks round. */
 const CORNERS = 24;
 const CIRCLE = Array.from({ length: CORNERS }, (_, i) => (2 * Math.PI * i) / CORNERS);
 const RING = CIRCLE.map((angle) => [Math.cos(angle), Math.sin(angle)] as const);
