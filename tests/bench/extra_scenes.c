@@ -7,11 +7,16 @@
 /* Layers of bodies in a trough. The heap has the same depth at every size, so that times per body
  * can be compared. */
 static void fill_rubble(scene *s, int size) {
-    enum { LAYERS = 10 };
+    enum { LAYERS = 10, FLOOR_MOST = 16000 };
     const double spacing = 1.1;
     int columns = (size + LAYERS - 1) / LAYERS;
     double half_width = 0.5 * spacing * columns + 1;
-    scene_static_box(s, 0, -1, half_width + 1, 1);
+    /* A shape has a greatest size: the floor of a million bodies is of several boxes. */
+    int floors = (int)ceil(half_width / FLOOR_MOST);
+    for (int i = 0; i < floors; i++) {
+        double half = (half_width + 1) / floors;
+        scene_static_box(s, (2 * i + 1 - floors) * half, -1, half, 1);
+    }
     scene_static_box(s, -half_width - 1, 10, 1, 10);
     scene_static_box(s, half_width + 1, 10, 1, 10);
     scene_random random = {7};

@@ -8,27 +8,28 @@
 enum { MAX_STEPS = 1000000, MAX_REPETITIONS = 100 };
 
 void options_print_help(void) {
-    printf("usage: thud-bench [option...]\n"
-           "Runs scenes in thud and its rivals, a few steps each in turn, and compares the time\n"
-           "per step, the overlap and the memory.\n\n"
-           "what is measured (several in one run; without any, the scenes):\n"
-           "  --scenes             every scene in every engine\n"
-           "  --growth             time per body from 1,000 to 256,000 bodies, and bytes per body\n"
-           "                       and per contact\n"
-           "  --pay                what each feature costs: a scene with it and without it\n"
-           "  --workers            what a second thread brings\n"
-           "  --profile            the time of a step by stage, scene by scene\n"
-           "  --all                all five\n\n"
-           "how:\n"
-           "  --scene NAME[:SIZE]  only this scene; may be given several times\n"
-           "  --against ENGINE     only this rival; may be given several times. Here: box2d%s%s\n"
-           "  --steps N            times N steps instead of the scene's own number\n"
-           "  --repeat N           repetitions of every scene (default 3)\n"
-           "  --quick              40 steps and 1 repetition: shows that it runs, compares little\n"
-           "  --json FILE          also writes everything to FILE\n"
-           "  --list               lists the scenes, and which steps of each are timed\n"
-           "  --help               this text\n",
-           engine_find("rapier") ? ", rapier" : "", engine_find("chipmunk") ? ", chipmunk" : "");
+    printf(
+        "usage: thud-bench [option...]\n"
+        "Runs scenes in thud and its rivals, a few steps each in turn, and compares the time\n"
+        "per step, the overlap and the memory.\n\n"
+        "what is measured (several in one run; without any, the scenes):\n"
+        "  --scenes             every scene in every engine\n"
+        "  --growth             time per body from 1,000 to 1,000,000 bodies, and bytes per body\n"
+        "                       and per contact\n"
+        "  --pay                what each feature costs: a scene with it and without it\n"
+        "  --workers            what a second thread brings\n"
+        "  --profile            the time of a step by stage, scene by scene\n"
+        "  --all                all five\n\n"
+        "how:\n"
+        "  --scene NAME[:SIZE]  only this scene; may be given several times\n"
+        "  --against ENGINE     only this rival; may be given several times. Here: box2d%s%s\n"
+        "  --steps N            times N steps instead of the scene's own number\n"
+        "  --repeat N           repetitions of every scene (default 3)\n"
+        "  --quick              40 steps and 1 repetition: shows that it runs, compares little\n"
+        "  --json FILE          also writes everything to FILE\n"
+        "  --list               lists the scenes, and which steps of each are timed\n"
+        "  --help               this text\n",
+        engine_find("rapier") ? ", rapier" : "", engine_find("chipmunk") ? ", chipmunk" : "");
 }
 
 void options_print_list(void) {

@@ -8,14 +8,18 @@
 
 #include <stdio.h>
 
-/* Timed steps; as many untimed ones come before them. */
-enum { STEPS = 60, QUICK_STEPS = 5 };
+/* Untimed steps before the timed ones. */
+enum { STEPS_BEFORE = 60, QUICK_STEPS = 5 };
 
-/* The time of a step is the minimum over this many runs, since load of other processes only adds to
- * it. */
-enum { REPETITIONS = 3 };
+/* A number of bodies, how many steps are timed, and how often: the time of a step is the minimum
+ * over the repetitions, since load of other processes only adds to it. Of a million bodies fewer
+ * steps are timed, once, as they take minutes. */
+typedef struct growth_size {
+    int bodies, steps, repetitions;
+} growth_size;
 
-static const int SIZES[] = {1000, 4000, 16000, 64000, 256000};
+static const growth_size SIZES[] = {{1000, 60, 3},  {4000, 60, 3},   {16000, 60, 3},
+                                    {64000, 60, 3}, {256000, 60, 3}, {1000000, 20, 1}};
 enum { SIZE_COUNT = sizeof SIZES / sizeof SIZES[0], QUICK_SIZE_COUNT = 2 };
 
 /* Bound on the largest time per body divided by the smallest, over all sizes, in thud. Chosen. */
@@ -26,18 +30,20 @@ typedef struct growth {
     uint64_t bytes;
 } growth;
 
-static bool run_once(const physics_engine *engine, const scene *s, int repetition, series *times,
-                     uint64_t *bytes) {
+/* Runs `before` untimed steps, then the timed ones. */
+static bool run_once(const physics_engine *engine, const scene *s, int before, int repetition,
+                     series *times, uint64_t *bytes) {
     void *world = engine_create(engine, s, (engine_settings){0});
     bool ok = world != NULL;
     char label[64];
     snprintf(label, sizeof label, "%s %d, %s", s->name, s->body_count, engine->name);
-    for (int i = 0; ok && i < 2 * times->steps; i++) {
-        progress_show(label, (repetition + 0.5 * i / times->steps) / times->repetitions);
+    int all = before + times->steps;
+    for (int i = 0; ok && i < all; i++) {
+        progress_show(label, (repetition + (double)i / all) / times->repetitions);
         double start = lab_now(NULL);
         ok = engine->step(world);
-        if (i >= times->steps)
-            times->ms[repetition * times->steps + i - times->steps] = 1e3 * (lab_now(NULL) - start);
+        if (i >= before)
+            times->ms[repetition * times->steps + i - before] = 1e3 * (lab_now(NULL) - start);
     }
     if (ok)
         *bytes = engine->bytes(world);
@@ -45,11 +51,12 @@ static bool run_once(const physics_engine *engine, const scene *s, int repetitio
     return ok;
 }
 
-static bool measure(const physics_engine *engine, const scene *s, int steps, growth *out) {
+static bool measure(const physics_engine *engine, const scene *s, int before, growth_size size,
+                    growth *out) {
     series times;
-    bool ok = series_init(&times, steps, REPETITIONS);
-    for (int i = 0; ok && i < REPETITIONS; i++)
-        ok = run_once(engine, s, i, &times, &out->bytes);
+    bool ok = series_init(&times, size.steps, size.repetitions);
+    for (int i = 0; ok && i < size.repetitions; i++)
+        ok = run_once(engine, s, before, i, &times, &out->bytes);
     if (ok)
         out->ms = series_summarize(&times).median;
     else
@@ -59,15 +66,16 @@ static bool measure(const physics_engine *engine, const scene *s, int steps, gro
 }
 
 /* Measures one size; *each becomes thud's nanoseconds per body. */
-static bool grow_to(const scene_info *info, int size, int steps, double *each, json *out) {
+static bool grow_to(const scene_info *info, growth_size how, int before, double *each, json *out) {
     scene s;
     growth own, rival;
+    int size = how.bodies;
     if (!scenes_fill(info, size, &s)) {
         fprintf(stderr, "thud-bench: out of memory for scene %s\n", info->name);
         return false;
     }
-    bool ok =
-        measure(&engine_thud, &s, steps, &own) && measure(engine_find("box2d"), &s, steps, &rival);
+    bool ok = measure(&engine_thud, &s, before, how, &own) &&
+              measure(engine_find("box2d"), &s, before, how, &rival);
     scene_free(&s);
     if (!ok)
         return false;
@@ -94,8 +102,11 @@ static bool grow(const scene_info *info, bool quick, json *out) {
     json_text(out, "scene", info->name);
     json_begin_array(out, "sizes");
     bool ok = true;
-    for (int i = 0; ok && i < sizes; i++)
-        ok = grow_to(info, SIZES[i], quick ? QUICK_STEPS : STEPS, &each[i], out);
+    for (int i = 0; ok && i < sizes; i++) {
+        growth_size how = SIZES[i];
+        how.steps = quick ? QUICK_STEPS : how.steps;
+        ok = grow_to(info, how, quick ? QUICK_STEPS : STEPS_BEFORE, &each[i], out);
+    }
     json_end(out);
     if (ok) {
         double span = series_span(each, sizes);
