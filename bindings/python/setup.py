@@ -46,6 +46,7 @@ class PackSources(sdist):
         engine_to(MADE)
         for source in (MADE / "thud.c", MADE / "thud.h", API_FILE, HERE / "declare.py", HERE / "helper.c",
                        HERE / "helper.h", HERE / "LICENSE" if PACKED else ROOT / "LICENSE"):
+            (folder / source.name).unlink(missing_ok=True)  # it may be a link to the source
             shutil.copyfile(source, folder / source.name)
 
 
