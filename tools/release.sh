@@ -13,8 +13,8 @@ Makes the files of a release in build/release-files, or only the parts that are 
   source    thud-VERSION.tar.gz: every file of the repository
   one-file  thud-VERSION-one-file.tar.gz: thud.h, thud.c, thud_recorded.h, thud.hpp and the license
   npm       thud-VERSION.tgz: the JavaScript package
-  python    thud-VERSION-*.whl, the Python package for this system and its version of Python, and
-            the sources for all others, thud-VERSION-sdist.tar.gz
+  python    python/thud-VERSION-*.whl, the Python package for this system and its version of Python,
+            and the sources for all others, python/thud-VERSION.tar.gz
   rust      thud-sys-VERSION.crate and thud-VERSION.crate; left out where cargo is missing
   site      thud-VERSION-site.tar.gz: the page and the site of documentation, for a web server
 
@@ -92,9 +92,11 @@ release_page() {
 # The wheel is built from the sources that are packed for others.
 release_python() {
     (cd bindings/python && "$root/build/python/bin/python3" -B setup.py --quiet sdist --dist-dir "$work/sdist")
-    release_archive "thud-$version-sdist.tar.gz" "$work/sdist/thud-$version.tar.gz"
+    mkdir "$files/python"
+    release_archive "python/thud-$version.tar.gz" "$work/sdist/thud-$version.tar.gz"
     CFLAGS="-g0 ${CFLAGS:-}" "$root/build/python/bin/python3" -B -m pip --quiet --disable-pip-version-check wheel \
-        --no-index --no-deps --no-build-isolation --wheel-dir "$files" "$files/thud-$version-sdist.tar.gz"
+        --no-index --no-deps --no-build-isolation --wheel-dir "$files/python" \
+        "$files/python/thud-$version.tar.gz"
 }
 
 # The lock file, which belongs to programs, would hold the versions of this day.
@@ -165,9 +167,9 @@ release() {
         cd "$root"
     done
     rm -rf "$work"
-    # In two steps, since the shell makes the file before it lists the others.
-    sums=$(cd "$files" && sha256 ./*)
-    printf '%s\n' "$sums" | sed 's:  \./:  :' >"$files/SHA256SUMS"
+    # In two steps, since the shell makes the file before the others are listed.
+    sums=$(cd "$files" && find . -type f | sed 's:^\./::' | sort | while read -r name; do sha256 "$name"; done)
+    printf '%s\n' "$sums" >"$files/SHA256SUMS"
     say "In build/release-files"
     cat "$files/SHA256SUMS"
 }
