@@ -7,6 +7,7 @@ usage: test_release.py SOURCE [PART...]: the parts that are made; as a rule thos
 Exits with 77 where SOURCE is not a repository of git, whose files are copied into a new one."""
 
 import hashlib
+import json
 import os
 import re
 import shutil
@@ -88,8 +89,9 @@ class ReleaseTest(unittest.TestCase):
             self.assertEqual(int.from_bytes(path.read_bytes()[4:8], "little"), TIME, path)
 
     def test_source_archive_is_the_commit(self):
-        path, = (self.first / "build/release-files").glob("thud-*.*.?.tar.gz")
-        folder = path.name.removesuffix(".tar.gz")
+        version = json.loads((SOURCE / "web/package/package.json").read_text(encoding="utf-8"))["version"]
+        folder = f"thud-{version}"
+        path = self.first / f"build/release-files/{folder}.tar.gz"
         with tarfile.open(path) as archive:
             self.assertEqual(sorted(entry.name for entry in archive), [f"{folder}/{name}" for name in self.names])
             for name in ("run", "engine/CMakeLists.txt", "assets/levels/" + os.listdir(SOURCE / "assets/levels")[0]):
