@@ -98,9 +98,13 @@ typedef struct td_direct_row {
                             conjugate_gradients.c: [0] is the search direction */
 } td_direct_row;
 
+struct td_block;
+
 typedef struct td_direct_constraint {
-    int a, b;        /* indices of bodies; TD_NONE: the body of that side is outside of the
-                        problem */
+    struct td_block *block; /* the lane that the rows are of (constraint/block.h) */
+    int lane, kind;         /* kind: td_constraint.kind */
+    int a, b;               /* indices of bodies; TD_NONE: the body of that side is outside of the
+                               problem */
     int entry;       /* index of the matrix's block between a and b, where both are variables */
     bool b_later;    /* b is eliminated after a: the block's rows are b's, its columns a's */
     double friction; /* friction coefficient: the bound of the friction row per unit of normal
@@ -152,6 +156,9 @@ bool td_direct_solve_interior_point(td_direct *d, double tolerance);
 
 /* Recomputes the speed of every row from the bodies' velocities. */
 void td_direct_update_speeds(td_direct *d);
+/* Subtracts the cost of a Newton step with `blocks` operations on 3 x 3 blocks from the budget of
+ * work. Where the budget is too small, marks it as spent and returns false. */
+bool td_direct_take_effort(td_direct *d, int64_t blocks);
 /* Builds and factors M + sum of weight J' J over the active rows. False where the matrix is not
  * positive definite to rounding, or the budget of work is too small. */
 bool td_direct_factor(td_direct *d);

@@ -15,6 +15,7 @@
 #include "constraint/lanes.h"
 #include "detection/detection.h"
 #include "direct/elimination_order.h"
+#include "direct/joint_tree.h"
 
 #include <string.h>
 
@@ -31,6 +32,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(bodies, td_direct_body),
     ARRAY(step, double[4]),
     ARRAY(work, double[4]),
+    ARRAY(tree, td_tree_body),
     ARRAY(topology, int),
     ARRAY(topology_before, int),
     ARRAY(systems, td_system),

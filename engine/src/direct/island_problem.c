@@ -110,7 +110,10 @@ static void take_constraint(td_island_work *work, int i) {
     const float *impulses = td_at(&w->islands.impulses, work->island->first_constraint + i);
     td_direct_constraint *c = &work->problem.constraints[i];
     double known[2][3];
-    *c = (td_direct_constraint){.a = side_of(work, at.block->a[at.lane], known[0]),
+    *c = (td_direct_constraint){.block = at.block,
+                                .lane = at.lane,
+                                .kind = constraint->kind,
+                                .a = side_of(work, at.block->a[at.lane], known[0]),
                                 .b = side_of(work, at.block->b[at.lane], known[1])};
     if (c->a != TD_NONE && c->b != TD_NONE) {
         c->entry = td_sparse_find(work->problem.matrix, c->a, c->b);

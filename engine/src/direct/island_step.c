@@ -68,10 +68,6 @@ double td_island_gap(const td_island_work *work, const td_direct_constraint *c, 
     return gap;
 }
 
-td_lane td_island_lane(const td_island_work *work, int i) {
-    return td_lane_of(work->w, td_constraint_at(work->w, work->constraints[i]));
-}
-
 /* The speed along a row in the soft solver's result, length/s. */
 static double soft_speed(const td_island_work *work, const td_direct_constraint *c,
                          const td_direct_row *r) {

@@ -66,8 +66,11 @@ void td_island_extrapolate(td_island_work *work);
  * the residual, as td_direct_solve does. */
 double td_island_solve_joints(td_island_work *work, double tolerance);
 
-/* island_step.c: the lane of constraint i of the island. */
-td_lane td_island_lane(const td_island_work *work, int i);
+/* The lane of constraint i of the island. */
+static inline td_lane td_island_lane(const td_island_work *work, int i) {
+    const td_direct_constraint *c = &work->problem.constraints[i];
+    return (td_lane){c->block, c->lane};
+}
 
 /* Whether the island has no contacts. */
 static inline bool td_island_is_joints(const td_island_work *work) {

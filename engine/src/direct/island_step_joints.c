@@ -19,6 +19,7 @@
 
 #include "constraint/joint_hooks.h"
 #include "direct/contact_check.h"
+#include "direct/joint_tree.h"
 #include "direct/step_parts.h"
 
 /* A result is refused if its kinetic energy is more than this many times what the island had, or
@@ -82,8 +83,7 @@ static void clear_arms(const td_direct *d, td_direct_constraint *c) {
 static void update_joint_rows(td_island_work *work, double start, bool ended) {
     for (int i = 0; i < work->island->constraints; i++) {
         td_direct_constraint *c = &work->problem.constraints[i];
-        int kind = td_constraint_at(work->w, work->constraints[i])->kind;
-        if (kind < TD_PAIR_COUNT) {
+        if (c->kind < TD_PAIR_COUNT) {
             continue;
         }
         td_lane at = td_island_lane(work, i);
@@ -94,7 +94,7 @@ static void update_joint_rows(td_island_work *work, double start, bool ended) {
             span.a[1][k] = span.a[0][k];
             span.b[1][k] = span.b[0][k];
         }
-        work->w->kinds[kind]->lanes->update_rows(work->w, at.block, at.lane, &span, c);
+        work->w->kinds[c->kind]->lanes->update_rows(work->w, at.block, at.lane, &span, c);
         clear_arms(&work->problem, c);
     }
     td_direct_update_speeds(&work->problem);
@@ -174,6 +174,15 @@ static bool velocities_are_valid(const td_island_work *work) {
     return all;
 }
 
+/* Solves for the present rows: by the tree of joints, or by the methods for any island. Returns the
+ * residual, as td_direct_solve does. */
+static double solve_rows(td_island_work *work, double tolerance) {
+    double residual;
+    return td_joint_tree_solve(&work->problem, work->w->islands.tree.data, tolerance, &residual)
+               ? residual
+               : td_direct_solve(&work->problem, tolerance);
+}
+
 /* The first problem: mean velocities, by Newton's method. Returns the residual, as a speed;
  * infinite where a solve failed. */
 static double solve_mean_velocity(td_island_work *work, double start, double tolerance) {
@@ -186,7 +195,7 @@ static double solve_mean_velocity(td_island_work *work, double start, double tol
             return missing;
         }
         add_geometric_stiffness(work);
-        missing = td_direct_solve(d, tolerance);
+        missing = solve_rows(work, tolerance);
         if (!td_finite(missing)) {
             return missing;
         }
@@ -311,13 +320,13 @@ static double solve_end_velocity(td_island_work *work, double start, double tole
     }
     if (closes_gaps(work, tolerance)) {
         update_joint_rows(work, start, true);
-        return td_direct_solve(d, tolerance);
+        return solve_rows(work, tolerance);
     }
     keep_lock_impulses(work);
     update_joint_rows(work, start, true);
     bool stays =
         has_only_locks_and_springs(work) && td_direct_residual(d) <= END_ERROR_MAX * d->unit_speed;
-    double missing = stays ? 0.0 : td_direct_solve(d, tolerance);
+    double missing = stays ? 0.0 : solve_rows(work, tolerance);
     restore_lock_impulses(work);
     return missing;
 }
@@ -349,7 +358,7 @@ static void set_contact_speeds(td_island_work *work) {
         td_lane at = td_island_lane(work, i);
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
             td_direct_row *r = &c->row[k];
-            if (r->used && td_is_contact(td_constraint_at(work->w, work->constraints[i]))) {
+            if (r->used && c->kind < TD_PAIR_COUNT) {
                 double gap =
                     td_island_gap(work, c, k, (double)at.block->point[k].start_separation[at.lane]);
                 r->target_speed = gap > 0.0 ? -gap / work->time : r->closing;

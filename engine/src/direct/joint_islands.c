@@ -22,6 +22,15 @@ static bool reserve_system(thud_world *w) {
            td_array_reserve(memory, &s->entry, TD_RESOLVE_ENTRIES_MAX);
 }
 
+/* Reserves the memory of joint_tree.c for the largest island. False when memory is short. */
+static bool reserve_tree(thud_world *w) {
+    int bodies = TD_RESOLVE_BODIES_MAX;
+    for (int i = 0; i < w->islands.island.count; i++) {
+        bodies = td_max_int(bodies, TD_AT(td_island, &w->islands.island, i)->bodies);
+    }
+    return td_islands_reserve(w, &w->islands.tree, bodies);
+}
+
 /* thud_island_solver.find: lists the islands of 1., and reserves memory for one island of 2. and 3.
  * False when memory is short. */
 static bool find(thud_world *w) {
@@ -33,7 +42,8 @@ static bool find(thud_world *w) {
            td_islands_reserve(w, &s->rows, TD_RESOLVE_CONSTRAINTS_MAX) &&
            td_islands_reserve(w, &s->bodies, TD_RESOLVE_BODIES_MAX) &&
            td_islands_reserve(w, &s->step, TD_RESOLVE_BODIES_MAX) &&
-           td_islands_reserve(w, &s->work, TD_RESOLVE_BODIES_MAX) && reserve_system(w);
+           td_islands_reserve(w, &s->work, TD_RESOLVE_BODIES_MAX) && reserve_tree(w) &&
+           reserve_system(w);
 }
 
 /* Budget of work (td_direct.effort) of islands with joints in a step, at any quality, in operations

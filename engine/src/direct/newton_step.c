@@ -29,7 +29,10 @@ void td_direct_update_speeds(td_direct *d) {
         const double *va = c->a == TD_NONE ? NULL : d->bodies[c->a].velocity;
         const double *vb = c->b == TD_NONE ? NULL : d->bodies[c->b].velocity;
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            c->row[k].speed = c->row[k].known_speed + speed_of(c, &c->row[k], va, vb);
+            td_direct_row *r = &c->row[k];
+            if (r->used) {
+                r->speed = r->known_speed + speed_of(c, r, va, vb);
+            }
         }
     }
 }
@@ -112,9 +115,7 @@ static void add_row(td_direct *d, const td_direct_constraint *c, const td_direct
  * estimated from the multiplications that each takes (a 3 x 3 product has 27). */
 enum { CONSTRAINT_EFFORT = 10, BODY_EFFORT = 5 };
 
-/* Subtracts the cost of a Newton step with `blocks` operations on blocks from the budget of work.
- * If the budget is too small, marks it as spent and returns false. */
-static bool take_effort(td_direct *d, int64_t blocks) {
+bool td_direct_take_effort(td_direct *d, int64_t blocks) {
     int64_t more = blocks + (int64_t)CONSTRAINT_EFFORT * d->constraint_count +
                    (int64_t)BODY_EFFORT * d->body_count;
     d->spent = d->spent || more > d->effort;
@@ -123,7 +124,7 @@ static bool take_effort(td_direct *d, int64_t blocks) {
 }
 
 bool td_direct_factor(td_direct *d) {
-    if (!take_effort(d, d->matrix->current.work)) {
+    if (!td_direct_take_effort(d, d->matrix->current.work)) {
         return false;
     }
     td_sparse_clear(d->matrix);
@@ -145,7 +146,7 @@ bool td_direct_factor(td_direct *d) {
 }
 
 bool td_direct_step(td_direct *d) {
-    if (!take_effort(d, 2 * (int64_t)td_sparse_entries(d->matrix))) {
+    if (!td_direct_take_effort(d, 2 * (int64_t)td_sparse_entries(d->matrix))) {
         return false;
     }
     for (int i = 0; i < d->body_count; i++) {

@@ -24,13 +24,12 @@ enum { SUBSTEPS_OF_PART = 4, SMALL_ISLAND_BODIES = 16 };
 /* Upper bound of the angular speed of the line between a distance's anchors before the step, rad/s;
  * 0 for other kinds of joints. */
 static double line_rate(const td_island_work *work, int i) {
-    const td_constraint *constraint = td_constraint_at(work->w, work->constraints[i]);
     const td_direct_constraint *c = &work->problem.constraints[i];
     td_lane at = td_island_lane(work, i);
     double length = 0.0, speed = 0.0;
-    if (constraint->kind == TD_CONSTRAINT_ROD) {
+    if (c->kind == TD_CONSTRAINT_ROD) {
         length = (double)td_lock_rows_at(at.block)->rest_length[at.lane];
-    } else if (constraint->kind == TD_CONSTRAINT_DRIVE_LINE) {
+    } else if (c->kind == TD_CONSTRAINT_DRIVE_LINE) {
         length = (double)td_drive_rows_at(at.block)->start_value[at.lane];
     }
     for (int k = 0; k < 2 && length > 0.0; k++) {
@@ -50,7 +49,7 @@ static bool is_drive(int kind) {
 static double spring_phase(const td_island_work *work) {
     double fastest = 0.0;
     for (int i = 0; i < work->island->constraints; i++) {
-        if (is_drive(td_constraint_at(work->w, work->constraints[i])->kind)) {
+        if (is_drive(work->problem.constraints[i].kind)) {
             td_lane at = td_island_lane(work, i);
             double frequency = (double)td_drive_rows_at(at.block)->frequency[at.lane];
             fastest = td_max_double(fastest, frequency);
@@ -73,7 +72,7 @@ static bool is_centred(const td_island_work *work, float cross_u, float cross_v)
  * frame, which turns with body a. */
 static void set_sweeps(td_island_work *work, int i) {
     const td_direct_constraint *c = &work->problem.constraints[i];
-    int kind = td_constraint_at(work->w, work->constraints[i])->kind;
+    int kind = c->kind;
     td_lane at = td_island_lane(work, i);
     const td_point *p = &at.block->point[0], *q = &at.block->point[1];
     bool turns =
@@ -101,7 +100,7 @@ static void set_turn_flags(td_island_work *work) {
     for (int i = 0; i < work->island->constraints; i++) {
         const td_direct_constraint *c = &work->problem.constraints[i];
         const int sides[] = {c->a, c->b};
-        if (!td_is_contact(td_constraint_at(work->w, work->constraints[i]))) {
+        if (c->kind >= TD_PAIR_COUNT) {
             set_sweeps(work, i);
             continue;
         }

@@ -73,53 +73,59 @@ static double displacement_along(const td_direct_row *row, const td_span *s) {
 #define GAP_SHARE_PER_STEP 0.2
 #define GAP_CLOSED_MIN 1e-4
 
-/* The mean speed along a row by which its gap reaches its target width at the end of the part,
- * where the motion of the present iteration changes the gap from `before` to `after`:
- *     (J (x[1] - x[0]) - (after - left)) / h,  where `left` is the gap that should be left.
- * A gap closes by the share and the width above, at TD_JOINT_CLOSING_SPEED at most. Sets
- * row->closing, the speed of closing. At h = 0 row->closing is kept, and the result is 0: the gap
- * is not closed. */
-static double target_speed_for_gap(const thud_world *w, td_direct_row *row, const td_span *s,
-                                   double before, double after, double unit) {
-    double width = td_abs(before), left = before;
+/* The speed by which a gap of `before` at the start of the part closes in the part: by the share
+ * and the width above, at TD_JOINT_CLOSING_SPEED at most. Sets row->closing, its size. At h = 0
+ * row->closing is kept, and the result is 0: the gap is not closed. */
+static double closing_of(const thud_world *w, td_direct_row *row, const td_span *s, double before,
+                         double unit) {
+    double width = td_abs(before), change = 0.0;
     if (s->time == 0.0) {
         return 0.0;
     }
-    row->closing = 0.0;
     if (width > GAP_IGNORED * unit) {
         double max_change = (double)TD_JOINT_CLOSING_SPEED * unit * s->time;
-        double change =
-            width * (GAP_SHARE_PER_STEP * s->time / w->def.time_step) + GAP_CLOSED_MIN * unit;
-        change = td_min_double(max_change, change);
-        left = before - td_max_double(-change, td_min_double(change, before));
-        row->closing = td_abs(before - left) / s->time;
+        change = width * (GAP_SHARE_PER_STEP * s->time / w->def.time_step) + GAP_CLOSED_MIN * unit;
+        change = td_min_double(td_min_double(max_change, change), width);
     }
-    return (displacement_along(row, s) - (after - left)) / s->time;
+    row->closing = change / s->time;
+    return before > 0.0 ? -row->closing : row->closing;
+}
+
+/* The mean speed along a row by which its gap closes as in closing_of, where the motion of the
+ * present iteration changes the gap from `before` to `after`, and the row's Jacobian gives that
+ * change to second order only:
+ *     (J (x[1] - x[0]) - (after - before)) / h + closing_of. */
+static double target_speed_for_gap(const thud_world *w, td_direct_row *row, const td_span *s,
+                                   double before, double after, double unit) {
+    double closing = closing_of(w, row, s, before, unit);
+    return s->time == 0.0 ? 0.0
+                          : (displacement_along(row, s) - (after - before)) / s->time + closing;
 }
 
 /* Square of half a rotation, rad^2, below which its chord counts as long as its arc: sin(x) / x is
  * 1 - x^2 / 6, here within 2e-13 of 1. Avoids 0 / 0. */
 #define CHORD_IS_ARC 1e-12
 
-/* A lever arm, by its cross products with u and v, averaged over the rotation of a part from the
- * angle `start` to `end`: the arm in the middle, shortened by the ratio of chord to arc, sin(half)
- * / half. Multiplied by the rotation, it gives the chord by which its end moves. */
-static void average_arm(double start, double end, double *u, double *v) {
-    double half = 0.5 * (end - start), s, c;
-    td_joint_rotate_arm(0.5 * (start + end), u, v);
-    if (half * half >= CHORD_IS_ARC) {
-        td_joint_sincos(half, &s, &c);
-        *u *= s / half;
-        *v *= s / half;
-    }
+/* A lever arm, by its cross products with u and v, averaged over a rotation by `angle`: the arm
+ * after half of it, shortened by the ratio of chord to arc, sin(half) / half. Multiplied by the
+ * rotation, it gives the chord by which its end moves. */
+static void average_arm(double angle, double *u, double *v) {
+    double half = 0.5 * angle, s, c, x = *u, y = *v;
+    td_joint_sincos(half, &s, &c);
+    double shorter = half * half >= CHORD_IS_ARC ? s / half : 1.0;
+    *u = shorter * (c * x - s * y);
+    *v = shorter * (c * y + s * x);
 }
 
-/* The frame of a part whose axes do not turn: u and v of the block, and the lever arms averaged
- * over the part. Its gap is not set. */
-static td_joint_frame average_frame(const td_block *block, int lane, const td_span *s) {
-    td_joint_frame f = td_joint_frame_at(block, lane, 0.0, 0.0);
-    average_arm(s->a[0][2], s->a[1][2], &f.a_u, &f.a_v);
-    average_arm(s->b[0][2], s->b[1][2], &f.b_u, &f.b_v);
+/* The frame of a part whose axes do not turn: u and v of the block, the lever arms averaged over
+ * the part, and the gap at its start; gap_u, gap_v: the gap at the start of the step. */
+static td_joint_frame average_frame(const td_block *block, int lane, double gap_u, double gap_v,
+                                    const td_span *s) {
+    td_joint_frame f =
+        s->start > 0.0 ? td_joint_frame_after(block, lane, gap_u, gap_v, false, s->a[0], s->b[0])
+                       : td_joint_frame_at(block, lane, gap_u, gap_v);
+    average_arm(s->a[1][2] - s->a[0][2], &f.a_u, &f.a_v);
+    average_arm(s->b[1][2] - s->b[0][2], &f.b_u, &f.b_v);
     return f;
 }
 
@@ -139,7 +145,7 @@ static td_joint_frame middle_frame(const td_block *block, int lane, double gap_u
  * lengths. */
 static td_joint_frame midpoint_line(const td_block *block, int lane, double gap_u, double gap_v,
                                     const td_span *s, double length[2]) {
-    td_joint_frame f = average_frame(block, lane, s), end[2];
+    td_joint_frame f = average_frame(block, lane, gap_u, gap_v, s), end[2];
     for (int i = 0; i < 2; i++) {
         end[i] = td_joint_frame_after(block, lane, gap_u, gap_v, false, s->a[i], s->b[i]);
         length[i] = __builtin_sqrt(end[i].gap_u * end[i].gap_u + end[i].gap_v * end[i].gap_v);
@@ -206,34 +212,51 @@ void td_rod_update_rows(const thud_world *w, const td_block *block, int lane, co
     set_line_stiffness(c, &f, s, c->row[0].impulse, length[0], &c->row[1]);
 }
 
+/* Rows along u and v of a frame, with the geometric stiffness of their impulses. */
+static void set_lock_directions(td_direct_constraint *c, const td_joint_frame *f,
+                                const td_span *s) {
+    set_direction(&c->row[0], f->x, f->y, f->a_u, f->b_u);
+    set_direction(&c->row[1], -f->y, f->x, f->a_v, f->b_v);
+    set_geometric_stiffness(c, f, s, c->row[0].impulse, c->row[1].impulse);
+}
+
+/* Locked directions of a frame that turns with body a. */
+static void update_turning_lock(const thud_world *w, const td_block *block, int lane,
+                                const td_span *s, td_direct_constraint *c, double unit) {
+    double u = (double)block->point[0].start_separation[lane],
+           v = (double)block->point[1].start_separation[lane];
+    td_joint_frame end = td_joint_frame_after(block, lane, u, v, true, s->a[1], s->b[1]);
+    td_joint_frame start = {.gap_u = u, .gap_v = v};
+    if (s->start > 0.0) {
+        start = td_joint_frame_after(block, lane, u, v, true, s->a[0], s->b[0]);
+    }
+    td_joint_frame f = s->time == 0.0 ? end : middle_frame(block, lane, u, v, s);
+    set_lock_directions(c, &f, s);
+    c->row[0].target_speed = target_speed_for_gap(w, &c->row[0], s, start.gap_u, end.gap_u, unit);
+    c->row[1].target_speed = target_speed_for_gap(w, &c->row[1], s, start.gap_v, end.gap_v, unit);
+}
+
 /* td_update_rows_fn of locked directions: rows 0 along, 1 across, 2 turn. The Jacobian of turn is
- * constant. */
+ * constant. Where the frame does not turn, the Jacobian gives the change of the gap exactly. */
 void td_lock_update_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
                          td_direct_constraint *c) {
     const td_lock_rows *rows = td_lock_rows_at(block);
-    double u = (double)block->point[0].start_separation[lane],
-           v = (double)block->point[1].start_separation[lane];
-    double sign = (double)rows->turn_sign[lane], unit = (double)w->length_scale;
-    bool turns = rows->frame_turns[lane] > 0.0f;
-    td_joint_frame start = {.gap_u = u, .gap_v = v};
-    td_joint_frame end = td_joint_frame_after(block, lane, u, v, turns, s->a[1], s->b[1]);
-    if (s->start > 0.0) {
-        start = td_joint_frame_after(block, lane, u, v, turns, s->a[0], s->b[0]);
+    double unit = (double)w->length_scale;
+    if (rows->frame_turns[lane] > 0.0f) {
+        update_turning_lock(w, block, lane, s, c, unit);
+    } else {
+        double u = (double)block->point[0].start_separation[lane],
+               v = (double)block->point[1].start_separation[lane];
+        td_joint_frame f = average_frame(block, lane, u, v, s);
+        set_lock_directions(c, &f, s);
+        c->row[0].target_speed = closing_of(w, &c->row[0], s, f.gap_u, unit);
+        c->row[1].target_speed = closing_of(w, &c->row[1], s, f.gap_v, unit);
     }
-    td_joint_frame f = s->time == 0.0 ? end
-                       : turns        ? middle_frame(block, lane, u, v, s)
-                                      : average_frame(block, lane, s);
-    set_direction(&c->row[0], f.x, f.y, f.a_u, f.b_u);
-    set_direction(&c->row[1], -f.y, f.x, f.a_v, f.b_v);
-    c->row[0].target_speed = target_speed_for_gap(w, &c->row[0], s, start.gap_u, end.gap_u, unit);
-    c->row[1].target_speed = target_speed_for_gap(w, &c->row[1], s, start.gap_v, end.gap_v, unit);
     if (c->row[2].used) {
-        double gap = (double)rows->start_turn_gap[lane];
+        double gap = (double)rows->start_turn_gap[lane], sign = (double)rows->turn_sign[lane];
         c->row[2].target_speed =
-            target_speed_for_gap(w, &c->row[2], s, gap + sign * (s->b[0][2] - s->a[0][2]),
-                                 gap + sign * (s->b[1][2] - s->a[1][2]), 1.0);
+            closing_of(w, &c->row[2], s, gap + sign * (s->b[0][2] - s->a[0][2]), 1.0);
     }
-    set_geometric_stiffness(c, &f, s, c->row[0].impulse, c->row[1].impulse);
 }
 
 /* td_take_rows_fn of locked directions: the same rows. Rows of directions that are not locked have

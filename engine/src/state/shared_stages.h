@@ -4,6 +4,7 @@
 #define TD_SHARED_STAGES_H
 
 #include "broadphase/pairs.h"
+#include "contact/waiting.h"
 #include "solver/motion.h"
 #include "state/world.h"
 
@@ -12,6 +13,8 @@ struct thud_shared_stages {
     td_finalize_bodies_fn *finalize;
     /* As the world's sweep of all shapes, with the same pairs, for a td_pair_search as context. */
     td_sweep_fn *sweep;
+    /* As td_waiting_test_all, with the same lists in the same order. */
+    td_waiting_fn *waiting;
 };
 
 /* Bodies that a worker takes at once: a multiple of TD_LANES. Chosen. */
@@ -38,14 +41,25 @@ typedef struct td_sweep_share {
     td_new_pair pairs[TD_SHARE_PAIRS];
 } td_sweep_share;
 
+/* Waiting contacts that a worker tests at once. Chosen. */
+enum { TD_SHARE_WAITING = 256 };
+
+/* What is found of a part of the waiting contacts. */
+typedef struct td_waiting_share {
+    td_array begins, ends;
+    int room[2][TD_SHARE_WAITING]; /* data of these two */
+} td_waiting_share;
+
 /* An element of td_scratch.shares. */
 typedef union td_share {
     td_finalize_share finalize;
     td_sweep_share sweep;
+    td_waiting_share waiting;
 } td_share;
 
-/* shared_finalize.c, shared_sweep.c: see above. */
+/* shared_finalize.c, shared_sweep.c, shared_waiting.c: see above. */
 td_finalize_bodies_fn td_shared_finalize;
 td_sweep_fn td_shared_sweep;
+td_waiting_fn td_shared_waiting;
 
 #endif

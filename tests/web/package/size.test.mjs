@@ -28,8 +28,9 @@ const PROGRAMS = [
   // Queries that leave edits pending, and reasons of refusals, take 2 kB.
   { name: "everything", bound: 93.5, aim: 40 },
   // Joint rows that are solved together, both limits and the bracing of torn joints take 5 kB,
-  // joints that yield to static shapes 3 kB, and the common cap of both directions 0.6 kB.
-  { name: "joints", bound: 92.6, aim: 40 },
+  // joints that yield to static shapes 3 kB, and the common cap of both directions 0.6 kB. Trees of
+  // joints that are solved from their ends take 1.8 kB.
+  { name: "joints", bound: 94.4, aim: 40 },
 ];
 
 const sources = readdirSync(`${root}engine/src`, { recursive: true })
