@@ -25,8 +25,8 @@ Builds and tests everything, or only the parts that are named:
               of some twenty, runs all tests under the address and undefined-behaviour sanitizers
               (tests/CMakeLists.txt), the tests of clang's release build, those of the memory
               sanitizer, and those of threads and the kept inputs of ./run fuzz under the thread
-              sanitizer, and measures anew what the generated pages in docs/ say, more than an
-              hour; all this in the part native. In the part page, tests of what the page's own code
+              sanitizer, makes all files of ./run release twice and compares them, and measures anew
+              what the generated pages in docs/ say, more than an hour; all this in the part native. In the part page, tests of what the page's own code
               decides run in Firefox, too, and not in Chromium alone
 
 Two lanes run side by side: wasm and baseline; native, sanitizers and then page, to which all others
@@ -71,6 +71,7 @@ test_native() {
         test_clang
         test_memory
         test_threads
+        test_releases
         test_pages_at_length
     }
 }
@@ -114,6 +115,11 @@ test_all_cases() {
         --parallel "$jobs"
     THUD_CASES=1000000 ctest --preset release --label-regex '^pairs$' --timeout 7200 \
         --parallel "$jobs"
+}
+
+# All files of a release, made twice. Takes some ten minutes.
+test_releases() {
+    (umask 022 && python3 -B tests/package/test_release.py . source one-file npm python rust site)
 }
 
 # Measures again what the generated pages in docs/ state, and compares; times only where Box2D can
