@@ -10,7 +10,7 @@ usage: ./run bench [OPTION...]
 thud and its rivals side by side: Box2D v3.2 always, Rapier 2D where Rust can build it. Without
 options every scene, as a table.
 
-  --growth             time per body from 1,000 to 256,000 bodies, bytes per body and contact
+  --growth             time per body from 1,000 to 1,000,000 bodies, bytes per body and contact
   --pay                what each feature costs: a scene with it and without it
   --workers            what a second thread brings
   --profile            the time of a step by stage, scene by scene

@@ -3,12 +3,18 @@
  *
  * Bodies are eliminated from the ends of the tree towards its root. A body i hangs from one body p
  * that is eliminated later, its parent, by the locked rows
+ *
  *     J_i v_i + J_p v_p = t.
- * With A_i v_i = g_i + J_i' y, its own equation of motion in which all that hangs from it is
- * already included, the rows' impulses are y = S^-1 (t - J_i A_i^-1 g_i - J_p v_p), S = J_i A_i^-1
- * J_i', so that the parent's equation gets A_p += J_p' S^-1 J_p,    g_p += J_p' S^-1 (t - J_i
- * A_i^-1 g_i). Then velocities and impulses follow from the root outwards. (D. Baraff, "Linear-time
- * dynamics using Lagrange multipliers", 1996.) No matrix of the whole island is built, and rows are
+ *
+ * Its equation of motion, A_i v_i = g_i + J_i' y, has in it already all that hangs from it. So the
+ * impulses y of the rows, with S = J_i A_i^-1 J_i', and what the parent's equation gets, are
+ *
+ *     y = S^-1 (t - J_i A_i^-1 g_i - J_p v_p),
+ *     A_p += J_p' S^-1 J_p,
+ *     g_p += J_p' S^-1 (t - J_i A_i^-1 g_i).
+ *
+ * Then velocities and impulses follow from the root outwards. (D. Baraff, "Linear-time dynamics
+ * using Lagrange multipliers", 1996.) No matrix of the whole island is built, and rows are
  * satisfied to rounding, where the active set of active_set.c needs penalties and conjugate
  * gradients.
  *
