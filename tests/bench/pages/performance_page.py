@@ -92,10 +92,12 @@ def growth(results):
     rows, spans = [], []
     for g in results["growth"]:
         for s in g["sizes"]:
+            rival = "box2d_ns_per_body" in s
             rows.append([g["scene"], f"{s['bodies']:,}", number(s["ns_per_body"], 1),
-                         number(s["box2d_ns_per_body"], 1), number(s["bytes_per_body"], 0),
-                         number(s["box2d_bytes_per_body"], 0)])
-        theirs = [s["box2d_ns_per_body"] for s in g["sizes"]]
+                         number(s["box2d_ns_per_body"], 1) if rival else "–",
+                         number(s["bytes_per_body"], 0),
+                         number(s["box2d_bytes_per_body"], 0) if rival else "–"])
+        theirs = [s["box2d_ns_per_body"] for s in g["sizes"] if "box2d_ns_per_body" in s]
         spans.append(f"{g['scene']} {g['span']:.2f} ({holds(g['span'], g['at_most'])}; "
                      f"Box2D {max(theirs) / min(theirs):.2f})")
     return (table(["scene", "bodies", "thud, ns a body", "Box2D", "thud, bytes a body", "Box2D"],

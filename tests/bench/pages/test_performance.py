@@ -94,6 +94,13 @@ class Tables(unittest.TestCase):
     def test_growth_span_beyond_its_limit_misses(self):
         self.assertIn("gas 1.60 (at most 1.5: **misses**; Box2D 1.60)", page.growth(RESULTS))
 
+    def test_growth_without_a_rival_leaves_its_cells_empty(self):
+        alone = {"bodies": 1000000, "ns_per_body": 9, "bytes_per_body": 640}
+        gas = dict(RESULTS["growth"][0], sizes=RESULTS["growth"][0]["sizes"] + [alone])
+        text = page.growth({"growth": [gas]})
+        self.assertIn("| gas | 1,000,000 | 9.0 | – | 640 | – |", text)
+        self.assertIn("Box2D 1.60", text)
+
     def test_memory_judges_body_and_contact_apart(self):
         body, contact = page.memory(RESULTS).split("\n")[2:]
         self.assertTrue(body.endswith("| 0.25 | at most 0.5: holds |"), body)
