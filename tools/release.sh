@@ -1,5 +1,5 @@
-# release.sh: ./run release, which makes the files of a release from the last commit, the same bytes
-# on every call. Sourced by ./run.
+# release.sh: ./run release, which makes the files of a release from the last commit. Sourced by
+# ./run.
 # shellcheck shell=sh
 
 RELEASE_PARTS="source one-file npm python rust site"
@@ -20,7 +20,8 @@ Makes the files of a release in build/release-files, or only the parts that are 
 
 and SHA256SUMS, the sums of what was made. All is built from the last commit in a folder of its
 own, so changes that are not committed are refused. Two calls of the same commit with the same
-compilers give the same bytes, in any folder and at any time: times are that of the commit.
+compilers give the same bytes, in any folder and at any time: times are that of the commit. The
+site alone may differ.
 END_OF_USAGE
 }
 

@@ -25,7 +25,7 @@ Builds and tests everything, or only the parts that are named:
               of some twenty, runs all tests under the address and undefined-behaviour sanitizers
               (tests/CMakeLists.txt), the tests of clang's release build, those of the memory
               sanitizer, and those of threads and the kept inputs of ./run fuzz under the thread
-              sanitizer, makes all files of ./run release twice and compares them, and measures anew
+              sanitizer, makes the files of ./run release twice and compares them, and measures anew
               what the generated pages in docs/ say, more than an hour; all this in the part native. In the part page, tests of what the page's own code
               decides run in Firefox, too, and not in Chromium alone
 
@@ -117,9 +117,10 @@ test_all_cases() {
         --parallel "$jobs"
 }
 
-# All files of a release, made twice. Takes some ten minutes.
+# The files of a release, made twice, but for the site, which differs from folder to folder. Takes
+# some ten minutes.
 test_releases() {
-    (umask 022 && python3 -B tests/package/test_release.py . source one-file npm python rust site)
+    (umask 022 && python3 -B tests/package/test_release.py . source one-file npm python rust)
 }
 
 # Measures again what the generated pages in docs/ state, and compares; times only where Box2D can
