@@ -97,9 +97,11 @@ def growth(results):
                          number(s["box2d_ns_per_body"], 1) if rival else "–",
                          number(s["bytes_per_body"], 0),
                          number(s["box2d_bytes_per_body"], 0) if rival else "–"])
-        theirs = [s["box2d_ns_per_body"] for s in g["sizes"] if "box2d_ns_per_body" in s]
-        spans.append(f"{g['scene']} {g['span']:.2f} ({holds(g['span'], g['at_most'])}; "
-                     f"Box2D {max(theirs) / min(theirs):.2f})")
+        both = [s for s in g["sizes"] if "box2d_ns_per_body" in s]
+        own, theirs = ([s[key] for s in both] for key in ("ns_per_body", "box2d_ns_per_body"))
+        spans.append(f"{g['scene']} {g['span']:.2f} ({holds(g['span'], g['at_most'])}); "
+                     f"up to {both[-1]['bodies']:,} bodies {max(own) / min(own):.2f}, Box2D's "
+                     f"{max(theirs) / min(theirs):.2f}")
     return (table(["scene", "bodies", "thud, ns a body", "Box2D", "thud, bytes a body", "Box2D"],
                   rows) + "\n\nDearest over cheapest body: " + "; ".join(spans) + ".")
 

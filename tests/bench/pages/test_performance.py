@@ -92,14 +92,14 @@ class Tables(unittest.TestCase):
         self.assertEqual(page.promise(scene("")), "")
 
     def test_growth_span_beyond_its_limit_misses(self):
-        self.assertIn("gas 1.60 (at most 1.5: **misses**; Box2D 1.60)", page.growth(RESULTS))
+        self.assertIn("gas 1.60 (at most 1.5: **misses**); up to 4,000 bodies 1.60, Box2D's 1.60", page.growth(RESULTS))
 
     def test_growth_without_a_rival_leaves_its_cells_empty(self):
         alone = {"bodies": 1000000, "ns_per_body": 9, "bytes_per_body": 640}
         gas = dict(RESULTS["growth"][0], sizes=RESULTS["growth"][0]["sizes"] + [alone])
         text = page.growth({"growth": [gas]})
         self.assertIn("| gas | 1,000,000 | 9.0 | – | 640 | – |", text)
-        self.assertIn("Box2D 1.60", text)
+        self.assertIn("up to 4,000 bodies 1.60, Box2D's 1.60", text)
 
     def test_memory_judges_body_and_contact_apart(self):
         body, contact = page.memory(RESULTS).split("\n")[2:]

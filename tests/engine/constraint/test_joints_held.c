@@ -134,10 +134,10 @@ static double widest_gap_of_loaded_bridge(thud_world_def def, double shift) {
  * hinges open no further than such impacts open them. Default is left out: there the bridge with
  * such boxes exceeds the direct solver's budget and tears under any detection; its hinges open by 4
  * to 7 m, and no box stays. How far they open depends on the last bits of where the boxes fall, so
- * that eight falls that differ by a millimetre each are judged together. */
+ * that sixteen falls that differ by a millimetre each are judged together. */
 static void load_tears_no_bridge_under_detection_on_the_way(void **state) {
     (void)state;
-    enum { FALLS = 8 };
+    enum { FALLS = 16 };
     for (int i = QUALITIES; i < 3 * QUALITIES; i++) {
         thud_world_def def = def_of(qualities[i % QUALITIES]);
         if (def.quality == &thud_quality_draft || def.quality == &thud_quality_default) {
@@ -151,7 +151,7 @@ static void load_tears_no_bridge_under_detection_on_the_way(void **state) {
         }
         /* measured 0.1 at exact, 0.2 at high, where single falls reach 0.44; 0.5 to 1.0 where
          * detection treated contacts as impacts */
-        assert_true(sum / FALLS < 0.3);
+        assert_true(sum / FALLS < 0.25);
     }
 }
 
