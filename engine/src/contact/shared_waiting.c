@@ -5,8 +5,6 @@
 #include "state/jobs.h"
 #include "state/shared_stages.h"
 
-#include <string.h>
-
 /* Waiting contacts from which on workers share them: fewer are tested before another thread has
  * woken. Chosen; not tuned. */
 enum { SHARED_WAITING_MIN = 1024 };
@@ -31,11 +29,8 @@ static td_waiting_share *share_at(const thud_world *w, int index) {
 static void test_share(void *work, int index) {
     const testing *t = work;
     td_waiting_share *share = share_at(t->w, index);
-    td_array *lists[2] = {&share->begins, &share->ends};
-    for (int i = 0; i < 2; i++) {
-        *lists[i] =
-            (td_array){.data = share->room[i], .capacity = TD_SHARE_WAITING, .stride = sizeof(int)};
-    }
+    share->begins = td_share_list(share->room[0], TD_SHARE_WAITING);
+    share->ends = td_share_list(share->room[1], TD_SHARE_WAITING);
     int kind = 0;
     for (; index >= shares_of(t->w, kind); kind++) {
         index -= shares_of(t->w, kind);
@@ -52,13 +47,6 @@ static void test_as_worker(void *argument) {
     td_worker worker = td_worker_arrive(own.job);
     own.thread = worker.index;
     td_worker_walk(&worker, own.shares, test_share, &own);
-}
-
-static void append(td_array *list, const td_array *more) {
-    if (more->count) {
-        memcpy((int *)list->data + list->count, more->data, (size_t)more->count * sizeof(int));
-        list->count += more->count;
-    }
 }
 
 /* Whether there are enough contacts, and memory for what is found of them: without it the calling
@@ -84,7 +72,7 @@ void td_shared_waiting(thud_world *w) {
     td_job_begin(&job, w->def.job_system.workers);
     td_job_run(w, &job, test_as_worker, &t);
     for (int i = 0; i < t.shares; i++) {
-        append(&w->scratch.begins, &share_at(w, i)->begins);
-        append(&w->scratch.ends, &share_at(w, i)->ends);
+        td_share_append(&w->scratch.begins, &share_at(w, i)->begins);
+        td_share_append(&w->scratch.ends, &share_at(w, i)->ends);
     }
 }

@@ -73,9 +73,9 @@ static double displacement_along(const td_direct_row *row, const td_span *s) {
 #define GAP_SHARE_PER_STEP 0.2
 #define GAP_CLOSED_MIN 1e-4
 
-/* The speed by which a gap of `before` at the start of the part closes in the part: by the share
- * and the width above, at TD_JOINT_CLOSING_SPEED at most. Sets row->closing, its size. At h = 0
- * row->closing is kept, and the result is 0: the gap is not closed. */
+/* The speed at which a gap that is `before` wide at the start of the part closes in it: by the
+ * share and the width above, at TD_JOINT_CLOSING_SPEED at most. Sets row->closing, its size. At h =
+ * 0 row->closing is kept, and the result is 0: the gap is not closed. */
 static double closing_of(const thud_world *w, td_direct_row *row, const td_span *s, double before,
                          double unit) {
     double width = td_abs(before), change = 0.0;

@@ -34,11 +34,9 @@ typedef struct finalizing {
 static void finalize_share(void *work, int index) {
     thud_world *w = ((const finalizing *)work)->w;
     td_finalize_share *share = share_at(w, index);
-    td_array *lists[3] = {&share->odd, &share->fast, &share->moved};
-    for (int i = 0; i < 3; i++) {
-        *lists[i] =
-            (td_array){.data = share->room[i], .capacity = TD_SHARE_BODIES, .stride = sizeof(int)};
-    }
+    share->odd = td_share_list(share->room[0], TD_SHARE_BODIES);
+    share->fast = td_share_list(share->room[1], TD_SHARE_BODIES);
+    share->moved = td_share_list(share->room[2], TD_SHARE_BODIES);
     memset(share->sums, 0, sizeof share->sums);
     int first = index * TD_SHARE_BODIES;
     share->part = (td_finalize_part){.first = first,
@@ -57,18 +55,12 @@ static void finalize_as_worker(void *argument) {
     td_worker_walk(&worker, share_count(f->w), finalize_share, f);
 }
 
-/* Appends a list of ints, or of slots, to one that has room. */
-static void append(td_array *list, const td_array *more) {
-    memcpy((int *)list->data + list->count, more->data, (size_t)more->count * sizeof(int));
-    list->count += more->count;
-}
-
 /* Adds what is found of a share's bodies. Energies are added eight bodies after the other, as one
  * worker does it, so that the sums have the same bits. */
 static void add_share(td_finalize_part *all, const td_finalize_share *share) {
-    append(all->odd, &share->odd);
-    append(all->fast, &share->fast);
-    append(all->moved, &share->moved);
+    td_share_append(all->odd, &share->odd);
+    td_share_append(all->fast, &share->fast);
+    td_share_append(all->moved, &share->moved);
     all->has_moved |= share->part.has_moved;
     all->idle += share->part.idle;
     all->drowsy += share->part.drowsy;

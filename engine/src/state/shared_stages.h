@@ -8,6 +8,8 @@
 #include "solver/motion.h"
 #include "state/world.h"
 
+#include <string.h>
+
 struct thud_shared_stages {
     /* As td_finalize_bodies for `all` bodies, with the same results to the bit. */
     td_finalize_bodies_fn *finalize;
@@ -56,6 +58,19 @@ typedef union td_share {
     td_sweep_share sweep;
     td_waiting_share waiting;
 } td_share;
+
+/* An empty list in the room that a share has for it. */
+static inline td_array td_share_list(int *room, int capacity) {
+    return (td_array){.data = room, .capacity = capacity, .stride = sizeof(int)};
+}
+
+/* Appends what a share has found to a list of all that has room for it. */
+static inline void td_share_append(td_array *all, const td_array *found) {
+    if (found->count) {
+        memcpy((int *)all->data + all->count, found->data, (size_t)found->count * sizeof(int));
+        all->count += found->count;
+    }
+}
 
 /* shared_finalize.c, shared_sweep.c, shared_waiting.c: see above. */
 td_finalize_bodies_fn td_shared_finalize;
