@@ -3,7 +3,7 @@
  * transforms them to pixels.
  */
 import { trace } from "./draw/debug.js";
-import { Drag, type DragOptions } from "./draw/drag.js";
+import { Drag, type DragOptions, partsOf } from "./draw/drag.js";
 import { Sprites } from "./draw/sprites.js";
 import type { BodyRef, Vec2 } from "./types.js";
 import type { DrawOptions } from "./view-types.js";
@@ -75,11 +75,10 @@ export class CanvasView {
   }
 
   /** The place in the world of a pointer. */
-  placeOf({ clientX, clientY }: { clientX: number; clientY: number }): Vec2 {
+  placeOf(pointer: { clientX: number; clientY: number }): Vec2 {
     const { canvas, center, scale } = this;
-    const { left, top, width, height } = canvas.getBoundingClientRect();
-    const x = ((clientX - left) / width - 0.5) * canvas.width;
-    const y = (0.5 - (clientY - top) / height) * canvas.height;
+    const [right, down] = partsOf(canvas, pointer);
+    const [x, y] = [(right - 0.5) * canvas.width, (0.5 - down) * canvas.height];
     return [center[0] + x / scale, center[1] + y / scale];
   }
 

@@ -3,7 +3,7 @@
  * in its own objects.
  */
 import { trace } from "./draw/debug.js";
-import { Drag, type DragOptions } from "./draw/drag.js";
+import { Drag, type DragOptions, partsOf } from "./draw/drag.js";
 import { Sprites } from "./draw/sprites.js";
 import type { BodyRef, Vec2 } from "./types.js";
 import type { DrawOptions } from "./view-types.js";
@@ -82,10 +82,9 @@ export class PhaserView {
   /** Lets pointers drag dynamic bodies through the main camera, until `end` of what is returned. */
   drag(options: DragOptions = {}): Drag {
     const { game, scale, cameras } = this.#scene;
-    const placeOf = ({ clientX, clientY }: PointerEvent): Vec2 => {
-      const { left, top, width, height } = game.canvas.getBoundingClientRect();
-      const [x, y] = [((clientX - left) / width) * scale.width, ((clientY - top) / height) * scale.height];
-      const place = cameras.main.getWorldPoint(x, y);
+    const placeOf = (event: PointerEvent): Vec2 => {
+      const [right, down] = partsOf(game.canvas, event);
+      const place = cameras.main.getWorldPoint(right * scale.width, down * scale.height);
       return [place.x / this.#scale, -place.y / this.#scale];
     };
     return new Drag(this.#world, game.canvas, placeOf, options);

@@ -3,7 +3,7 @@
  * in its own objects.
  */
 import { trace } from "./draw/debug.js";
-import { Drag, type DragOptions } from "./draw/drag.js";
+import { Drag, type DragOptions, partsOf } from "./draw/drag.js";
 import { Sprites } from "./draw/sprites.js";
 import type { BodyRef, Vec2 } from "./types.js";
 import type { DrawOptions } from "./view-types.js";
@@ -88,11 +88,10 @@ export class PixiView<Child extends PixiObject> {
 
   /** Lets pointers over the application's canvas drag dynamic bodies, until `end` of what is returned. */
   drag({ canvas, renderer }: PixiApplication, options: DragOptions = {}): Drag {
-    const placeOf = ({ clientX, clientY }: PointerEvent): Vec2 => {
-      const { left, top, width, height } = canvas.getBoundingClientRect();
+    const placeOf = (event: PointerEvent): Vec2 => {
       const { screen } = renderer;
-      const [x, y] = [((clientX - left) / width) * screen.width, ((clientY - top) / height) * screen.height];
-      const place = this.#container.toLocal({ x, y });
+      const [right, down] = partsOf(canvas, event);
+      const place = this.#container.toLocal({ x: right * screen.width, y: down * screen.height });
       return [place.x / this.#scale, -place.y / this.#scale];
     };
     return new Drag(this.#world, canvas, placeOf, options);

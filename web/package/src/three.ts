@@ -3,7 +3,7 @@
  * It imports nothing of three.js: the program hands in its own objects.
  */
 import { trace } from "./draw/debug.js";
-import { Drag, type DragOptions } from "./draw/drag.js";
+import { Drag, type DragOptions, partsOf } from "./draw/drag.js";
 import { Sprites } from "./draw/sprites.js";
 import type { BodyRef, Vec2 } from "./types.js";
 import type { DrawOptions } from "./view-types.js";
@@ -86,9 +86,9 @@ export class ThreeView<Child extends ThreeObject> {
 
   /** Lets pointers over a canvas drag dynamic bodies through a camera, until `end` of what is returned. */
   drag(canvas: HTMLCanvasElement, camera: ThreeCamera, options: DragOptions = {}): Drag {
-    const placeOf = ({ clientX, clientY }: PointerEvent): Vec2 => {
-      const { left, top, width, height } = canvas.getBoundingClientRect();
-      const [x, y] = [(2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height];
+    const placeOf = (event: PointerEvent): Vec2 => {
+      const [right, down] = partsOf(canvas, event);
+      const [x, y] = [2 * right - 1, 1 - 2 * down];
       camera.updateMatrixWorld();
       const [near, far] = [-1, 1].map((z) => camera.position.clone().set(x, y, z).unproject(camera as never));
       const way = near.z / (near.z - far.z); // where the line of sight meets the plane z = 0

@@ -31,6 +31,12 @@ interface Hold {
  */
 const TURN = { frequency: 0.05, damping: 8 };
 
+/** Where a pointer is in an element: the parts of its width from the left and of its height from the top. */
+export function partsOf(element: Element, { clientX, clientY }: { clientX: number; clientY: number }): Vec2 {
+  const { left, top, width, height } = element.getBoundingClientRect();
+  return [(clientX - left) / width, (clientY - top) / height];
+}
+
 /** Lets the pointers over an element drag the bodies of a world, until `end`. */
 export class Drag {
   readonly #world: World;
