@@ -160,6 +160,12 @@ need_test() {
     [ "${full:-no}" = no ] || {
         need_fuzz
         need "pkg-config" "pkgconf|pkg-config" have pkg-config
+        # Debian's package is built on Debian alone.
+        ! have dpkg || {
+            need "the tools that build Debian's packages" dpkg-dev have dpkg-buildpackage
+            need "what Debian's package is built by" debhelper have dh
+            need "the checks of Debian's packages" lintian have lintian
+        }
     }
     need "Python's environments" python3-venv have_python_environments
     need "Python's headers" python3-dev have_python_header

@@ -117,6 +117,7 @@ test_all_cases() {
     THUD_CASES=1000000 ctest --preset release --label-regex '^pairs$' --timeout 7200 \
         --parallel "$jobs"
     THUD_PARTS=full ctest --preset release --tests-regex '^test_parts$' --timeout 3600
+    pip_packages build/conan packaging/conan/requirements.txt "Conan"
     THUD_PACKAGES=full ctest --preset release --label-regex '^packages$' --timeout 3600
 }
 

@@ -11,7 +11,7 @@ sys.path.append(str(Path(__file__).parent.parent / "fuzz"))
 from check_calls import declared  # noqa: E402
 
 # What packages are built of; the source archive has all else, too.
-BUILT_OF = ("CMakeLists.txt", "LICENSE", "cmake", "debian", "engine", "meson.build", "packaging")
+BUILT_OF = ("CMakeLists.txt", "LICENSE", "cmake", "debian", "engine", "examples/embed.c", "meson.build", "packaging")
 FALLS = """#include <stdio.h>
 #include <thud/thud_all.h>
 typedef void any(void);
