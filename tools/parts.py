@@ -63,7 +63,7 @@ PARTS = {
                      "geometry without a world that worlds have no use for: `thud_approximate.h`,"
                      " `thud_capsule.h`, `thud_volumes.h`"),
     "STAGES": Part(("api/shared_stages.c", "broadphase/shared_sweep.c", "contact/shared_waiting.c",
-                    "solver/shared_finalize.c"),
+                    "detection/shared_fast.c", "solver/shared_finalize.c"),
                    "`thud_shared_stages_all`: workers share contacts and the solver alone", ("THREADS",)),
     "THREADS": Part(("threads/*",), "the pool of threads: `thud_threads.h`"),
 }
