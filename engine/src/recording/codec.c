@@ -174,18 +174,14 @@ static bool is_array(const td_codec_field *f) {
     return f->code == TD_CODE_ARRAY || f->code == TD_CODE_POINTS;
 }
 
-/* The size of one element of a field that is an array in place. */
-static size_t element_bytes(const td_codec_field *f) {
-    return f->codec ? f->codec->bytes : sizeof(thud_body_id);
-}
-
 static void write_fields(const thud_world *w, td_writer *to, const td_codec *codec,
                          const char *struct_at) {
     for (int i = 0; i < codec->count; i++) {
         const td_codec_field *f = &codec->fields[i];
         const char *count_at = struct_at + f->count_at;
         for (int k = 0; k < f->repeat && !is_array(f); k++) {
-            write_value(w, to, f, struct_at + f->at + (size_t)k * element_bytes(f), count_at);
+            write_value(w, to, f, struct_at + f->at + (size_t)k * td_codec_element_bytes(f),
+                        count_at);
         }
     }
     /* Arrays come last, when a reader knows what counts them. */
@@ -404,7 +400,7 @@ static bool read_fields(const thud_world *w, td_reader *from, const td_codec *co
     for (int i = 0; i < codec->count; i++) {
         const td_codec_field *f = &codec->fields[i];
         for (int k = 0; k < f->repeat; k++) {
-            read_value(w, from, f, struct_at + f->at + (size_t)k * element_bytes(f), d);
+            read_value(w, from, f, struct_at + f->at + (size_t)k * td_codec_element_bytes(f), d);
         }
     }
     for (int i = 0; i < codec->count; i++) {
