@@ -16,7 +16,7 @@ static thud_result dig_shape(session *s, thud_shape_id shape, thud_pos at, bool 
 
 /* Digs or raises every terrain line with vertices. A message says so if there is none. */
 static void dig(session *s, thud_pos at, bool mound) {
-    if (!s->world)
+    if (!s->world || !session_yields(s))
         return;
     s->message[0] = '\0';
     int lines = 0;

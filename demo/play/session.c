@@ -6,6 +6,7 @@
 
 #include <thud/thud_fields.h>
 #include <thud/thud_lists.h>
+#include <thud/thud_reads.h>
 
 #include <SDL.h>
 #include <math.h>
@@ -24,6 +25,9 @@ static double clock_seconds(void *context) {
     return (double)SDL_GetPerformanceCounter() / (double)SDL_GetPerformanceFrequency();
 }
 
+/* Max time that a seek in a recording may take of a frame, s. Chosen, as above. */
+static const double SEEKING_BUDGET = 0.040;
+
 /* The world's log function: stores the text in session.message. */
 static void log_message(thud_result result, const char *text, void *context) {
     session *s = context;
@@ -39,8 +43,18 @@ void session_init(session *s) {
     scene_init(&s->scene);
 }
 
+/* Destroys the world, with the recording that it belongs to. */
+static void destroy_world(session *s) {
+    if (s->played)
+        playback_close(s->played);
+    else
+        thud_world_destroy(s->world);
+    s->played = NULL;
+    s->world = NULL;
+}
+
 void session_free(session *s) {
-    thud_world_destroy(s->world);
+    destroy_world(s);
     thud_threads_destroy(s->threads);
     scene_free(&s->scene);
     free(s->bodies);
@@ -120,15 +134,26 @@ static bool list_bodies(session *s, const thud_body_id *ids, int count) {
 /* Reads the handles of all joints, which are in the order of the scene's. False if memory runs out.
  */
 static bool list_joints(session *s) {
-    free(s->joints);
     s->joint_count = 0;
-    s->joints = malloc((size_t)s->scene.joint_count * sizeof *s->joints + 1);
-    if (!s->joints) {
+    if (!grow((void **)&s->joints, &s->joint_capacity, s->scene.joint_count, sizeof *s->joints)) {
         snprintf(s->message, sizeof s->message, "Out of memory while listing the joints.");
         return false;
     }
     thud_world_get_joints(s->world, s->joints, s->scene.joint_count, &s->joint_count);
     return true;
+}
+
+/* Shows a new world, whose bodies and joints are to be listed. */
+static void show_world(session *s, thud_world *world, scene fresh, double time_step) {
+    scene_free(&s->scene);
+    s->world = world;
+    s->scene = fresh;
+    s->time_step = time_step;
+    s->alpha = 1;
+    s->missed = (session_missed){0};
+    s->pair[0] = s->pair[1] = 0;
+    for (int i = 0; i < SESSION_BLASTS; i++)
+        s->blasts[i].step = -1e9;
 }
 
 bool session_load(session *s, const catalog_entry *entry) {
@@ -159,16 +184,8 @@ bool session_load(session *s, const catalog_entry *entry) {
         scene_free(&fresh);
         return false;
     }
-    thud_world_destroy(s->world);
-    scene_free(&s->scene);
-    s->world = world;
-    s->scene = fresh;
-    s->time_step = def.time_step;
-    s->alpha = 1;
-    s->missed = (session_missed){0};
-    s->pair[0] = s->pair[1] = 0;
-    for (int i = 0; i < SESSION_BLASTS; i++)
-        s->blasts[i].step = -1e9;
+    destroy_world(s);
+    show_world(s, world, fresh, def.time_step);
     bool listed = list_bodies(s, ids, fresh.body_count) && list_joints(s);
     for (int i = 0; i < s->body_count; i++)
         s->bodies[i].look = fresh.bodies[i].look;
@@ -201,11 +218,201 @@ static void list_pieces(session *s) {
         snprintf(s->message, sizeof s->message, "Out of memory while listing the bodies.");
 }
 
+/* ---- recordings ---- */
+
+/* A joint as scenes have it, from its def. Those that a gear couples come before it. */
+static scene_joint joint_of(const session *s, const thud_joint_def *def) {
+    scene_joint j = {.kind = (scene_joint_kind)def->kind,
+                     .x = {def->frame_a.position.x, def->frame_b.position.x},
+                     .y = {def->frame_a.position.y, def->frame_b.position.y},
+                     .angle = {def->frame_a.angle, def->frame_b.angle},
+                     .length = def->length,
+                     .ratio = def->ratio};
+    for (int i = 0; i < THUD_DIRECTION_COUNT; i++) {
+        const thud_drive *d = &def->drive[i];
+        j.drive[i] =
+            (scene_drive){d->limited, d->lower,        d->upper,       d->frequency,  d->damping,
+                          d->target,  d->spring_force, d->motor_speed, d->motor_force};
+    }
+    for (int side = 0; side < 2 && def->kind == THUD_JOINT_GEAR; side++)
+        for (int i = 0; i < s->joint_count; i++)
+            if (s->joints[i].index1 == def->gear[side].index1)
+                j.body[side] = i;
+    return j;
+}
+
+/* Lists all joints of the world, and how scenes would have them. False if memory runs out. */
+static bool list_all_joints(session *s) {
+    scene *made = &s->scene;
+    thud_world_get_joints(s->world, NULL, 0, &made->joint_count);
+    if (!grow((void **)&made->joints, &made->joint_capacity, made->joint_count,
+              sizeof *made->joints) ||
+        !list_joints(s)) {
+        made->joint_count = s->joint_count = 0;
+        return false;
+    }
+    for (int i = 0; i < s->joint_count; i++) {
+        thud_joint_def def;
+        made->joints[i] = thud_joint_get_def(s->world, s->joints[i], &def) == THUD_OK
+                              ? joint_of(s, &def)
+                              : (scene_joint){.kind = SCENE_FILTER};
+    }
+    return true;
+}
+
+/* Lists bodies and joints of a recording anew where a call may have changed them. False after a
+ * message, if memory runs out. */
+static bool list_played(session *s) {
+    if (!s->played || !s->played->changed)
+        return true;
+    int count = 0;
+    thud_world_get_bodies(s->world, NULL, 0, &count);
+    thud_body_id *ids = malloc((size_t)count * sizeof *ids + 1);
+    bool listed = ids && thud_world_get_bodies(s->world, ids, count, &count) == THUD_OK &&
+                  list_bodies(s, ids, count) && list_all_joints(s);
+    free(ids);
+    s->played->changed = false;
+    thud_step_settings settings;
+    if (thud_world_get_step_settings(s->world, &settings) == THUD_OK)
+        s->time_step = settings.time_step;
+    if (!listed)
+        snprintf(s->message, sizeof s->message, "Out of memory while listing the bodies.");
+    return listed;
+}
+
+/* Pauses at the end of the recording, or where it differs, which is told. */
+static void tell_end(session *s) {
+    if (playback_goes_on(s->played))
+        return;
+    s->paused = true;
+    if (s->played->progress.differs)
+        playback_tell_difference(s->played, s->message);
+    else if (s->played->stopped)
+        snprintf(s->message, sizeof s->message, "%s", s->played->why);
+}
+
+/* Goes on with a seek in a recording. True if there was one. */
+static bool go_on_seeking(session *s) {
+    if (!s->played || s->played->target < 0)
+        return false;
+    if (!playback_work(s->played, SEEKING_BUDGET) && s->played->stopped)
+        tell_end(s);
+    list_played(s);
+    s->alpha = 1;
+    return true;
+}
+
+/* The view of a recording that does not say how it is to be shown: what moves, with as much around
+ * it; if nothing moves, what there is. Bounds are of the centres of bodies. */
+static void fit_view(session *s) {
+    static const double LEAST = 12; /* m, height of the view. Chosen, as the next. */
+    static const double ROOM = 1.6;
+    thud_pos low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
+    for (int pass = 0; pass < 2 && !(low.x <= high.x); pass++)
+        for (int i = 0; i < s->body_count; i++) {
+            thud_body_state body;
+            if ((pass == 0 && s->bodies[i].kind == THUD_BODY_STATIC) ||
+                thud_body_get_state(s->world, s->bodies[i].id, &body) != THUD_OK)
+                continue;
+            low = (thud_pos){fmin(low.x, body.center.x), fmin(low.y, body.center.y)};
+            high = (thud_pos){fmax(high.x, body.center.x), fmax(high.y, body.center.y)};
+        }
+    if (!(low.x <= high.x))
+        low = high = (thud_pos){0, 0};
+    s->scene.camera_x = 0.5 * (low.x + high.x);
+    s->scene.camera_y = 0.5 * (low.y + high.y);
+    s->scene.camera_height = fmax(ROOM * (high.y - low.y), LEAST);
+    s->scene.camera_width = ROOM * (high.x - low.x);
+}
+
+/* The recording as a scene, for drawing. False if memory runs out. */
+static bool fill_scene(scene *out, const playback *p, const thud_step_settings *settings) {
+    enum { ABOUT_MAX = 120 };
+    const playback_view *view = &p->view;
+    size_t name = strlen(p->name) + 1;
+    scene_init(out);
+    out->owned_text = malloc(name + ABOUT_MAX);
+    if (!out->owned_text)
+        return false;
+    memcpy(out->owned_text, p->name, name);
+    char *about = out->owned_text + name;
+    long long steps = p->progress.end - p->progress.first;
+    snprintf(about, ABOUT_MAX, "A recording of %lld steps, %.1f s.", steps,
+             (double)steps * settings->time_step);
+    out->name = out->title = out->owned_text;
+    out->about = about;
+    out->gravity_x = settings->gravity.x;
+    out->gravity_y = settings->gravity.y;
+    out->length_scale = view->length_scale;
+    out->camera_x = view->x;
+    out->camera_y = view->y;
+    out->camera_height = view->height;
+    out->camera_width = view->width;
+    return true;
+}
+
+bool session_open_recording(session *s, const char *path) {
+    scene fresh;
+    thud_step_settings settings;
+    s->message[0] = '\0';
+    playback *p = playback_open(path, s->threads, clock_seconds, s->message);
+    if (!p)
+        return false;
+    thud_world_get_step_settings(p->world, &settings);
+    if (!fill_scene(&fresh, p, &settings)) {
+        snprintf(s->message, sizeof s->message, "Out of memory.");
+        playback_close(p);
+        return false;
+    }
+    destroy_world(s);
+    show_world(s, p->world, fresh, settings.time_step);
+    s->played = p;
+    p->log = log_message;
+    p->log_context = s;
+    if (list_played(s) && !(p->view.height > 0))
+        fit_view(s);
+    return true;
+}
+
+void session_seek(session *s, int64_t step) {
+    if (!s->played)
+        return;
+    s->message[0] = '\0';
+    playback_seek(s->played, step);
+}
+
+void session_fork(session *s) {
+    playback *p = s->played;
+    if (!p)
+        return;
+    s->message[0] = '\0';
+    if (p->forked)
+        session_seek(s, p->progress.steps);
+    else if (!playback_fork(p))
+        snprintf(s->message, sizeof s->message,
+                 "This step is not the one that was recorded: go back, and fork there.");
+}
+
+bool session_yields(session *s) {
+    if (!s->played || s->played->forked)
+        return true;
+    snprintf(s->message, sizeof s->message,
+             "A recording plays as it was made. Fork it (H) to change what happens.");
+    return false;
+}
+
+/* ---- steps ---- */
+
 /* One step of the world, with what follows from it. Does nothing more if the step fails. */
 static void run_step(session *s) {
-    if (scene_step_thud(&s->scene.fields, s->world) != THUD_OK)
+    if (s->played) {
+        playback_step(s->played);
+        tell_end(s);
+    } else if (scene_step_thud(&s->scene.fields, s->world) != THUD_OK) {
         return;
-    list_pieces(s);
+    } else {
+        list_pieces(s);
+    }
     thud_stats stats = thud_stats_of(s->world);
     s->missed.held += stats.held_bodies;
     s->missed.seconds += stats.held_seconds;
@@ -218,38 +425,54 @@ static void run_step(session *s) {
 /* `elapsed` is in world seconds. At most `steps_max` steps are run; time beyond them is dropped. */
 static void advance(session *s, double elapsed, int steps_max) {
     double due = s->alpha * s->time_step + elapsed;
-    for (; due >= s->time_step && steps_max > 0; steps_max--) {
+    for (; due >= s->time_step && steps_max > 0 && !s->paused; steps_max--) {
         run_step(s);
         due -= s->time_step;
     }
-    s->alpha = fmod(due, s->time_step) / s->time_step;
+    s->alpha = s->paused ? 1 : fmod(due, s->time_step) / s->time_step;
 }
 
 void session_advance(session *s, double elapsed) {
-    if (s->paused || !s->world)
+    if (go_on_seeking(s) || s->paused || !s->world)
         return;
     double step_seconds = thud_stats_of(s->world).step_seconds;
     int steps_max = STEPS_PER_FRAME;
     if (step_seconds * STEPS_PER_FRAME > STEPPING_BUDGET)
         steps_max = (int)fmax(1, STEPPING_BUDGET / step_seconds);
     advance(s, elapsed * s->speed, steps_max);
+    list_played(s);
 }
 
 void session_step(session *s) {
     if (!s->world)
         return;
+    if (s->played)
+        playback_work(s->played, INFINITY);
     run_step(s);
+    list_played(s);
     s->alpha = 1;
 }
 
 void session_set_quality(session *s, int quality) {
+    if (!session_yields(s))
+        return;
     s->quality = quality;
     if (s->world)
         thud_world_set_quality(s->world, QUALITIES[quality]);
 }
 
+int session_quality(const session *s) {
+    thud_step_settings settings;
+    if (!s->world || thud_world_get_step_settings(s->world, &settings) != THUD_OK)
+        return s->quality;
+    for (int i = 0; i < QUALITY_CHOICES; i++)
+        if (strcmp(settings.quality.name, QUALITIES[i]->name) == 0)
+            return i;
+    return -1;
+}
+
 void session_spawn(session *s, thud_shape_kind kind, thud_pos at, float size) {
-    if (!s->world)
+    if (!s->world || !session_yields(s))
         return;
     float half = 0.5f * size * (float)s->scene.length_scale;
     thud_body_def body = thud_default_body_def();
@@ -283,7 +506,7 @@ void session_spawn(session *s, thud_shape_kind kind, thud_pos at, float size) {
 static const double BLAST_RADIUS = 1.5, BLAST_FALLOFF = 6, BLAST_SPEED = 30;
 
 void session_explode(session *s, thud_pos at) {
-    if (!s->world)
+    if (!s->world || !session_yields(s))
         return;
     double unit = s->scene.length_scale;
     thud_explosion explosion = thud_default_explosion();
@@ -337,7 +560,7 @@ bool session_pick(session *s, thud_pos at, double margin, thud_body_kind kind, t
 }
 
 void session_remove(session *s, thud_body_id body) {
-    if (!s->world || thud_body_destroy(s->world, body) != THUD_OK)
+    if (!s->world || !session_yields(s) || thud_body_destroy(s->world, body) != THUD_OK)
         return;
     for (int i = 0; i < s->body_count; i++)
         if (s->bodies[i].id.index1 == body.index1) {

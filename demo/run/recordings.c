@@ -15,6 +15,7 @@
 /* A recording under way. */
 typedef struct tape {
     FILE *file;
+    const scene *scene;
     thud_recorder *recorder;
     bool failed;
 } tape;
@@ -25,6 +26,19 @@ static bool write_bytes(const void *bytes, size_t count, void *context) {
     return !t->failed;
 }
 
+/* Notes how the recording is to be shown, as the page does in web/src/worker/playback.ts: its first
+ * view, and the size of a typical body. */
+static thud_result note_view(const tape *t) {
+    const scene *s = t->scene;
+    char json[320];
+    int length =
+        snprintf(json, sizeof json,
+                 "{\"view\": {\"x\": %.17g, \"y\": %.17g, \"height\": %.17g, \"width\": "
+                 "%.17g}, \"lengthScale\": %.17g}",
+                 s->camera_x, s->camera_y, s->camera_height, s->camera_width, s->length_scale);
+    return thud_recorder_add_chunk(t->recorder, "thud-page", (thud_bytes){json, (size_t)length});
+}
+
 /* Every step has a hash of each body, so that the first that differs is named. */
 static bool begin(thud_world *world, void *context) {
     tape *t = context;
@@ -33,6 +47,7 @@ static bool begin(thud_world *world, void *context) {
                                      .sink = write_bytes,
                                      .context = t};
     thud_result result = thud_recorder_begin(world, &options, &t->recorder);
+    result = result == THUD_OK ? note_view(t) : result;
     t->failed |= result != THUD_OK;
     return result == THUD_OK;
 }
@@ -44,7 +59,7 @@ static bool go_on(thud_world *world, const run_outcome *so_far, void *context) {
 }
 
 bool record_scene(const run_options *options, const scene *s, run_outcome *out) {
-    tape t = {.file = fopen(options->record, "wb")};
+    tape t = {.file = fopen(options->record, "wb"), .scene = s};
     if (!t.file) {
         fprintf(stderr, "thud-run: cannot write %s\n", options->record);
         return false;
