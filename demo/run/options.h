@@ -33,6 +33,8 @@ typedef struct run_options {
     double patience;     /* s that larger sizes may take to measure together */
     const char *picture; /* path of a picture to write; null: none */
     const char *record;  /* path of a recording to write; null: none */
+    long keyframes;      /* steps from one keyframe of the recording to the next; 0: the first
+                            alone; -1: as the help says */
     const char *replay;  /* path of a recording to play in place of a scene; null: none */
     char *failure; /* where a run writes why it failed, RUN_FAILURE_MAX characters; the run then
                       prints nothing. Null: it prints that, and its progress, on stderr */

@@ -7,6 +7,7 @@ Usage: python3 test_run.py PATH_OF_THUD_RUN, in the root of the project.
 import json
 import os
 import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -96,9 +97,29 @@ class ThudRun(unittest.TestCase):
             self.assertIn("damaged", done.stderr)
             self.assertEqual(run("cradle", "--record", os.path.join(folder, "no", "where")).returncode, 1)
             self.assertEqual(run("--replay", os.path.join(folder, "nothing")).returncode, 1)
-        for wrong in (("cradle", "--replay", "x"), ("--replay", "x", "--record", "y"),
+        for wrong in (("cradle", "--keyframes", "9"), ("cradle", "--replay", "x"), ("--replay", "x", "--record", "y"),
                       ("cradle", "--record", "x", "--uses"), ("--record",)):
             self.assertEqual(run(*wrong).returncode, 2, wrong)
+
+    def test_recording_has_keyframes_from_which_it_is_played(self):
+        def keyframes(*more):
+            """The steps before the keyframes of a recording of 300 steps, by recording.h."""
+            with tempfile.TemporaryDirectory() as folder:
+                file = os.path.join(folder, "run.rec")
+                self.assertEqual(run("cradle", "--steps", "300", "--record", file, *more).returncode, 0)
+                self.assertEqual(run("--replay", file).returncode, 0)
+                with open(file, "rb") as recording:
+                    data = recording.read()
+            found, at = [], 12
+            while at < len(data):
+                kind, _, steps, length = struct.unpack_from("<cIQQ", data, at)
+                at += 21 + length + 8
+                if kind == b"K":
+                    found.append(steps)
+            return found
+        self.assertEqual(keyframes(), [0, 120, 240])
+        self.assertEqual(keyframes("--keyframes", "100"), [0, 100, 200, 300])
+        self.assertEqual(keyframes("--keyframes", "0"), [0])
 
     def test_list_and_help_succeed(self):
         self.assertIn("pyramid", run("--list").stdout)
