@@ -36,6 +36,10 @@ typedef struct run_options {
     long keyframes;      /* steps from one keyframe of the recording to the next; 0: the first
                             alone; -1: as the help says */
     const char *replay;  /* path of a recording to play in place of a scene; null: none */
+    const char *bisect; /* of --replay: path of another build's thud-run to compare with; or null */
+    long hashes[3];     /* of --replay: print hashes from a step to a step, of each so many-th one,
+                           see bisect.h; the last 0: no */
+    long hash_at;       /* of --replay: print the hashes of the bodies after a step; -1: no */
     char *failure; /* where a run writes why it failed, RUN_FAILURE_MAX characters; the run then
                       prints nothing. Null: it prints that, and its progress, on stderr */
 } run_options;

@@ -1,6 +1,7 @@
 /* recordings.c: see recordings.h. */
 #include "recordings.h"
 
+#include "bisect.h"
 #include "run.h"
 
 #include <thud/thud_recording.h>
@@ -102,10 +103,11 @@ static char *read_file(const char *path, size_t *bytes) {
     return text;
 }
 
+/* The context is whether there is something to tell. */
 static void log_to_stderr(thud_result result, const char *message, void *context) {
     (void)result;
-    (void)context;
-    fprintf(stderr, "thud: %s\n", message);
+    if (*(const bool *)context)
+        fprintf(stderr, "thud: %s\n", message);
 }
 
 /* Says where a recording differs. */
@@ -147,10 +149,21 @@ bool replay_file(const run_options *options) {
     thud_threads *threads = NULL;
     if (options->workers > 1 && thud_threads_create(options->workers, NULL, &threads) != THUD_OK)
         fprintf(stderr, "thud-run: threads cannot be created; playing on one thread\n");
-    thud_player_options how = {.log = log_to_stderr, .job_system = thud_job_system_of(threads)};
+    bool tells = true;
+    thud_player_options how = {.log = log_to_stderr,
+                               .log_context = &tells,
+                               .job_system = thud_job_system_of(threads)};
     thud_player *player = NULL;
-    bool done = thud_player_create((thud_bytes){bytes, count}, &how, &player) == THUD_OK &&
-                play(options, player);
+    bool (*act)(const run_options *options, thud_player *player) = play;
+    if (options->bisect)
+        act = bisect_builds;
+    else if (options->hashes[2] > 0)
+        act = bisect_print_hashes;
+    else if (options->hash_at >= 0)
+        act = bisect_print_bodies;
+    bool done = thud_player_create((thud_bytes){bytes, count}, &how, &player) == THUD_OK;
+    tells = act == play; /* that builds differ is told by what they print */
+    done = done && act(options, player);
     thud_player_destroy(player);
     thud_threads_destroy(threads);
     free(bytes);
