@@ -3,6 +3,9 @@
 
 #include <stdio.h>
 
+/* Last: the calls of this file are recorded. */
+#include <thud/thud_recorded.h>
+
 /* In length scales of the scene. */
 static const double CRATER_RADIUS = 1.5;
 static const double MOUND_RADIUS = 2;

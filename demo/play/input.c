@@ -21,6 +21,8 @@ const char INPUT_HELP[] =
     "  X                  explode at the pointer\n"
     "  L M                next pair of kinds; collide, ignore or one-way, where a scene has kinds\n"
     "  V                  of scene minkowski's pairs: their sums, closest points, bounds\n"
+    "  T                  save the last 30 s as a recording in the present folder: for a report of\n"
+    "                     an error, or to look at slowly\n"
     "  Delete             remove the body under the pointer\n"
     "  1 to 9, 0          contacts, normals, bounds, cells, islands, sleeping, timings, axes,\n"
     "                     pairs, motions\n"
@@ -213,6 +215,9 @@ static void press_key(viewer *v, SDL_Window *window, SDL_Keycode key) {
         break;
     case SDLK_l:
         session_next_pair(&v->session);
+        break;
+    case SDLK_t:
+        session_save_last(&v->session);
         break;
     case SDLK_m:
         session_next_meeting(&v->session);

@@ -2,6 +2,7 @@
 #include "playback.h"
 
 #include <cjson/cJSON.h>
+#include <scene.h>
 
 #include <inttypes.h>
 #include <math.h>
@@ -12,9 +13,6 @@
 /* The first bytes of a recording, its terminating 0 included: TD_RECORDING_MAGIC in
  * engine/src/recording/recording.h. */
 static const char MAGIC[] = "thudrec";
-
-/* The chunk in which the page and thud-run note, as JSON, how a recording is to be shown. */
-static const char SHOWN[] = "thud-page";
 
 /* Lengths beyond which a view is not one. */
 static const double VIEW_MAX = 1e9;
@@ -85,7 +83,7 @@ static bool read_number(const cJSON *from, const char *name, double low, double 
 /* Reads the view from the chunk; a damaged one is passed over. */
 static void hear_chunk(const char *name, thud_bytes bytes, void *context) {
     playback *p = context;
-    if (strcmp(name, SHOWN) != 0)
+    if (strcmp(name, SCENE_SHOWN) != 0)
         return;
     cJSON *json = cJSON_ParseWithLength(bytes.data, bytes.count);
     const cJSON *view = cJSON_GetObjectItemCaseSensitive(json, "view");

@@ -14,6 +14,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Last: the calls of this file are recorded. */
+#include <thud/thud_recorded.h>
+
 /* s. Max time that the steps of a frame may take: frames that take longer make the viewer sluggish.
  * The world then runs slower than its speed says. Chosen. */
 static const double STEPPING_BUDGET = 0.040;
@@ -45,6 +48,7 @@ void session_init(session *s) {
 
 /* Destroys the world, with the recording that it belongs to. */
 static void destroy_world(session *s) {
+    last_seconds_end(&s->last);
     if (s->played)
         playback_close(s->played);
     else
@@ -186,6 +190,7 @@ bool session_load(session *s, const catalog_entry *entry) {
     }
     destroy_world(s);
     show_world(s, world, fresh, def.time_step);
+    last_seconds_begin(&s->last, world, def.time_step, &s->scene);
     bool listed = list_bodies(s, ids, fresh.body_count) && list_joints(s);
     for (int i = 0; i < s->body_count; i++)
         s->bodies[i].look = fresh.bodies[i].look;
@@ -393,6 +398,14 @@ void session_fork(session *s) {
                  "This step is not the one that was recorded: go back, and fork there.");
 }
 
+void session_save_last(session *s) {
+    if (s->played)
+        snprintf(s->message, sizeof s->message,
+                 "Only scenes and levels are recorded, and this is a recording.");
+    else
+        last_seconds_save(&s->last, &s->scene, s->message, sizeof s->message);
+}
+
 bool session_yields(session *s) {
     if (!s->played || s->played->forked)
         return true;
@@ -403,14 +416,23 @@ bool session_yields(session *s) {
 
 /* ---- steps ---- */
 
+/* Says what went wrong, and how to report it. */
+static void offer_recording(session *s, const char *what) {
+    snprintf(s->message, sizeof s->message, "%s: T saves a recording of what led to it.", what);
+}
+
 /* One step of the world, with what follows from it. Does nothing more if the step fails. */
 static void run_step(session *s) {
     if (s->played) {
         playback_step(s->played);
         tell_end(s);
     } else if (scene_step_thud(&s->scene.fields, s->world) != THUD_OK) {
+        offer_recording(s, "This step failed");
         return;
     } else {
+        if (thud_events_of(s->world).quarantined_count > 0)
+            offer_recording(s, "A body was stopped, since its state was not finite");
+        last_seconds_stepped(&s->last, &s->scene);
         list_pieces(s);
     }
     thud_stats stats = thud_stats_of(s->world);

@@ -3,6 +3,7 @@
 #define THUD_PLAY_SESSION_H
 
 #include "panel/catalog.h"
+#include "last_seconds.h"
 #include "playback.h"
 
 #include <choices.h>
@@ -50,6 +51,7 @@ typedef void session_stepped_fn(session *s, void *context);
 struct session {
     thud_world *world; /* null until a scene or a recording was loaded */
     playback *played;  /* the recording that is shown, to which the world belongs; or null */
+    last_seconds last; /* recorded of a scene, not of a recording */
     scene scene;       /* of a recording: what drawing needs of one */
     session_body *bodies;
     session_shape *shapes;
@@ -91,6 +93,8 @@ void session_seek(session *s, int64_t step);
 /* From this step of the recording on the world goes on by hand; or, in a fork, back to that step of
  * the recording. */
 void session_fork(session *s);
+/* Saves the last seconds of a scene as a recording; `message` says where, or why not. */
+void session_save_last(session *s);
 /* Whether users may change the world. `message` says why not where a recording plays. */
 bool session_yields(session *s);
 

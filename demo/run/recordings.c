@@ -33,17 +33,11 @@ static bool write_bytes(const void *bytes, size_t count, void *context) {
     return !t->failed;
 }
 
-/* Notes how the recording is to be shown, as the page does in web/src/worker/playback.ts: its first
- * view, and the size of a typical body. */
+/* Notes how the recording is to be shown. */
 static thud_result note_view(const tape *t) {
-    const scene *s = t->scene;
-    char json[320];
-    int length =
-        snprintf(json, sizeof json,
-                 "{\"view\": {\"x\": %.17g, \"y\": %.17g, \"height\": %.17g, \"width\": "
-                 "%.17g}, \"lengthScale\": %.17g}",
-                 s->camera_x, s->camera_y, s->camera_height, s->camera_width, s->length_scale);
-    return thud_recorder_add_chunk(t->recorder, "thud-page", (thud_bytes){json, (size_t)length});
+    char json[SCENE_SHOWN_MAX];
+    size_t length = scene_shown(t->scene, json);
+    return thud_recorder_add_chunk(t->recorder, SCENE_SHOWN, (thud_bytes){json, length});
 }
 
 /* Every step has a hash of each body, so that the first that differs is named. */

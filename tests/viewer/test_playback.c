@@ -182,8 +182,8 @@ static void it_plays_pauses_at_its_end_and_begins_again(void **state) {
     frame(s, 1);
     assert_int_equal(s->v.session.played->progress.steps, there);
     press(s, SDLK_SPACE, false);
-    for (int i = 0; i < 2 * STEPS; i++)
-        frame(s, 1.0 / 60);
+    for (int i = 0; i < STEPS / 2; i++)
+        frame(s, 4.0 / 60);
     stands_at(s, STEPS);
     assert_true(s->v.session.paused);
     press(s, SDLK_SPACE, false);
@@ -349,6 +349,86 @@ static void a_recording_is_dropped_and_a_scene_follows(void **state) {
     remove(FILE_NAME);
 }
 
+/* Opens a scene and does in it what a user can do, for so many steps. */
+static void play_scene(screen *s, const char *name, int steps) {
+    viewer *v = &s->v;
+    assert_true(viewer_open(v, catalog_find(&v->catalog, name)));
+    v->ui.x = 600;
+    v->ui.y = 120;
+    for (int i = 0; i < steps; i++) {
+        const SDL_Keycode keys[] = {SDLK_c, SDLK_b, SDLK_x, SDLK_g, SDLK_m, SDLK_q, SDLK_DELETE};
+        if (i % 20 == 10)
+            press(s, keys[i / 20 % 7], i % 40 == 10);
+        if (i % 50 == 30) {
+            thud_pos at = thud_position_of(v->session.world, v->session.bodies[1].id);
+            grab_start(&v->grab, &v->session, at, 0.1);
+        }
+        grab_move(&v->grab, &v->session, (thud_pos){0.1 * i, 8});
+        if (i % 50 == 45)
+            grab_end(&v->grab, &v->session);
+        viewer_step_once(v);
+    }
+    grab_end(&v->grab, &v->session);
+    press(s, SDLK_t, false);
+}
+
+/* Whatever users do, and scenes do by themselves, and levels with a character. */
+static void the_last_seconds_are_saved(void **state) {
+    (void)state;
+    enum { RATE = 4, KEPT = LAST_SECONDS * RATE };
+    const char *const names[] = {"digging", "crates", "meetings", "boats", "ragdolls"};
+    screen *s = open_screen();
+    session *shown = &s->v.session;
+    for (int i = 0; i < 5; i++) {
+        char path[80];
+        snprintf(path, sizeof path, "%s-1.rec", names[i]);
+        remove(path);
+        int steps = i == 0 ? KEPT + 60 : 100;
+        shown->step_rate = i == 0 ? RATE : 0;
+        shown->paused = true;
+        play_scene(s, names[i], steps);
+        assert_non_null(strstr(shown->message, path));
+        uint64_t hash = thud_hash_of(shown->world);
+        double height = shown->scene.camera_height;
+        assert_true(viewer_open_recording(&s->v, path));
+        const playback *p = shown->played;
+        assert_true(shown->scene.camera_height == height);
+        assert_int_equal(p->progress.end, steps);
+        assert_true(p->progress.first == 0 ? steps < KEPT
+                                           : p->progress.first >= steps - KEPT - KEPT / 4 &&
+                                                 p->progress.first <= steps - KEPT);
+        while (playback_goes_on(p))
+            viewer_step_once(&s->v);
+        assert_string_equal(shown->message, "");
+        assert_true(thud_hash_of(shown->world) == hash);
+        press(s, SDLK_t, false);
+        assert_non_null(strstr(shown->message, "this is a recording"));
+        remove(path);
+    }
+    close_screen(s);
+}
+
+static void a_body_that_is_stopped_is_worth_a_recording(void **state) {
+    (void)state;
+    screen *s = open_screen();
+    session *shown = &s->v.session;
+    assert_true(viewer_open(&s->v, catalog_find(&s->v.catalog, "tall_stack")));
+    press(s, SDLK_n, false);
+    assert_string_equal(shown->message, "");
+    for (int i = 0; i < 2; i++)
+        OK(thud_body_apply_center_force(shown->world, shown->bodies[9].id, (thud_vec2){3e38f, 0}));
+    press(s, SDLK_n, false);
+    assert_non_null(strstr(shown->message, "T saves a recording"));
+    remove("tall_stack-1.rec");
+    press(s, SDLK_t, false);
+    uint64_t hash = thud_hash_of(shown->world);
+    assert_true(viewer_open_recording(&s->v, "tall_stack-1.rec"));
+    press(s, SDLK_END, false);
+    assert_true(thud_hash_of(shown->world) == hash);
+    close_screen(s);
+    remove("tall_stack-1.rec");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(keys_go_to_every_step),
@@ -359,6 +439,8 @@ int main(void) {
         cmocka_unit_test(what_differs_is_told_and_marked),
         cmocka_unit_test(a_wrong_file_changes_nothing),
         cmocka_unit_test(a_recording_is_dropped_and_a_scene_follows),
+        cmocka_unit_test(the_last_seconds_are_saved),
+        cmocka_unit_test(a_body_that_is_stopped_is_worth_a_recording),
     };
     SDL_SetHint(SDL_HINT_VIDEODRIVER, "dummy");
     if (SDL_Init(SDL_INIT_VIDEO) != 0)
