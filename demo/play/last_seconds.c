@@ -4,8 +4,9 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Keyframes in what is kept: the recording begins at one, so that it has up to a part more. */
-enum { PARTS = 4, FILES_MAX = 999 };
+/* Keyframes in what is kept: the recording begins at one, so that it has up to a part more. Few,
+ * since packing a world takes as long as some of its steps, which a user might see. */
+enum { PARTS = 2, FILES_MAX = 999 };
 
 /* Notes how the recording is to be shown. A player reads that at its first step, and a ring begins
  * at a keyframe: it is noted after each. */

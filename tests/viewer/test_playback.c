@@ -395,7 +395,7 @@ static void the_last_seconds_are_saved(void **state) {
         assert_true(shown->scene.camera_height == height);
         assert_int_equal(p->progress.end, steps);
         assert_true(p->progress.first == 0 ? steps < KEPT
-                                           : p->progress.first >= steps - KEPT - KEPT / 4 &&
+                                           : p->progress.first >= steps - KEPT - KEPT / 2 &&
                                                  p->progress.first <= steps - KEPT);
         while (playback_goes_on(p))
             viewer_step_once(&s->v);

@@ -365,7 +365,7 @@ class Viewer(unittest.TestCase):
                 self.assertEqual(shown.count_near(color, 60), plain.count_near(color, 60))
 
     def test_calls_of_a_step_are_listed(self):
-        """Crates break within the first 70 steps, which the scene does by calls."""
+        """Crates break after some 50 steps, which the scene does by calls."""
         recording = self.record("crates", "--steps", 70)
         def told(frames, *more):
             picture = self.shoot("--replay", recording, "--frames", frames, *more)
@@ -373,7 +373,7 @@ class Viewer(unittest.TestCase):
             color = palette("COLOR_TEXT")
             return sum(sum(abs(a - b) for a, b in zip(pixel, color)) < 60
                        for line in lines for pixel in line)
-        counts = {frames: told(frames, "--calls") for frames in range(40, 71, 3)}
+        counts = {frames: told(frames, "--calls") for frames in range(49, 53)}
         most = max(counts, key=counts.get)
         self.assertEqual(min(counts.values()), 0)
         self.assertGreater(counts[most], 300)
