@@ -1,5 +1,5 @@
 /* session.c: see session.h. */
-#include "session.h"
+#include "session_parts.h"
 
 #include <act_thud.h>
 #include <build_thud.h>
@@ -23,16 +23,12 @@ static const double STEPPING_BUDGET = 0.040;
 /* Max number of steps in a frame. */
 enum { STEPS_PER_FRAME = 16 };
 
-static double clock_seconds(void *context) {
+double session_clock(void *context) {
     (void)context;
     return (double)SDL_GetPerformanceCounter() / (double)SDL_GetPerformanceFrequency();
 }
 
-/* Max time that a seek in a recording may take of a frame, s. Chosen, as above. */
-static const double SEEKING_BUDGET = 0.040;
-
-/* The world's log function: stores the text in session.message. */
-static void log_message(thud_result result, const char *text, void *context) {
+void session_log(thud_result result, const char *text, void *context) {
     session *s = context;
     snprintf(s->message, sizeof s->message, "%s: %s", thud_result_text(result), text);
 }
@@ -46,8 +42,7 @@ void session_init(session *s) {
     scene_init(&s->scene);
 }
 
-/* Destroys the world, with the recording that it belongs to. */
-static void destroy_world(session *s) {
+void session_destroy_world(session *s) {
     last_seconds_end(&s->last);
     if (s->played)
         playback_close(s->played);
@@ -58,7 +53,7 @@ static void destroy_world(session *s) {
 }
 
 void session_free(session *s) {
-    destroy_world(s);
+    session_destroy_world(s);
     thud_threads_destroy(s->threads);
     scene_free(&s->scene);
     free(s->bodies);
@@ -67,9 +62,7 @@ void session_free(session *s) {
     *s = (session){0};
 }
 
-/* Doubles *capacity until `wanted` elements of `size` bytes fit in *block. False if memory runs
- * out. */
-static bool grow(void **block, int *capacity, int wanted, size_t size) {
+bool session_grow(void **block, int *capacity, int wanted, size_t size) {
     int room = *capacity > 0 ? *capacity : 64;
     while (room < wanted)
         room *= 2;
@@ -94,9 +87,10 @@ static float shape_reach(const session_shape *shape) {
 static bool list_body(session *s, thud_body_id id) {
     thud_body_state body;
     if (thud_body_get_state(s->world, id, &body) != THUD_OK ||
-        !grow((void **)&s->bodies, &s->body_capacity, s->body_count + 1, sizeof *s->bodies) ||
-        !grow((void **)&s->shapes, &s->shape_capacity, s->shape_count + body.shape_count,
-              sizeof *s->shapes))
+        !session_grow((void **)&s->bodies, &s->body_capacity, s->body_count + 1,
+                      sizeof *s->bodies) ||
+        !session_grow((void **)&s->shapes, &s->shape_capacity, s->shape_count + body.shape_count,
+                      sizeof *s->shapes))
         return false;
     thud_shape_id *ids = malloc((size_t)body.shape_count * sizeof *ids + 1);
     if (!ids)
@@ -124,8 +118,7 @@ static bool list_body(session *s, thud_body_id id) {
     return true;
 }
 
-/* Lists all bodies of a new world. False after a message. */
-static bool list_bodies(session *s, const thud_body_id *ids, int count) {
+bool session_list_bodies(session *s, const thud_body_id *ids, int count) {
     s->body_count = s->shape_count = 0;
     for (int i = 0; i < count; i++)
         if (!list_body(s, ids[i])) {
@@ -135,11 +128,10 @@ static bool list_bodies(session *s, const thud_body_id *ids, int count) {
     return true;
 }
 
-/* Reads the handles of all joints, which are in the order of the scene's. False if memory runs out.
- */
-static bool list_joints(session *s) {
+bool session_list_joints(session *s) {
     s->joint_count = 0;
-    if (!grow((void **)&s->joints, &s->joint_capacity, s->scene.joint_count, sizeof *s->joints)) {
+    if (!session_grow((void **)&s->joints, &s->joint_capacity, s->scene.joint_count,
+                      sizeof *s->joints)) {
         snprintf(s->message, sizeof s->message, "Out of memory while listing the joints.");
         return false;
     }
@@ -147,8 +139,7 @@ static bool list_joints(session *s) {
     return true;
 }
 
-/* Shows a new world, whose bodies and joints are to be listed. */
-static void show_world(session *s, thud_world *world, scene fresh, double time_step) {
+void session_show_world(session *s, thud_world *world, scene fresh, double time_step) {
     scene_free(&s->scene);
     s->world = world;
     s->scene = fresh;
@@ -174,9 +165,9 @@ bool session_load(session *s, const catalog_entry *entry) {
     if (s->top_speed > 0)
         def.maximum_speed = (float)s->top_speed;
     def.job_system = thud_job_system_of(s->threads);
-    def.log = log_message;
+    def.log = session_log;
     def.log_context = s;
-    def.clock = clock_seconds;
+    def.clock = session_clock;
     thud_world *world = NULL;
     thud_body_id *ids = malloc((size_t)fresh.body_count * sizeof *ids + 1);
     thud_result result =
@@ -188,10 +179,10 @@ bool session_load(session *s, const catalog_entry *entry) {
         scene_free(&fresh);
         return false;
     }
-    destroy_world(s);
-    show_world(s, world, fresh, def.time_step);
+    session_destroy_world(s);
+    session_show_world(s, world, fresh, def.time_step);
     last_seconds_begin(&s->last, world, def.time_step, &s->scene);
-    bool listed = list_bodies(s, ids, fresh.body_count) && list_joints(s);
+    bool listed = session_list_bodies(s, ids, fresh.body_count) && session_list_joints(s);
     for (int i = 0; i < s->body_count; i++)
         s->bodies[i].look = fresh.bodies[i].look;
     free(ids);
@@ -223,199 +214,6 @@ static void list_pieces(session *s) {
         snprintf(s->message, sizeof s->message, "Out of memory while listing the bodies.");
 }
 
-/* ---- recordings ---- */
-
-/* A joint as scenes have it, from its def. Those that a gear couples come before it. */
-static scene_joint joint_of(const session *s, const thud_joint_def *def) {
-    scene_joint j = {.kind = (scene_joint_kind)def->kind,
-                     .x = {def->frame_a.position.x, def->frame_b.position.x},
-                     .y = {def->frame_a.position.y, def->frame_b.position.y},
-                     .angle = {def->frame_a.angle, def->frame_b.angle},
-                     .length = def->length,
-                     .ratio = def->ratio};
-    for (int i = 0; i < THUD_DIRECTION_COUNT; i++) {
-        const thud_drive *d = &def->drive[i];
-        j.drive[i] =
-            (scene_drive){d->limited, d->lower,        d->upper,       d->frequency,  d->damping,
-                          d->target,  d->spring_force, d->motor_speed, d->motor_force};
-    }
-    for (int side = 0; side < 2 && def->kind == THUD_JOINT_GEAR; side++)
-        for (int i = 0; i < s->joint_count; i++)
-            if (s->joints[i].index1 == def->gear[side].index1)
-                j.body[side] = i;
-    return j;
-}
-
-/* Lists all joints of the world, and how scenes would have them. False if memory runs out. */
-static bool list_all_joints(session *s) {
-    scene *made = &s->scene;
-    thud_world_get_joints(s->world, NULL, 0, &made->joint_count);
-    if (!grow((void **)&made->joints, &made->joint_capacity, made->joint_count,
-              sizeof *made->joints) ||
-        !list_joints(s)) {
-        made->joint_count = s->joint_count = 0;
-        return false;
-    }
-    for (int i = 0; i < s->joint_count; i++) {
-        thud_joint_def def;
-        made->joints[i] = thud_joint_get_def(s->world, s->joints[i], &def) == THUD_OK
-                              ? joint_of(s, &def)
-                              : (scene_joint){.kind = SCENE_FILTER};
-    }
-    return true;
-}
-
-/* Lists bodies and joints of a recording anew where a call may have changed them. False after a
- * message, if memory runs out. */
-static bool list_played(session *s) {
-    if (!s->played || !s->played->changed)
-        return true;
-    int count = 0;
-    thud_world_get_bodies(s->world, NULL, 0, &count);
-    thud_body_id *ids = malloc((size_t)count * sizeof *ids + 1);
-    bool listed = ids && thud_world_get_bodies(s->world, ids, count, &count) == THUD_OK &&
-                  list_bodies(s, ids, count) && list_all_joints(s);
-    free(ids);
-    s->played->changed = false;
-    thud_step_settings settings;
-    if (thud_world_get_step_settings(s->world, &settings) == THUD_OK)
-        s->time_step = settings.time_step;
-    if (!listed)
-        snprintf(s->message, sizeof s->message, "Out of memory while listing the bodies.");
-    return listed;
-}
-
-/* Pauses at the end of the recording, or where it differs, which is told. */
-static void tell_end(session *s) {
-    if (playback_goes_on(s->played))
-        return;
-    s->paused = true;
-    if (s->played->progress.differs)
-        playback_tell_difference(s->played, s->message);
-    else if (s->played->stopped)
-        snprintf(s->message, sizeof s->message, "%s", s->played->why);
-}
-
-/* Goes on with a seek in a recording. True if there was one. */
-static bool go_on_seeking(session *s) {
-    if (!s->played || s->played->target < 0)
-        return false;
-    if (!playback_work(s->played, SEEKING_BUDGET) && s->played->stopped)
-        tell_end(s);
-    list_played(s);
-    s->alpha = 1;
-    return true;
-}
-
-/* The view of a recording that does not say how it is to be shown: what moves, with as much around
- * it; if nothing moves, what there is. Bounds are of the centres of bodies. */
-static void fit_view(session *s) {
-    static const double LEAST = 12; /* m, height of the view. Chosen, as the next. */
-    static const double ROOM = 1.6;
-    thud_pos low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
-    for (int pass = 0; pass < 2 && !(low.x <= high.x); pass++)
-        for (int i = 0; i < s->body_count; i++) {
-            thud_body_state body;
-            if ((pass == 0 && s->bodies[i].kind == THUD_BODY_STATIC) ||
-                thud_body_get_state(s->world, s->bodies[i].id, &body) != THUD_OK)
-                continue;
-            low = (thud_pos){fmin(low.x, body.center.x), fmin(low.y, body.center.y)};
-            high = (thud_pos){fmax(high.x, body.center.x), fmax(high.y, body.center.y)};
-        }
-    if (!(low.x <= high.x))
-        low = high = (thud_pos){0, 0};
-    s->scene.camera_x = 0.5 * (low.x + high.x);
-    s->scene.camera_y = 0.5 * (low.y + high.y);
-    s->scene.camera_height = fmax(ROOM * (high.y - low.y), LEAST);
-    s->scene.camera_width = ROOM * (high.x - low.x);
-}
-
-/* The recording as a scene, for drawing. False if memory runs out. */
-static bool fill_scene(scene *out, const playback *p, const thud_step_settings *settings) {
-    enum { ABOUT_MAX = 120 };
-    const playback_view *view = &p->view;
-    size_t name = strlen(p->name) + 1;
-    scene_init(out);
-    out->owned_text = malloc(name + ABOUT_MAX);
-    if (!out->owned_text)
-        return false;
-    memcpy(out->owned_text, p->name, name);
-    char *about = out->owned_text + name;
-    long long steps = p->progress.end - p->progress.first;
-    snprintf(about, ABOUT_MAX, "A recording of %lld steps, %.1f s.", steps,
-             (double)steps * settings->time_step);
-    out->name = out->title = out->owned_text;
-    out->about = about;
-    out->gravity_x = settings->gravity.x;
-    out->gravity_y = settings->gravity.y;
-    out->length_scale = view->length_scale;
-    out->camera_x = view->x;
-    out->camera_y = view->y;
-    out->camera_height = view->height;
-    out->camera_width = view->width;
-    return true;
-}
-
-bool session_open_recording(session *s, const char *path) {
-    scene fresh;
-    thud_step_settings settings;
-    s->message[0] = '\0';
-    playback *p = playback_open(path, s->threads, clock_seconds, s->message);
-    if (!p)
-        return false;
-    thud_world_get_step_settings(p->world, &settings);
-    if (!fill_scene(&fresh, p, &settings)) {
-        snprintf(s->message, sizeof s->message, "Out of memory.");
-        playback_close(p);
-        return false;
-    }
-    destroy_world(s);
-    show_world(s, p->world, fresh, settings.time_step);
-    s->played = p;
-    p->log = log_message;
-    p->log_context = s;
-    if (list_played(s) && !(p->view.height > 0))
-        fit_view(s);
-    return true;
-}
-
-void session_seek(session *s, int64_t step) {
-    if (!s->played)
-        return;
-    s->message[0] = '\0';
-    playback_seek(s->played, step);
-}
-
-void session_fork(session *s) {
-    playback *p = s->played;
-    if (!p)
-        return;
-    s->message[0] = '\0';
-    if (p->forked)
-        session_seek(s, p->progress.steps);
-    else if (!playback_fork(p))
-        snprintf(s->message, sizeof s->message,
-                 "This step is not the one that was recorded: go back, and fork there.");
-}
-
-void session_save_last(session *s) {
-    if (s->played)
-        snprintf(s->message, sizeof s->message,
-                 "Only scenes and levels are recorded, and this is a recording.");
-    else
-        last_seconds_save(&s->last, &s->scene, s->message, sizeof s->message);
-}
-
-bool session_yields(session *s) {
-    if (!s->played || s->played->forked)
-        return true;
-    snprintf(s->message, sizeof s->message,
-             "A recording plays as it was made. Fork it (H) to change what happens.");
-    return false;
-}
-
-/* ---- steps ---- */
-
 /* Says what went wrong, and how to report it. */
 static void offer_recording(session *s, const char *what) {
     snprintf(s->message, sizeof s->message, "%s: T saves a recording of what led to it.", what);
@@ -425,7 +223,7 @@ static void offer_recording(session *s, const char *what) {
 static void run_step(session *s) {
     if (s->played) {
         playback_step(s->played);
-        tell_end(s);
+        session_tell_end(s);
     } else if (scene_step_thud(&s->scene.fields, s->world) != THUD_OK) {
         offer_recording(s, "This step failed");
         return;
@@ -455,14 +253,14 @@ static void advance(session *s, double elapsed, int steps_max) {
 }
 
 void session_advance(session *s, double elapsed) {
-    if (go_on_seeking(s) || s->paused || !s->world)
+    if (session_go_on_seeking(s) || s->paused || !s->world)
         return;
     double step_seconds = thud_stats_of(s->world).step_seconds;
     int steps_max = STEPS_PER_FRAME;
     if (step_seconds * STEPS_PER_FRAME > STEPPING_BUDGET)
         steps_max = (int)fmax(1, STEPPING_BUDGET / step_seconds);
     advance(s, elapsed * s->speed, steps_max);
-    list_played(s);
+    session_list_played(s);
 }
 
 void session_step(session *s) {
@@ -471,7 +269,7 @@ void session_step(session *s) {
     if (s->played)
         playback_work(s->played, INFINITY);
     run_step(s);
-    list_played(s);
+    session_list_played(s);
     s->alpha = 1;
 }
 
