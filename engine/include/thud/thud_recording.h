@@ -24,7 +24,8 @@
  *
  * Listeners and filters of the world are recorded by their answers, and by the calls that they
  * make, and are not needed to play the recording. Not recorded: the log, the clock, the allocator,
- * the job system, which change no results; queries, which change nothing. A world with a
+ * the job system, which change no results; queries, which change nothing; the names of qualities
+ * that are not the engine's, which are "recorded" in the world that is played. A world with a
  * time_budget cannot be recorded, since it depends on the clock.
  *
  * A recording is bytes with a version and checksums, the same on every platform for the same calls,

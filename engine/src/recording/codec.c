@@ -283,14 +283,20 @@ static char *read_elements(const thud_world *w, td_reader *from, const td_codec 
     return elements;
 }
 
-static char *read_name(td_reader *from, td_decoded *d) {
+/* The name of a quality, which the world keeps: that of one of the engine's. What others were
+ * called is not kept, since nothing would hold their text as long as the world. */
+static const char *read_name(td_reader *from) {
+    static const thud_quality *const known[] = {&thud_quality_draft, &thud_quality_default,
+                                                &thud_quality_high, &thud_quality_exact};
     uint64_t length = td_read_count(from);
     const uint8_t *text = td_read_bytes(from, length);
-    char *name = text ? take_block(d, (size_t)length + 1) : NULL;
-    if (name && length > 0) {
-        memcpy(name, text, (size_t)length);
+    for (size_t i = 0; text && i < sizeof known / sizeof *known; i++) {
+        const char *name = known[i]->name;
+        if (length == strlen(name) && memcmp(text, name, (size_t)length) == 0) {
+            return name;
+        }
     }
-    return name;
+    return "recorded";
 }
 
 static void put_pointer(char *at, const void *pointer) {
@@ -354,7 +360,7 @@ static void read_value(const thud_world *w, td_reader *from, const td_codec_fiel
         put_pointer(at, read_elements(w, from, f->codec, 1, d));
         break;
     case TD_CODE_NAME:
-        put_pointer(at, read_name(from, d));
+        put_pointer(at, read_name(from));
         break;
     case TD_CODE_DETECTION:
         put_pointer(at, detection_of(td_read_byte(from)));

@@ -357,6 +357,32 @@ static void clock_of_the_player_times_its_steps(void **state) {
     thud_world_destroy(g.world);
 }
 
+/* The world keeps a pointer to the name, when the call that brought it is long over. */
+static void names_of_qualities_are_kept(void **state) {
+    (void)state;
+    thud_quality own = thud_quality_draft;
+    own.name = "my own";
+    thud_world *w = thud_world_make((thud_vec2){0, -10}, &thud_quality_draft), *played;
+    thud_recorder *recorder = begin(w, (thud_recorder_options){0});
+    OK(thud_world_set_quality(w, &thud_quality_high));
+    OK(thud_world_step(w));
+    OK(thud_world_set_quality(w, &own));
+    OK(thud_world_step(w));
+    thud_player *player;
+    thud_step_settings settings;
+    OK(thud_player_create(bytes_of(recorder), NULL, &player));
+    OK(thud_player_get_world(player, &played));
+    OK(thud_player_step(player, NULL));
+    OK(thud_world_get_step_settings(played, &settings));
+    assert_ptr_equal(settings.quality.name, thud_quality_high.name);
+    OK(thud_player_step(player, NULL));
+    OK(thud_world_get_step_settings(played, &settings));
+    assert_string_equal(settings.quality.name, "recorded");
+    thud_player_destroy(player);
+    thud_recorder_end(recorder);
+    thud_world_destroy(w);
+}
+
 static void keyframes_are_found(void **state) {
     (void)state;
     game g = make_game(thud_default_world_def());
@@ -812,6 +838,7 @@ int main(void) {
         cmocka_unit_test(chunks_are_kept),
         cmocka_unit_test(calls_are_told_with_their_arguments),
         cmocka_unit_test(clock_of_the_player_times_its_steps),
+        cmocka_unit_test(names_of_qualities_are_kept),
         cmocka_unit_test(keyframes_are_found),
         cmocka_unit_test(callbacks_are_not_needed),
         cmocka_unit_test(other_callbacks_are_recorded),
