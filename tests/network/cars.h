@@ -25,9 +25,8 @@ typedef struct cars {
 /* Builds the game in an empty world. False where a body cannot be made. */
 bool cars_build(thud_world *world, int players, cars *out);
 
-/* A world without gravity of this quality and detection (null: the quality's own), at CARS_RATE;
- * null if memory is short. */
-thud_world *cars_world(const thud_quality *quality, const thud_detection *detection);
+/* What the game's worlds are made of: this quality, no gravity, CARS_RATE steps a second. */
+thud_world_def cars_def(const thud_quality *quality);
 
 /* The step of the game, a thud_rollback_step_fn; `state` is the cars. */
 thud_result cars_step(thud_world *world, const uint64_t *inputs, void *state);

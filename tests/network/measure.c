@@ -271,18 +271,17 @@ static bool open_run(run *r) {
     r->inputs = wire_create(&o);
     o.seed++;
     r->state_wire = wire_create(&o);
-    r->server = cars_world(&thud_quality_default, NULL);
-    r->asked = cars_world(&thud_quality_default, NULL);
+    thud_world_def def = cars_def(&thud_quality_default);
     cars ignored;
-    if (!r->inputs || !r->state_wire || !r->server || !r->asked ||
+    if (!r->inputs || !r->state_wire || thud_world_create(&def, &r->server) != THUD_OK ||
+        thud_world_create(&def, &r->asked) != THUD_OK ||
         !cars_build(r->server, plan->players, &r->game) ||
         !cars_build(r->asked, plan->players, &ignored)) {
         return false;
     }
     for (int i = 0; i < plan->players; i++) {
         r->viewers[i] = (viewer){0};
-        if (!peer_open(&r->peers[i], i, plan->players, MEASURE_DEPTH, SEED, &thud_quality_default,
-                       NULL)) {
+        if (!peer_open(&r->peers[i], i, plan->players, MEASURE_DEPTH, SEED, &def)) {
             return false;
         }
     }

@@ -16,8 +16,7 @@ static const uint32_t MARK = 0x31504e54; /* "TNP1" */
 
 enum { HEAD = 14, SUM = 4, INPUTS_MAX = 255 };
 
-bool peer_open(peer *p, int me, int players, int depth, uint64_t seed, const thud_quality *quality,
-               const thud_detection *detection) {
+bool peer_open(peer *p, int me, int players, int depth, uint64_t seed, const thud_world_def *def) {
     *p = (peer){.me = me, .players = players, .seed = seed};
     thud_rollback_options options = {.players = players,
                                      .depth = depth,
@@ -25,8 +24,8 @@ bool peer_open(peer *p, int me, int players, int depth, uint64_t seed, const thu
                                      .step = cars_step,
                                      .state = &p->game,
                                      .state_bytes = sizeof p->game};
-    p->world = cars_world(quality, detection);
-    return p->world && cars_build(p->world, players, &p->game) &&
+    return thud_world_create(def, &p->world) == THUD_OK &&
+           cars_build(p->world, players, &p->game) &&
            thud_rollback_create(p->world, &options, &p->rollback) == THUD_OK;
 }
 

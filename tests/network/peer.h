@@ -26,9 +26,9 @@ typedef struct peer {
     int64_t refused;                   /* messages that were damaged, or no messages at all */
 } peer;
 
-/* Sets up a player's machine; `depth` is the rollback's. False if it cannot be made. */
-bool peer_open(peer *p, int me, int players, int depth, uint64_t seed, const thud_quality *quality,
-               const thud_detection *detection);
+/* Sets up a player's machine; `depth` is the rollback's, `def` the world's. False if it cannot be
+ * made. */
+bool peer_open(peer *p, int me, int players, int depth, uint64_t seed, const thud_world_def *def);
 void peer_close(peer *p);
 
 /* Reads the own input of the next step, unless that has been done, and gives it to the rollback. */
