@@ -153,7 +153,8 @@ THUD_API thud_result thud_rollback_get_lead(const thud_rollback *rollback, int p
 /* Notes that a player's message told this lead over the own inputs, |lead| <=
  * THUD_ROLLBACK_DEPTH_MAX. Half the difference of both leads is how far this peer is ahead: the
  * delay between them cancels out where it is the same in both directions. `progress.ahead` is the
- * mean of that over all players heard of, smoothed. THUD_ERROR_INVALID. */
+ * mean of that over all players heard of, smoothed. It is as old as the delay, so correct a small
+ * share of it in each frame. THUD_ERROR_INVALID. */
 THUD_API thud_result thud_rollback_set_lead(thud_rollback *rollback, int player, int64_t lead);
 
 /* ---- players who come and go ---- */

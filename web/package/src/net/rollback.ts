@@ -309,7 +309,8 @@ export class Rollback<Input = number, State = undefined> {
   /**
    * Notes that a player's message told this lead over the own inputs, from -1000 to 1000. Half the
    * difference of both leads is how far this peer is ahead: the delay between them cancels out where
-   * it is the same in both directions. `ahead` is the mean of that over all players, smoothed.
+   * it is the same in both directions. `ahead` is the mean of that over all players, smoothed. It is
+   * as old as the delay, so correct a small share of it in each frame.
    * @throws {ThudError} "invalid" for an unknown player, or a lead out of range.
    */
   hearLead(player: number, lead: number): void {
