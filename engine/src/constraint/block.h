@@ -233,10 +233,12 @@ static inline td_awake_slot td_slot_of_side(uint32_t side) {
     return (td_awake_slot){(int32_t)(side / TD_AWAKE_BYTES)};
 }
 
-/* Number of blocks in a chunk, the unit that a worker claims, 22 to 36 KB: enough work to outweigh
- * the atomic operation of claiming it, and small enough to be still in the cache when the tally
- * reads it. Chosen. */
-enum { TD_CHUNK_BLOCKS = 24 };
+/* Least and greatest number of blocks in a chunk, the unit that a worker claims, of those that can
+ * be divided: enough work to outweigh what claiming it costs, and small enough, 22 to 36 KB, to be
+ * still in the cache when the tally reads it. Chosen. Chunks begin at multiples of TD_CHUNK_UNIT
+ * blocks of their run, since depths of as many blocks are rounded together (wide_tally.c): so a
+ * report does not depend on how runs are divided. */
+enum { TD_CHUNK_UNIT = 4, TD_CHUNK_BLOCKS_MIN = 8, TD_CHUNK_BLOCKS = 24 };
 
 /* ---- the data after a block's points ---- */
 

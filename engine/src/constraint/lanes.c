@@ -1,7 +1,9 @@
 /* lanes.c: see lanes.h.
  *
  * A constraint gets the lowest colour that is free at both of its bodies (td_colours). Static and
- * kinematic bodies take no colour, since the solver does not change them. */
+ * kinematic bodies take no colour, since the solver does not change them. Constraints of kinematic
+ * bodies begin at TD_KINEMATIC_COLOUR: their runs are solved by one worker alone (td_block.shared),
+ * and few constraints of other bodies are in these. */
 #include "constraint/lanes.h"
 
 #include <string.h>
@@ -35,6 +37,9 @@ static int choose_bin(thud_world *w, const td_constraint *constraint) {
     bool a_static = a->kind == THUD_BODY_STATIC;
     td_awake_slot slot_a = moving_slot(a), slot_b = moving_slot(b);
     uint64_t taken = 1ull << TD_OVERFLOW;
+    if (a->kind == THUD_BODY_KINEMATIC || b->kind == THUD_BODY_KINEMATIC) {
+        taken |= (1ull << TD_KINEMATIC_COLOUR) - 1;
+    }
     if (slot_a.at) {
         taken |= td_colours_at(w, slot_a)->with_moving;
     }
@@ -381,19 +386,30 @@ static void list_bin(thud_world *w, int kind, int bin) {
     w->scratch.points += TD_HAS_THREADS ? run->count * td_form_points(w->kinds[kind]->form) : 0;
 }
 
-/* Divides runs into chunks; with a single worker, a chunk is a whole run. False when memory is
- * short. */
+/* The blocks of each chunk of a run, whose last one may have fewer. As many chunks for each worker,
+ * so that none waits for a chunk that is left over; with a single worker, a chunk is a whole run.
+ */
+static int chunk_size(const thud_world *w, const td_run *run) {
+    int workers = TD_HAS_THREADS ? w->def.job_system.workers : 1;
+    if (workers <= 1 || td_run_is_single(run)) {
+        return run->count;
+    }
+    int rounds = (run->count - 1) / (TD_CHUNK_BLOCKS * workers) + 1;
+    int size = (run->count - 1) / (rounds * workers * TD_CHUNK_UNIT) + 1;
+    return td_max_int(size * TD_CHUNK_UNIT, TD_CHUNK_BLOCKS_MIN);
+}
+
+/* Divides runs into chunks. False when memory is short. */
 static bool cut_chunks(thud_world *w) {
     td_array *chunks = &w->scratch.chunks;
-    int size = TD_HAS_THREADS && w->def.job_system.workers > 1 ? TD_CHUNK_BLOCKS : INT32_MAX;
-    int chunks_max = w->scratch.runs.count + w->scratch.blocks.count / size;
+    int chunks_max = w->scratch.runs.count + w->scratch.blocks.count / TD_CHUNK_BLOCKS_MIN;
     if (!td_array_reserve(&w->memory, chunks, chunks_max)) {
         return false;
     }
     chunks->count = 0;
     for (int r = 0; r < w->scratch.runs.count; r++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, r);
-        int step = td_run_is_single(run) ? run->count : td_min_int(size, run->count);
+        int step = chunk_size(w, run);
         for (int first = 0; first < run->count; first += step) {
             TD_PUSH(td_chunk, chunks) = (td_chunk){.run = r,
                                                    .first = run->first + first,
@@ -407,7 +423,8 @@ static const td_run *run_of_chunk(const thud_world *w, int chunk) {
     return TD_AT(td_run, &w->scratch.runs, TD_AT(td_chunk, &w->scratch.chunks, chunk)->run);
 }
 
-int td_phase_end(const thud_world *w, int first) {
+/* The index after the last of the chunks from `first` on that workers may run at the same time. */
+static int end_of_colour(const thud_world *w, int first) {
     const td_run *run = run_of_chunk(w, first);
     int end = first + 1;
     while (end < w->scratch.chunks.count && !td_run_is_single(run) &&
@@ -415,6 +432,18 @@ int td_phase_end(const thud_world *w, int first) {
         end++;
     }
     return end;
+}
+
+td_phase td_phase_from(const thud_world *w, int first) {
+    td_phase phase = {.first = first, .end = end_of_colour(w, first)};
+    phase.parts = phase.end - first;
+    for (int next = phase.end; phase.parts == 1 && next < w->scratch.chunks.count; next++) {
+        if (end_of_colour(w, next) > next + 1) {
+            break;
+        }
+        phase.end = next + 1;
+    }
+    return phase;
 }
 
 /* Lists the kinds that have blocks, in the order of solving within a colour. Contacts come last, so

@@ -37,6 +37,18 @@ typedef struct td_chunk {
     int32_t separated;         /* number of blocks with a lane that no longer touches */
 } td_chunk;
 
+/* Chunks between two barriers of the workers: from `first` to the one before `end`, in as many
+ * parts for workers. It has one chunk a part, or is a single part, whose chunks are run one after
+ * the other. */
+typedef struct td_phase {
+    int first, end, parts;
+} td_phase;
+
+/* How many chunks each part of the phase has. */
+static inline int td_phase_step(const td_phase *phase) {
+    return phase->parts == 1 ? phase->end - phase->first : 1;
+}
+
 /* The block with this index in the pool of its kind's form. */
 static inline td_block *td_block_at(const thud_world *w, int kind, int index) {
     return td_slot_at(&w->pool[w->kinds[kind]->form], index);
@@ -94,11 +106,12 @@ void td_lane_remove(thud_world *w, int constraint);
  * is short. */
 bool td_lanes_sequence(thud_world *w);
 
-/* The end of the phase of the solver that begins with chunk `first`: the index after its last
- * chunk. Chunks of one bin (graph colour) have no moving body in common and make a phase, which
- * workers share; a run whose blocks may share bodies (td_run_is_single) is one chunk, and a phase
- * by itself. */
-int td_phase_end(const thud_world *w, int first);
+/* The phase of the solver that begins with chunk `first`, for several workers. Chunks of one bin
+ * (graph colour) have no moving body in common: workers share them, each chunk a part. Small
+ * colours, and runs whose blocks may share bodies (td_run_is_single), are one chunk. Such chunks
+ * that follow each other are one part, since waiting for another worker between them would take
+ * longer than they do. */
+td_phase td_phase_from(const thud_world *w, int first);
 
 /* Updates the awake slots and inverse inertias of a lane, after those of a body have changed. */
 void td_lane_refresh(thud_world *w, int constraint);

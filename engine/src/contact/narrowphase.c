@@ -84,14 +84,12 @@ static bool begin_contacts(thud_world *w) {
 typedef struct colliding {
     thud_world *w;
     td_job job;
-    int first_chunk; /* of the present phase; each worker has a copy */
+    td_phase phase; /* the present one; each worker has a copy */
 } colliding;
 
-/* A chunk of blocks, for one worker. Chunks list blocks with separated lanes in disjoint pieces of
- * one array: each has room for one more than its blocks, hence `first + index`. */
-static void collide_chunk(void *work, int chunk_of_phase) {
-    thud_world *w = ((const colliding *)work)->w;
-    int index = ((const colliding *)work)->first_chunk + chunk_of_phase;
+/* Chunks list blocks with separated lanes in disjoint pieces of one array: each has room for one
+ * more than its blocks, hence `first + index`. */
+static void collide_chunk(thud_world *w, int index) {
     td_chunk *chunk = TD_AT(td_chunk, &w->scratch.chunks, index);
     const td_run *run = TD_AT(td_run, &w->scratch.runs, chunk->run);
     td_block **separated = (td_block **)w->scratch.separated.data + chunk->first + index;
@@ -101,14 +99,32 @@ static void collide_chunk(void *work, int chunk_of_phase) {
                           chunk->count, separated, &chunk->separated);
 }
 
+static void collide_chunks(thud_world *w, int first, int end) {
+    for (int i = first; i < end; i++) {
+        collide_chunk(w, i);
+    }
+}
+
+/* A part of the phase (a td_chunk_fn). */
+static void collide_part(void *work, int part) {
+    const colliding *c = work;
+    int first = c->phase.first + part;
+    collide_chunks(c->w, first, first + td_phase_step(&c->phase));
+}
+
 /* A worker: takes chunks until none is left. It takes them by the phases of the solver, so that it
  * works on the same blocks there: they need not travel to the cache of another processor. */
 static void collide_as_worker(void *argument) {
     colliding *shared = argument, own = {.w = shared->w};
     td_worker worker = td_worker_arrive(&shared->job);
-    for (int end; own.first_chunk < own.w->scratch.chunks.count; own.first_chunk = end) {
-        end = td_phase_end(own.w, own.first_chunk);
-        td_worker_take(&worker, end - own.first_chunk, collide_chunk, &own);
+    int chunks = own.w->scratch.chunks.count;
+    if (!td_worker_shares(&worker)) {
+        collide_chunks(own.w, 0, chunks);
+        return;
+    }
+    for (int first = 0; first < chunks; first = own.phase.end) {
+        own.phase = td_phase_from(own.w, first);
+        td_worker_take(&worker, own.phase.parts, collide_part, &own);
     }
     td_worker_wait(&worker);
 }

@@ -127,6 +127,9 @@ void td_islands_begin_cooldown(thud_world *w, const td_island *island, int steps
 void td_islands_count_down(thud_world *w) {
     uint8_t *direct_steps = w->direct_steps.data;
     for (td_awake_slot slot = {1}; slot.at < w->islands.local.count; slot.at++) {
+        if (direct_steps[slot.at] == 0 && *td_island_local_at(w, slot) >= 0) {
+            continue;
+        }
         int after = direct_after_step(w, slot);
         if (direct_steps[slot.at] > TD_DIRECT_COOLDOWN && after == 0) {
             int times = TD_SLOW_LEFT(*td_slow_steps_at(w, slot));
@@ -341,8 +344,8 @@ static bool watch_block(thud_world *w, td_block *block, int kind) {
             before = block->mark[lane].loaded - direct;
         /* A contact between moving bodies may be an impact, which lasts for one step; a joint's
          * load is taken to last. */
-        bool impact = contact && !is_nearly_at_rest(w, a, b);
-        bool overloaded = (load > threshold && !impact) || off > deep;
+        bool overloaded =
+            (load > threshold && (!contact || is_nearly_at_rest(w, a, b))) || off > deep;
         int seen = overloaded ? td_min_int(before + 1, TIMES_SEEN) : 0;
         if (sinks || seen >= (contact ? TIMES_SEEN : 1)) {
             mark_direct(w, block->a[lane]);
@@ -360,11 +363,18 @@ bool td_islands_mark_loaded(thud_world *w) {
         return joint_marked;
     }
     int stride = w->scratch.blocks.count < ALL_BLOCKS ? 1 : 8;
-    for (int i = (int)(w->steps % (uint64_t)stride); i < w->scratch.blocks.count; i += stride) {
-        td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
-        if (block->used) {
-            int kind = td_constraint_at(w, block->constraint[0])->kind;
-            joint_marked |= watch_block(w, block, kind);
+    td_block *const *blocks = w->scratch.blocks.data;
+    int i = (int)(w->steps % (uint64_t)stride);
+    for (int r = 0; r < w->scratch.runs.count; r++) {
+        const td_run *run = TD_AT(td_run, &w->scratch.runs, r);
+        for (; i < run->first + run->count; i += stride) {
+            if (td_fetches(w) && i + 2 * stride < w->scratch.blocks.count) { /* chosen */
+                __builtin_prefetch(&blocks[i + 2 * stride]->used);
+                __builtin_prefetch(blocks[i + 2 * stride]->mark, 1);
+            }
+            if (blocks[i]->used) {
+                joint_marked |= watch_block(w, blocks[i], run->kind);
+            }
         }
     }
     return joint_marked;

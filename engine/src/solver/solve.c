@@ -132,9 +132,9 @@ typedef struct solving {
     atomic_bool *bounced; /* a flag for each bounce pass: td_solve_context.bounced */
     atomic_flag *dummy;   /* a spin lock of slot 0: see solve_in_turn */
     td_worker worker;
-    pass which;      /* the present pass */
-    int first_chunk; /* first chunk of the present phase */
-    bool relaxed;    /* joints are braced after the relax pass of a substep, not before it */
+    pass which;     /* the present pass */
+    td_phase phase; /* the present phase */
+    bool relaxed;   /* joints are braced after the relax pass of a substep, not before it */
 } solving;
 
 /* Solves the last blocks of a run. The last one may have empty lanes, which read the record of slot
@@ -174,12 +174,10 @@ static void solve_and_tally(const solving *s, const td_run *run, td_solve_fn *so
     }
 }
 
-/* Runs the present pass on one chunk of the present phase (a td_chunk_fn). A kind of constraint
- * that has no such pass is skipped. */
-static void solve_chunk(void *work, int index) {
-    const solving *s = work;
+/* Runs the present pass on one chunk. A kind of constraint that has no such pass is skipped. */
+static void solve_chunk(const solving *s, int index) {
     const thud_world *w = s->w;
-    const td_chunk *chunk = TD_AT(td_chunk, &w->scratch.chunks, s->first_chunk + index);
+    const td_chunk *chunk = TD_AT(td_chunk, &w->scratch.chunks, index);
     const td_run *run = TD_AT(td_run, &w->scratch.runs, chunk->run);
     const td_constraint_ops *pair = w->kinds[run->kind];
     const td_solve_ops *ops = run->has_offsets ? pair->solve : pair->solve_centered;
@@ -199,14 +197,30 @@ static void solve_chunk(void *work, int index) {
     }
 }
 
-/* Runs a pass over all blocks, phase by phase. */
+static void solve_chunks(const solving *s, int first, int end) {
+    for (int i = first; i < end; i++) {
+        solve_chunk(s, i);
+    }
+}
+
+/* Runs the present pass on one part of the present phase (a td_chunk_fn). */
+static void solve_phase_part(void *work, int part) {
+    const solving *s = work;
+    int first = s->phase.first + part;
+    solve_chunks(s, first, first + td_phase_step(&s->phase));
+}
+
+/* Runs a pass over all blocks: with several workers phase by phase. */
 static void walk(solving *s, pass which) {
+    int chunks = s->w->scratch.chunks.count;
     s->which = which;
-    for (int first = 0; first < s->w->scratch.chunks.count;) {
-        int end = td_phase_end(s->w, first);
-        s->first_chunk = first;
-        td_worker_walk(&s->worker, end - first, solve_chunk, s);
-        first = end;
+    if (!td_worker_shares(&s->worker)) {
+        solve_chunks(s, 0, chunks);
+        return;
+    }
+    for (int first = 0; first < chunks; first = s->phase.end) {
+        s->phase = td_phase_from(s->w, first);
+        td_worker_walk(&s->worker, s->phase.parts, solve_phase_part, s);
     }
 }
 
@@ -358,6 +372,16 @@ static void run_passes(void *argument) {
     }
 }
 
+/* Awake slots from which on workers share the passes over bodies, however few points there are:
+ * fewer are moved before another thread has woken. Chosen; not tuned. */
+enum { SHARED_SLOTS_MIN = 8192 };
+
+/* How many workers shall share the passes. */
+static int workers_for(const thud_world *w) {
+    bool many = TD_HAS_THREADS && w->body_of.count >= SHARED_SLOTS_MIN;
+    return many ? td_max_int(1, w->def.job_system.workers) : td_workers_for_blocks(w);
+}
+
 /* Fills the context, runs the passes by all workers, and adds up their error statistics. */
 void td_solve(thud_world *w) {
     td_tally tallies[THUD_WORKERS_MAX];
@@ -367,7 +391,7 @@ void td_solve(thud_world *w) {
     float h = (float)(w->def.time_step / w->substeps);
     refresh_push(w, h);
     td_job job;
-    td_job_begin(&job, td_workers_for_blocks(w));
+    td_job_begin(&job, workers_for(w));
     solving s = {
         .w = w,
         .contacts = solve_context(w, h),

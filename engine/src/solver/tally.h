@@ -23,8 +23,9 @@ typedef struct td_tally_context {
     double to_fixed; /* position quanta in one unit of length */
 } td_tally_context;
 
-/* Adds the points of at most TD_CHUNK_BLOCKS blocks. It runs right after the pass that writes their
- * separations, while they are in the cache. */
+/* Adds the points of at most TD_CHUNK_BLOCKS blocks, which begin at a multiple of TD_CHUNK_UNIT
+ * blocks of their run. It runs right after the pass that writes their separations, while they are
+ * in the cache. */
 typedef void td_tally_fn(td_tally *to, td_block *const *blocks, int count, int points,
                          const td_tally_context *context);
 

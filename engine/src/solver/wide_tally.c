@@ -8,33 +8,29 @@ TD_INLINE d4 quanta_of(f8 length, double to_fixed) {
 }
 
 /* The order of operands of f8_min leaves separations out that are not a number. */
-TD_INLINE void tally(td_tally *to, td_block *const *blocks, int count, int points,
-                     const td_tally_context *c) {
-    f8 zero = f8_all(0.0f), touch = f8_all(-c->skin), limit = f8_all(-c->skin - c->overlap);
-    f8 lowest = touch, sum = zero;
-    i8 here = i8_all(0), overlaps = i8_all(0);
-    for (int i = 0; i < count; i++) {
-        const td_point *point = blocks[i]->point;
-        for (int k = 0; k < points; k++) {
-            f8 separation = f8_min(point[k].separation, touch);
-            lowest = f8_min(separation, lowest);
-            sum += separation;
-            overlaps -= separation < limit; /* a mask counts as -1 */
-            here -= point[k].normal_mass > zero;
-        }
-    }
-    to->min_distance = f8_min(lowest - touch, to->min_distance);
-    to->depth -= quanta_of(sum - f8_all((float)(count * points)) * touch, c->to_fixed);
-    to->points += here;
-    to->overlaps += overlaps;
-}
-
 td_tally_fn TD_WIDE(td_tally_points);
 void TD_WIDE(td_tally_points)(td_tally *to, td_block *const *blocks, int count, int points,
-                              const td_tally_context *context) {
-    if (points == 2) {
-        tally(to, blocks, count, 2, context);
-    } else {
-        tally(to, blocks, count, 1, context);
+                              const td_tally_context *c) {
+    f8 zero = f8_all(0.0f), touch = f8_all(-c->skin), limit = f8_all(-c->skin - c->overlap);
+    f8 lowest = touch;
+    i8 here = i8_all(0), overlaps = i8_all(0);
+    for (int first = 0; first < count; first += TD_CHUNK_UNIT) {
+        int end = td_min_int(first + TD_CHUNK_UNIT, count);
+        f8 sum = zero;
+        for (int i = first; i < end; i++) {
+            const td_point *point = blocks[i]->point;
+            for (int k = 0; k < points; k++) {
+                f8 separation = f8_min(point[k].separation, touch);
+                lowest = f8_min(separation, lowest);
+                sum += separation;
+                overlaps -= separation < limit; /* a mask counts as -1 */
+                here -= point[k].normal_mass > zero;
+            }
+        }
+        f8 untouched = f8_all((float)((end - first) * points)) * touch;
+        to->depth -= quanta_of(sum - untouched, c->to_fixed);
     }
+    to->min_distance = f8_min(lowest - touch, to->min_distance);
+    to->points += here;
+    to->overlaps += overlaps;
 }

@@ -12,6 +12,8 @@
 enum {
     TD_COLOURS = 64, /* colours of the constraint graph; the last is overflow: one lane a block */
     TD_OVERFLOW = TD_COLOURS - 1,
+    TD_KINEMATIC_COLOUR = 48, /* the first colour of constraints of kinematic bodies. Chosen: others
+                                 use it only where a body has so many constraints */
     TD_BINS_A_KIND = 2 * TD_COLOURS + 1, /* two moving bodies by colour, one static, asleep */
     TD_SLEEPING = 2 * TD_COLOURS         /* the bin of sleeping lanes */
 };

@@ -100,13 +100,16 @@ test("manifest_is_valid_and_its_icons_have_their_sizes", async (t) => {
 
 /**
  * The code of a worker that tries each way to reach another host or to run code; it posts the names
- * of those that worked.
+ * of those that worked. A worker that is held by nothing but its own listener may be collected while
+ * it waits: then it would never answer. So `held` keeps the nested one. What is neither refused nor
+ * done in time has not worked.
  */
 const PROBE = `
+let held;
 const NESTED = "onmessage = ({ data }) => fetch(data + 'nested', { mode: 'no-cors' })" +
   ".then(() => postMessage(true), () => postMessage(false))";
 const start = (code, host) => new Promise((done, fail) => {
-  const worker = new Worker(URL.createObjectURL(code));
+  const worker = held = new Worker(URL.createObjectURL(code));
   worker.onmessage = ({ data }) => data ? done() : fail(new Error("confined"));
   worker.onerror = () => fail(new Error("refused"));
   worker.postMessage(host);
@@ -130,8 +133,11 @@ const tries = {
 };
 onmessage = async ({ data: host }) => {
   const reached = [];
-  for (const [name, attempt] of Object.entries(tries))
-    await Promise.resolve(host).then(attempt).then(() => reached.push(name), () => {});
+  for (const [name, attempt] of Object.entries(tries)) {
+    const gaveUp = new Promise((done, fail) => setTimeout(fail, ${PATIENCE / 8}));
+    const attempted = Promise.race([Promise.resolve(host).then(attempt), gaveUp]);
+    await attempted.then(() => reached.push(name), () => {});
+  }
   postMessage(reached);
 };`;
 
@@ -171,6 +177,7 @@ async function probeFrom(t, create, browser, offline) {
     (host) =>
       new Promise((done) => {
         const worker = new Worker("probe.js", { type: "module" });
+        window.held = worker;
         worker.onmessage = ({ data }) => done(data);
         worker.onerror = () => done("the worker does not start");
         worker.postMessage(host);

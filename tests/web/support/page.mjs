@@ -2,7 +2,7 @@
  * Support for the tests of the page: a browser with the served page, and what visitors do and see.
  */
 import assert from "node:assert/strict";
-import { after, afterEach } from "node:test";
+import { after, afterEach, beforeEach } from "node:test";
 import { DESKTOP, launch, servePage } from "../../../web/tools/browser.mjs";
 import { contextsOf } from "./contexts.mjs";
 import { axeSource } from "./package.mjs";
@@ -28,6 +28,29 @@ export function leftOut(browser) {
 const launched = new Map();
 let served = null;
 
+/**
+ * Milliseconds after which a test is ended, by closing the browsers: what waits for their answer then
+ * fails, and the next tests launch them anew. Many calls have no timeout of their own, and a browser
+ * that never answers would hold up all tests. A test waits at most 300 s on purpose
+ * (browsers.test.mjs). And the time for the browsers to close, after which the process ends. Chosen.
+ */
+const HANGS = 480_000;
+const CLOSES = 30_000;
+let hangs;
+
+beforeEach(({ name }) => {
+  clearTimeout(hangs);
+  hangs = setTimeout(() => {
+    console.error(`${name} does not end: the browsers are closed`);
+    for (const browser of launched.values()) browser.then((open) => open.close()).catch(() => {});
+    hangs = setTimeout(() => {
+      console.error(`${name} does not end without browsers either: its process ends`);
+      process.exit(1);
+    }, CLOSES);
+  }, HANGS);
+  hangs.unref();
+});
+
 /** Functions that close the pages which tests have opened and not closed yet. */
 const left = new Set();
 
@@ -35,6 +58,7 @@ const left = new Set();
 afterEach(() => Promise.all([...left].map((close) => close())));
 
 after(async () => {
+  clearTimeout(hangs);
   for (const browser of launched.values()) await (await browser).close();
   await (await served)?.close();
 });
