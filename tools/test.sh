@@ -132,7 +132,8 @@ test_releases() {
 test_pages_at_length() {
     release=build/release/tests
     set -- tradeoff=$release/tradeoff/thud-tradeoff stability=$release/stability/thud-envelope \
-        catalogue=$release/bench/thud-catalogue performance=$release/bench/thud-bench
+        catalogue=$release/bench/thud-catalogue network=$release/network/thud-network \
+        performance=$release/bench/thud-bench
     if build_bench; then
         set -- "$@" times=build/bench/tests/bench/thud-bench
     fi

@@ -130,6 +130,7 @@ typedef struct thud_player_progress thud_player_progress;
 typedef struct thud_rollback thud_rollback;
 typedef struct thud_rollback_options thud_rollback_options;
 typedef struct thud_rollback_progress thud_rollback_progress;
+typedef struct thud_rollback_difference thud_rollback_difference;
 typedef struct thud_rule thud_rule;
 typedef struct thud_impulse_event thud_impulse_event;
 typedef struct thud_texture thud_texture;
@@ -230,8 +231,9 @@ struct thud_call_value { double number; _Bool handle; };
 struct thud_played_call { const char * name; thud_result result; const thud_call_value * values; int value_count; uint32_t returned; };
 struct thud_player_options { thud_allocator allocator; thud_log_fn * log; void * log_context; thud_job_system job_system; thud_chunk_fn * chunk; thud_played_call_fn * call; void * context; thud_clock_fn * clock; void * clock_context; };
 struct thud_player_progress { int64_t first; int64_t end; int64_t steps; int64_t hashes; _Bool differs; int64_t differs_after; int64_t differs_at; thud_body_id body; };
-struct thud_rollback_options { int players; int depth; uint64_t idle; thud_rollback_step_fn * step; void * state; size_t state_bytes; };
-struct thud_rollback_progress { int64_t steps; int64_t confirmed; int64_t replayed; };
+struct thud_rollback_options { int players; int depth; int budget; uint64_t idle; thud_rollback_step_fn * step; void * state; size_t state_bytes; };
+struct thud_rollback_progress { int64_t steps; int64_t confirmed; int64_t replayed; int64_t settled; double ahead; };
+struct thud_rollback_difference { int64_t step; _Bool is_detailed; thud_body_id body; int body_slot; int bodies; int player; };
 struct thud_rule { thud_rule_kind kind; thud_vec2 solid_side; float friction; float restitution; float surface_speed; float event_impulse; };
 struct thud_impulse_event { thud_shape_id shape_a; thud_shape_id shape_b; thud_pos point; thud_vec2 normal; float impulse; };
 struct thud_texture { const double * vertices; int count; const float * table; int table_count; _Bool repeats; };
@@ -478,6 +480,14 @@ thud_result thud_rollback_advance(thud_rollback * rollback, _Bool * out_made);
 thud_result thud_rollback_settle(thud_rollback * rollback);
 thud_result thud_rollback_get_progress(const thud_rollback * rollback, thud_rollback_progress * out);
 thud_result thud_rollback_get_state(thud_rollback * rollback, int64_t step, uint64_t * out_hash, void * out_state);
+thud_result thud_rollback_report(thud_rollback * rollback, int64_t step, void * buffer, size_t capacity, size_t * out_bytes);
+thud_result thud_rollback_compare(thud_rollback * rollback, const void * report, size_t bytes, thud_rollback_difference * out);
+thud_result thud_rollback_get_lead(const thud_rollback * rollback, int player, int64_t * out_lead);
+thud_result thud_rollback_set_lead(thud_rollback * rollback, int player, int64_t lead);
+thud_result thud_rollback_leave(thud_rollback * rollback, int player, int64_t step);
+thud_result thud_rollback_enter(thud_rollback * rollback, int player, int64_t step);
+thud_result thud_rollback_snapshot(thud_rollback * rollback, void * buffer, size_t capacity, size_t * out_bytes);
+thud_result thud_rollback_restore(thud_rollback * rollback, const void * buffer, size_t bytes);
 thud_rule thud_default_rule(void);
 thud_result thud_world_set_rule(thud_world * world, uint32_t first, uint32_t second, const thud_rule * rule);
 thud_result thud_world_get_rule(const thud_world * world, uint32_t first, uint32_t second, thud_rule * out, _Bool * out_is_set, _Bool * out_reversed);
@@ -705,8 +715,9 @@ local FIELDS = {
     thud_played_call = { name = "const char *", result = "thud_result", values = "const thud_call_value *", value_count = "int", returned = "uint32_t" },
     thud_player_options = { allocator = "thud_allocator", log = "thud_log_fn *", log_context = "void *", job_system = "thud_job_system", chunk = "thud_chunk_fn *", call = "thud_played_call_fn *", context = "void *", clock = "thud_clock_fn *", clock_context = "void *" },
     thud_player_progress = { first = "int64_t", ["end"] = "int64_t", steps = "int64_t", hashes = "int64_t", differs = "_Bool", differs_after = "int64_t", differs_at = "int64_t", body = "thud_body_id" },
-    thud_rollback_options = { players = "int", depth = "int", idle = "uint64_t", step = "thud_rollback_step_fn *", state = "void *", state_bytes = "size_t" },
-    thud_rollback_progress = { steps = "int64_t", confirmed = "int64_t", replayed = "int64_t" },
+    thud_rollback_options = { players = "int", depth = "int", budget = "int", idle = "uint64_t", step = "thud_rollback_step_fn *", state = "void *", state_bytes = "size_t" },
+    thud_rollback_progress = { steps = "int64_t", confirmed = "int64_t", replayed = "int64_t", settled = "int64_t", ahead = "double" },
+    thud_rollback_difference = { step = "int64_t", is_detailed = "_Bool", body = "thud_body_id", body_slot = "int", bodies = "int", player = "int" },
     thud_rule = { kind = "thud_rule_kind", solid_side = "thud_vec2", friction = "float", restitution = "float", surface_speed = "float", event_impulse = "float" },
     thud_impulse_event = { shape_a = "thud_shape_id", shape_b = "thud_shape_id", point = "thud_pos", normal = "thud_vec2", impulse = "float" },
     thud_texture = { vertices = "const double *", count = "int", table = "const float *", table_count = "int", repeats = "_Bool" },
@@ -2825,6 +2836,78 @@ function Rollback:state(step, out_state)
         return refused(code)
     end
     return hash[0]
+end
+
+function Rollback:report(step, buffer)
+    local buffer_data, buffer_size = to_write(buffer)
+    local bytes = ffi.new("size_t[1]")
+    local code = C.thud_rollback_report(pointer(self), step, buffer_data, buffer_size, bytes)
+    if code ~= 0 or pending then
+        return refused(code)
+    end
+    return tonumber(bytes[0])
+end
+
+function Rollback:compare(report)
+    local report_data, report_size = to_read(report)
+    local out = ffi.new("thud_rollback_difference")
+    local code = C.thud_rollback_compare(pointer(self), report_data, report_size, out)
+    if code ~= 0 or pending then
+        return refused(code)
+    end
+    return out
+end
+
+function Rollback:lead(player)
+    local lead = ffi.new("int64_t[1]")
+    local code = C.thud_rollback_get_lead(pointer(self), player, lead)
+    if code ~= 0 or pending then
+        return refused(code)
+    end
+    return lead[0]
+end
+
+function Rollback:set_lead(player, lead)
+    local code = C.thud_rollback_set_lead(pointer(self), player, lead)
+    if code ~= 0 or pending then
+        return refused(code)
+    end
+    return true
+end
+
+function Rollback:leave(player, step)
+    local code = C.thud_rollback_leave(pointer(self), player, step)
+    if code ~= 0 or pending then
+        return refused(code)
+    end
+    return true
+end
+
+function Rollback:enter(player, step)
+    local code = C.thud_rollback_enter(pointer(self), player, step)
+    if code ~= 0 or pending then
+        return refused(code)
+    end
+    return true
+end
+
+function Rollback:snapshot(buffer)
+    local buffer_data, buffer_size = to_write(buffer)
+    local bytes = ffi.new("size_t[1]")
+    local code = C.thud_rollback_snapshot(pointer(self), buffer_data, buffer_size, bytes)
+    if code ~= 0 or pending then
+        return refused(code)
+    end
+    return tonumber(bytes[0])
+end
+
+function Rollback:restore(buffer)
+    local buffer_data, buffer_size = to_read(buffer)
+    local code = C.thud_rollback_restore(pointer(self), buffer_data, buffer_size)
+    if code ~= 0 or pending then
+        return refused(code)
+    end
+    return true
 end
 
 function thud.default_rule()

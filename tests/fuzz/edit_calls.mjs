@@ -176,7 +176,14 @@ export const EDIT_CALLS = {
       if (s.below(2)) rollback.input(s.below(8) === 0 ? 1 : 0, s.below(12), s.below(3));
       rollback.advance();
     }
-    return [rollback.steps, rollback.confirmed, rollback.replayed, rollback.settle()];
+    const counts = [rollback.steps, rollback.confirmed, rollback.replayed, rollback.settle()];
+    const { step, isDetailed } = rollback.compare(rollback.report(rollback.confirmed));
+    if (step !== -1 || isDetailed) throw new Error("a rollback differs from itself");
+    rollback.leave(0, rollback.steps + 1);
+    rollback.hearLead(0, s.below(9));
+    rollback.restore(rollback.snapshot());
+    rollback.enter(0, rollback.steps + 2);
+    return [...counts, rollback.steps, rollback.settled, rollback.ahead];
   },
   pairOf: (s) => s.world.pairOf({ a: s.shape(), b: s.shape() }),
 };

@@ -79,6 +79,58 @@ static thud_world *make_balls(thud_body_id balls[2]) {
     return world;
 }
 
+/* Bytes of a rollback, of which the fuzzer may change one. */
+typedef struct told_bytes {
+    unsigned char data[8192];
+    size_t count;
+    bool is_whole;
+} told_bytes;
+
+static void tell_bytes(fuzz_session *s, told_bytes *t) {
+    unsigned bit = next_byte(&s->bytes);
+    size_t at = t->count * next_byte(&s->bytes) / 256;
+    t->is_whole = bit >= 64;
+    if (!t->is_whole) {
+        t->data[at] ^= (unsigned char)(1u << bit % 8);
+    }
+}
+
+/* Somebody joins the game of a rollback by bytes, which may be damaged, looks on until the other
+ * player is gone, and finds the same game by its report. Clocks are compared on the way. */
+static void join_game(fuzz_session *s, thud_rollback *r, const thud_rollback_options *options) {
+    thud_body_id balls[2];
+    thud_world *world = make_balls(balls);
+    thud_rollback *guest = NULL;
+    thud_rollback_options own = *options;
+    thud_rollback_difference found = {0};
+    told_bytes t;
+    own.state = balls;
+    int64_t lead = 0;
+    bool ok = COUNTED(thud_rollback_create(world, &own, &guest)) == THUD_OK &&
+              COUNTED(thud_rollback_get_lead(r, 1, &lead)) == THUD_OK &&
+              COUNTED(thud_rollback_set_lead(guest, 1, -lead)) == THUD_OK &&
+              COUNTED(thud_rollback_snapshot(r, t.data, sizeof t.data, &t.count)) == THUD_OK;
+    int64_t sure = COUNTED(thud_progress_of(r)).confirmed;
+    tell_bytes(s, &t);
+    thud_result result = COUNTED(thud_rollback_restore(guest, t.data, t.count));
+    ok = ok && (result == THUD_OK) == t.is_whole;
+    if (ok && t.is_whole) {
+        ok = thud_progress_of(guest).steps == sure &&
+             COUNTED(thud_rollback_leave(guest, 1, sure)) == THUD_OK &&
+             COUNTED(thud_rollback_enter(guest, 1, sure + DEPTH / 2)) == THUD_OK;
+        ok = ok &&
+             COUNTED(thud_rollback_report(guest, sure, t.data, sizeof t.data, &t.count)) == THUD_OK;
+        tell_bytes(s, &t);
+        result = COUNTED(thud_rollback_compare(r, t.data, t.count, &found));
+        ok = ok && (result == THUD_OK ? t.is_whole && found.step == -1 : !t.is_whole);
+    }
+    if (!ok) {
+        fuzz_fail(s, "who joins a game has another");
+    }
+    COUNTED(thud_rollback_destroy(guest));
+    thud_world_destroy(world);
+}
+
 /* Inputs of two players arrive at random times, each player's in order and at most DEPTH steps
  * late. */
 static void play_inputs(fuzz_session *s) {
@@ -114,6 +166,7 @@ static void play_inputs(fuzz_session *s) {
             fuzz_fail(s, "step %d is not made", (int)now);
         }
     }
+    join_game(s, r, &options);
     for (int player = 0; player < 2; player++) {
         for (; told[player] < STEPS; told[player]++) {
             thud_rollback_input(r, player, told[player], inputs[told[player]][player]);

@@ -18,6 +18,7 @@ SHORT = {
     "tradeoff": ["column_30", "heavy_on_light", "slope", "rolling", "gas", "cradle", "bullets"],
     "stability": ["mass-ratio", "sizes", "time-step"],
     "catalogue": ["walls", "throws", "levels"],
+    "network": ["ordinary, 120 ms, 2 players"],
     "performance": ["pyramid", "tumbler", "platformer", "gas:1000"],
 }
 # The parts that the long form measures, in about five minutes: all except those that take as long
@@ -28,9 +29,11 @@ LONG = {
     "stability": ["mass-ratio", "columns", "far-away", "speed", "sizes", "time-step", "energy",
                   "slopes", "long-run", "wrong-input"],
     "catalogue": ["walls", "throws", "levels", "detections"],
+    "network": ["steady, 30 ms, 4 players", "ordinary, 120 ms, 3 players", "bad, 60 ms, 4 players",
+                "worst, 250 ms, 4 players"],
 }
 OPTIONS = {"tradeoff": "--case", "stability": "--only", "catalogue": "--part",
-           "performance": "--scene"}
+           "network": "--run", "performance": "--scene"}
 
 
 def measure(page, program, parts, more=()):
@@ -39,11 +42,11 @@ def measure(page, program, parts, more=()):
         words += [OPTIONS[page], part]
     if page == "stability":
         words.append("--without-box2d")
-    if page in ("tradeoff", "performance"):
+    if page in ("tradeoff", "performance", "network"):
         words += ["--repeat", "1"]
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "figures.json")
-        if page == "tradeoff":
+        if page in ("tradeoff", "network"):
             with open(path, "w", encoding="utf-8") as file:
                 code = subprocess.run(words, stdout=file, check=False).returncode
         else:
@@ -104,7 +107,19 @@ def performance(results):
             yield f"{scene['scene']}, {scene['size']}: {key}", own[key], floor
 
 
-FIGURES = {"tradeoff": tradeoff, "stability": stability, "catalogue": catalogue,
+def network(results):
+    for run in results["runs"]:
+        for key, floor in (("lost", 0), ("overtaken", 0), ("replayed", 1), ("replayed_max", 1),
+                           ("waits", 0), ("bytes", 0), ("bytes_in_all", 0), ("bytes_states", 0)):
+            yield f"{run['name']}: {key}", run[key], floor
+        for way in run["ways"]:
+            for measure, floor in (("place", 1e-3), ("angle", 0.1), ("place_jump", 1e-3),
+                                   ("angle_jump", 0.1)):
+                for key in ("mean", "p99", "max"):
+                    yield f"{run['name']}: {way['way']}, {measure} {key}", way[measure][key], floor
+
+
+FIGURES = {"tradeoff": tradeoff, "network": network, "stability": stability, "catalogue": catalogue,
            "performance": performance}
 
 

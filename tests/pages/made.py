@@ -21,11 +21,11 @@ TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 # For each page: the program that writes it from its JSON, its notes, and the command that measures
 # it.
 WRITERS = {"performance": "bench/pages/performance.py", "catalogue": "bench/pages/catalogue.py",
-           "stability": "stability/envelope.py", "tradeoff": "tradeoff/tradeoff.py"}
+           "network": "network/network.py", "stability": "stability/envelope.py", "tradeoff": "tradeoff/tradeoff.py"}
 NOTES = {"performance": "bench/pages/performance-notes.md", "catalogue": "bench/pages/catalogue-notes.md",
-         "stability": "stability/notes.md", "tradeoff": "tradeoff/tradeoff-notes.md"}
+         "network": "network/network-notes.md", "stability": "stability/notes.md", "tradeoff": "tradeoff/tradeoff-notes.md"}
 COMMANDS = {"performance": "./run bench --report", "catalogue": "./run bench --catalogue",
-            "stability": "./run envelope", "tradeoff": "./run tradeoff"}
+            "network": "./run network", "stability": "./run envelope", "tradeoff": "./run tradeoff"}
 
 
 def read(path):

@@ -23,7 +23,8 @@ import prose
 
 # The JSON of each page, below docs/.
 PAGES = {"performance": "performance.json", "catalogue": "catalogue.json",
-         "stability": "stability.json", "tradeoff": os.path.join("tradeoff", "tradeoff.json")}
+         "network": "network.json", "stability": "stability.json",
+         "tradeoff": os.path.join("tradeoff", "tradeoff.json")}
 PLACEHOLDER = re.compile(r"\{\{([^{}]*\|[^{}]*)\}\}", re.DOTALL)
 CODE = re.compile(r"`[^`]*`")
 WIDTH = 104

@@ -182,6 +182,7 @@
          thud_world_closest(p->world, (thud_pos){0, 0}, x, NULL, NULL, NULL))                   \
     FIELD(thud_rollback_options, players, players, 0, THUD_ROLLBACK_PLAYERS_MAX, rollback)      \
     FIELD(thud_rollback_options, depth, depth, 0, THUD_ROLLBACK_DEPTH_MAX, rollback)            \
+    FIELD(thud_rollback_options, budget, budget, 0, THUD_ROLLBACK_DEPTH_MAX, rollback)          \
     FIELD(thud_recorder_options, hash_steps, hash_steps, 0, THUD_RECORDING_STEPS_MAX, recorder) \
     FIELD(thud_recorder_options, keyframe_steps, keyframe_steps, 0, THUD_RECORDING_STEPS_MAX,   \
           recorder)                                                                             \

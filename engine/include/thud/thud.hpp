@@ -153,6 +153,7 @@ using player_options = thud_player_options;
 using player_progress = thud_player_progress;
 using rollback_options = thud_rollback_options;
 using rollback_progress = thud_rollback_progress;
+using rollback_difference = thud_rollback_difference;
 using rule = thud_rule;
 using impulse_event = thud_impulse_event;
 using texture = thud_texture;
@@ -855,6 +856,14 @@ class rollback {
     result<thud_rollback_progress> get_progress() const;
     thud_rollback_progress progress() const;
     result<uint64_t> get_state(int64_t step, void *out_state);
+    result<size_t> report(int64_t step, bytes buffer);
+    result<thud_rollback_difference> compare(const_bytes report);
+    result<int64_t> get_lead(int player) const;
+    result<> set_lead(int player, int64_t lead);
+    result<> leave(int player, int64_t step);
+    result<> enter(int player, int64_t step);
+    result<size_t> snapshot(bytes buffer);
+    result<> restore(const_bytes buffer);
 };
 
 // A pool of threads, which outlives the worlds that use it.
@@ -2424,6 +2433,49 @@ inline result<uint64_t> rollback::get_state(int64_t step, void *out_state) {
     result<uint64_t> made{detail::unwritten()};
     made.settle(detail::check(thud_rollback_get_state(get(), step, &made.value, out_state)));
     return made;
+}
+
+inline result<size_t> rollback::report(int64_t step, bytes buffer) {
+    result<size_t> made{detail::unwritten()};
+    made.settle(detail::check(
+        thud_rollback_report(get(), step, buffer.data(), buffer.size(), &made.value)));
+    return made;
+}
+
+inline result<thud_rollback_difference> rollback::compare(const_bytes report) {
+    result<thud_rollback_difference> made{detail::unwritten()};
+    made.settle(
+        detail::check(thud_rollback_compare(get(), report.data(), report.size(), &made.value)));
+    return made;
+}
+
+inline result<int64_t> rollback::get_lead(int player) const {
+    result<int64_t> made{detail::unwritten()};
+    made.settle(detail::check(thud_rollback_get_lead(get(), player, &made.value)));
+    return made;
+}
+
+inline result<> rollback::set_lead(int player, int64_t lead) {
+    return {detail::check(thud_rollback_set_lead(get(), player, lead))};
+}
+
+inline result<> rollback::leave(int player, int64_t step) {
+    return {detail::check(thud_rollback_leave(get(), player, step))};
+}
+
+inline result<> rollback::enter(int player, int64_t step) {
+    return {detail::check(thud_rollback_enter(get(), player, step))};
+}
+
+inline result<size_t> rollback::snapshot(bytes buffer) {
+    result<size_t> made{detail::unwritten()};
+    made.settle(
+        detail::check(thud_rollback_snapshot(get(), buffer.data(), buffer.size(), &made.value)));
+    return made;
+}
+
+inline result<> rollback::restore(const_bytes buffer) {
+    return {detail::check(thud_rollback_restore(get(), buffer.data(), buffer.size()))};
 }
 
 inline thud_rule default_rule() {

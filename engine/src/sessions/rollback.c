@@ -1,13 +1,7 @@
 /* rollback.c: rollback for networked play (thud_rollback.h): steps are played with predicted
- * inputs, and played again from a snapshot when an input turns out to be different.
- *
- * Two ring buffers are indexed by the step's number: `saved` has the snapshot before each of the
- * last depth + 1 steps, and the inputs that the step was played with; and each player has the
- * inputs known of the steps from depth + 1 before the next one to depth after it. An input that is
- * not known yet is predicted to be that of the step before. */
-#include "thud/thud_rollback.h"
+ * inputs, and played again from a snapshot when an input turns out to be different. */
+#include "sessions/rollback.h"
 
-#include "state/handles.h"
 #include "thud/thud.h"
 #include "thud/thud_snapshot.h"
 
@@ -16,38 +10,13 @@
 /* Values for options of 0, as the header promises; 60 steps are a second at 60 Hz. */
 enum { PLAYERS_DEFAULT = 2, DEPTH_DEFAULT = 60 };
 
-/* first_wrong: no step has to be played again. */
-static const int64_t NO_STEP = INT64_MAX;
-
-/* The world and state before a step, and what the step was played with. */
-typedef struct saved_step {
-    char *image;        /* the world's snapshot, followed by the caller's state */
-    size_t room, bytes; /* size of the memory at image; of the snapshot in it */
-    uint64_t hash;      /* thud_hash_of before the step */
-    uint64_t *inputs;   /* by player */
-} saved_step;
-
-/* The known inputs of a player. */
-typedef struct player_inputs {
-    uint64_t *inputs;     /* ring of input_count */
-    bool *is_known;       /* likewise: the input of the step has been given */
-    int64_t known_before; /* every input before this step is known */
-} player_inputs;
-
-struct thud_rollback {
-    thud_world *world;
-    thud_rollback_options options;
-    size_t bytes;           /* of the memory block of this struct and its rings */
-    saved_step *saved;      /* ring of saved_count */
-    player_inputs *players; /* by player */
-    int64_t steps;          /* made so far: the number of the next one */
-    int64_t replayed;       /* steps that were played again, in all */
-    int64_t first_wrong;    /* the first step that has to be played again, or NO_STEP */
-    bool playing;           /* inside options.step */
-};
+/* Each lead that is heard of moves the smoothed one by this share of the difference. Chosen: a
+ * second of messages at 60 Hz outlasts what jitter does. */
+static const double LEAD_SHARE = 1.0 / 16;
 
 /* The length of the ring `saved`: one more than the depth, since the prediction for the earliest
- * step that may be wrong needs the inputs of the step before. */
+ * step that may be wrong needs the inputs of the step before. The snapshot of that step is not
+ * needed. */
 static int saved_count(const thud_rollback *r) {
     return r->options.depth + 1;
 }
@@ -57,13 +26,16 @@ static int input_count(const thud_rollback *r) {
     return 2 * r->options.depth + 2;
 }
 
-/* The place of a step in the ring. */
-static saved_step *saved_step_of(const thud_rollback *r, int64_t step) {
-    return &r->saved[step % saved_count(r)];
+td_saved_step *td_rollback_saved(const thud_rollback *r, int64_t step) {
+    return &r->saved[(step + saved_count(r)) % saved_count(r)];
 }
 
-/* Refuses calls from inside a step or callback. */
-static thud_result check(const thud_rollback *r) {
+int64_t td_rollback_oldest(const thud_rollback *r) {
+    int64_t oldest = r->steps - r->options.depth;
+    return oldest < r->first ? r->first : oldest;
+}
+
+thud_result td_rollback_check(const thud_rollback *r) {
     if (!r) {
         return THUD_ERROR_NULL;
     }
@@ -80,7 +52,8 @@ static const char *error_of(const thud_rollback_options *o, td_reason *why) {
         return "rollback: step is null";
     }
     if (!td_in(why, "rollback: players", o->players, 0.0, THUD_ROLLBACK_PLAYERS_MAX) ||
-        !td_in(why, "rollback: depth", o->depth, 0.0, THUD_ROLLBACK_DEPTH_MAX)) {
+        !td_in(why, "rollback: depth", o->depth, 0.0, THUD_ROLLBACK_DEPTH_MAX) ||
+        !td_in(why, "rollback: budget", o->budget, 0.0, THUD_ROLLBACK_DEPTH_MAX)) {
         return why->text;
     }
     if (!o->state != !o->state_bytes) {
@@ -102,8 +75,8 @@ static size_t lay_out(thud_rollback *r, const thud_rollback_options *o, char *bl
     size_t at = 0, players = (size_t)o->players, depth = (size_t)o->depth;
     size_t inputs = sizeof(uint64_t) * players;
     take_bytes(block, &at, sizeof *r);
-    saved_step *saved = take_bytes(block, &at, (depth + 1) * sizeof *saved);
-    player_inputs *players_at = take_bytes(block, &at, players * sizeof *players_at);
+    td_saved_step *saved = take_bytes(block, &at, (depth + 1) * sizeof *saved);
+    td_player_inputs *players_at = take_bytes(block, &at, players * sizeof *players_at);
     for (size_t i = 0; i < depth + 1; i++) {
         uint64_t *inputs_at = take_bytes(block, &at, inputs);
         if (block) {
@@ -114,7 +87,9 @@ static size_t lay_out(thud_rollback *r, const thud_rollback_options *o, char *bl
         uint64_t *inputs_at = take_bytes(block, &at, (2 * depth + 2) * sizeof *inputs_at);
         bool *is_known = take_bytes(block, &at, (2 * depth + 2) * sizeof *is_known);
         if (block) {
-            players_at[i] = (player_inputs){inputs_at, is_known, 0};
+            players_at[i] = (td_player_inputs){.inputs = inputs_at,
+                                               .is_known = is_known,
+                                               .gone_from = TD_NO_STEP};
         }
     }
     if (block) {
@@ -126,7 +101,7 @@ static size_t lay_out(thud_rollback *r, const thud_rollback_options *o, char *bl
 
 /* Makes room for a snapshot of so many bytes and the state, and for half as much again as the world
  * grows. False when memory is short. */
-static bool reserve(thud_rollback *r, saved_step *m, size_t bytes) {
+static bool reserve(thud_rollback *r, td_saved_step *m, size_t bytes) {
     size_t state = r->options.state_bytes, room = bytes + bytes / 2 + state;
     if (m->room < bytes + state || state > SIZE_MAX / 4) {
         char *image = state > SIZE_MAX / 4 ? NULL : td_memory_get(&r->world->memory, room);
@@ -141,7 +116,7 @@ static bool reserve(thud_rollback *r, saved_step *m, size_t bytes) {
 }
 
 void thud_rollback_destroy(thud_rollback *r) {
-    if (!r || check(r) != THUD_OK) {
+    if (!r || td_rollback_check(r) != THUD_OK) {
         return;
     }
     for (int i = 0; i < saved_count(r); i++) {
@@ -172,8 +147,9 @@ thud_result thud_rollback_create(thud_world *w, const thud_rollback_options *opt
     thud_rollback *r = td_memory_get(&w->memory, bytes);
     bool room = r;
     if (r) {
-        *r = (thud_rollback){.world = w, .options = o, .bytes = bytes, .first_wrong = NO_STEP};
+        *r = (thud_rollback){.world = w, .options = o, .bytes = bytes};
         lay_out(r, &o, (char *)r);
+        td_rollback_begin(r, 0, NULL);
         for (int i = 0; i < saved_count(r) && room; i++) {
             room = reserve(r, &r->saved[i], image);
         }
@@ -188,40 +164,14 @@ thud_result thud_rollback_create(thud_world *w, const thud_rollback_options *opt
 
 /* ---- inputs ---- */
 
-thud_result thud_rollback_get_progress(const thud_rollback *r, thud_rollback_progress *out) {
-    if (!r || !out) {
-        return THUD_ERROR_NULL;
-    }
-    int64_t confirmed = r->steps;
-    for (int i = 0; i < r->options.players; i++) {
-        int64_t known_before = r->players[i].known_before;
-        confirmed = known_before < confirmed ? known_before : confirmed;
-    }
-    *out = (thud_rollback_progress){r->steps, confirmed, r->replayed};
-    return THUD_OK;
+static bool is_absent(const td_player_inputs *k, int64_t step) {
+    return step >= k->gone_from && step < k->back_at;
 }
 
-thud_result thud_rollback_input(thud_rollback *r, int player, int64_t step, uint64_t input) {
-    thud_result result = check(r);
-    if (result != THUD_OK) {
-        return result;
-    }
-    if (player < 0 || player >= r->options.players) {
-        return td_refuse(r->world, THUD_ERROR_INVALID, "rollback: there is no such player");
-    }
-    if (step < 0 || step > r->steps + r->options.depth) {
-        return td_refuse(r->world, THUD_ERROR_INVALID, "rollback: no step, or too far ahead");
-    }
-    player_inputs *k = &r->players[player];
+/* Notes that an input is known. Where the step was played with another one, it is played again. */
+static void know(thud_rollback *r, int player, int64_t step, uint64_t input) {
+    td_player_inputs *k = &r->players[player];
     int at = (int)(step % input_count(r));
-    bool is_forgotten =
-        step < r->steps - r->options.depth - 1; /* its place in the ring has been used again */
-    if (!is_forgotten && k->is_known[at] && k->inputs[at] != input) {
-        return td_refuse(r->world, THUD_ERROR_INVALID, "rollback: two inputs for one step");
-    }
-    if (step < k->known_before) {
-        return THUD_OK;
-    }
     k->is_known[at] = true;
     k->inputs[at] = input;
     while (k->known_before <= r->steps + r->options.depth &&
@@ -229,35 +179,201 @@ thud_result thud_rollback_input(thud_rollback *r, int player, int64_t step, uint
         k->known_before++;
     }
     if (step < r->steps && step < r->first_wrong &&
-        saved_step_of(r, step)->inputs[player] != input) {
+        td_rollback_saved(r, step)->inputs[player] != input) {
         r->first_wrong = step;
+    }
+}
+
+/* Notes the inputs of a player for the steps at which it is absent, from this step on. */
+static void know_absence(thud_rollback *r, int player, int64_t step) {
+    for (; step <= r->steps + r->options.depth; step++) {
+        if (is_absent(&r->players[player], step)) {
+            know(r, player, step, r->options.idle);
+        }
+    }
+}
+
+void td_rollback_begin(thud_rollback *r, int64_t step, const uint64_t *inputs) {
+    r->first = r->steps = r->at = step;
+    r->first_wrong = TD_NO_STEP;
+    for (int i = 0; i < r->options.players; i++) {
+        td_player_inputs *k = &r->players[i];
+        memset(k->is_known, 0, (size_t)input_count(r) * sizeof *k->is_known);
+        k->known_before = k->told_before = step;
+        k->is_timed = false;
+        td_rollback_saved(r, step - 1)->inputs[i] = inputs ? inputs[i] : r->options.idle;
+        know_absence(r, i, step);
+    }
+}
+
+/* The step before which all inputs are known. */
+static int64_t confirmed_of(const thud_rollback *r) {
+    int64_t confirmed = r->steps;
+    for (int i = 0; i < r->options.players; i++) {
+        int64_t known_before = r->players[i].known_before;
+        confirmed = known_before < confirmed ? known_before : confirmed;
+    }
+    return confirmed;
+}
+
+/* See thud_rollback_progress.ahead. */
+static double ahead_of(const thud_rollback *r) {
+    double sum = 0;
+    int heard = 0;
+    for (int i = 0; i < r->options.players; i++) {
+        const td_player_inputs *k = &r->players[i];
+        if (k->is_timed && !is_absent(k, r->steps)) {
+            sum += (k->lead - k->their_lead) / 2;
+            heard++;
+        }
+    }
+    return heard ? sum / heard : 0;
+}
+
+thud_result thud_rollback_get_progress(const thud_rollback *r, thud_rollback_progress *out) {
+    if (!r || !out) {
+        return THUD_ERROR_NULL;
+    }
+    *out = (thud_rollback_progress){
+        .steps = r->steps,
+        .confirmed = confirmed_of(r),
+        .replayed = r->replayed,
+        .settled = r->first_wrong < r->steps ? r->first_wrong : r->steps,
+        .ahead = ahead_of(r),
+    };
+    return THUD_OK;
+}
+
+/* Refuses calls that td_rollback_check refuses, and a player that is none. */
+static thud_result check_player(const thud_rollback *r, int player) {
+    thud_result result = td_rollback_check(r);
+    return result == THUD_OK && (player < 0 || player >= r->options.players)
+               ? td_refuse(r->world, THUD_ERROR_INVALID, "rollback: there is no such player")
+               : result;
+}
+
+thud_result thud_rollback_input(thud_rollback *r, int player, int64_t step, uint64_t input) {
+    thud_result result = check_player(r, player);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (step < 0 || step > r->steps + r->options.depth) {
+        return td_refuse(r->world, THUD_ERROR_INVALID, "rollback: no step, or too far ahead");
+    }
+    td_player_inputs *k = &r->players[player];
+    int at = (int)(step % input_count(r));
+    bool is_forgotten =
+        step < r->steps - r->options.depth - 1; /* its place in the ring has been used again */
+    if (!is_forgotten && k->is_known[at] && k->inputs[at] != input) {
+        return td_refuse(r->world, THUD_ERROR_INVALID, "rollback: two inputs for one step");
+    }
+    if (step >= k->known_before) {
+        k->told_before = step < k->told_before ? k->told_before : step + 1;
+        know(r, player, step, input);
+    }
+    return THUD_OK;
+}
+
+/* ---- clocks ---- */
+
+/* How many more steps were run than inputs of a player have arrived. */
+static int64_t lead_of(const thud_rollback *r, int player) {
+    return r->steps - r->players[player].told_before;
+}
+
+thud_result thud_rollback_get_lead(const thud_rollback *r, int player, int64_t *out_lead) {
+    if (!r || !out_lead) {
+        return THUD_ERROR_NULL;
+    }
+    thud_result result = check_player(r, player);
+    if (result == THUD_OK) {
+        *out_lead = lead_of(r, player);
+    }
+    return result;
+}
+
+thud_result thud_rollback_set_lead(thud_rollback *r, int player, int64_t lead) {
+    thud_result result = check_player(r, player);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (lead < -THUD_ROLLBACK_DEPTH_MAX || lead > THUD_ROLLBACK_DEPTH_MAX) {
+        return td_refuse(r->world, THUD_ERROR_INVALID, "rollback: no peer can have such a lead");
+    }
+    td_player_inputs *k = &r->players[player];
+    double own = (double)lead_of(r, player), theirs = (double)lead;
+    k->lead = k->is_timed ? k->lead + LEAD_SHARE * (own - k->lead) : own;
+    k->their_lead = k->is_timed ? k->their_lead + LEAD_SHARE * (theirs - k->their_lead) : theirs;
+    k->is_timed = true;
+    return THUD_OK;
+}
+
+/* ---- players who come and go ---- */
+
+thud_result thud_rollback_leave(thud_rollback *r, int player, int64_t step) {
+    thud_result result = check_player(r, player);
+    if (result != THUD_OK) {
+        return result;
+    }
+    td_player_inputs *k = &r->players[player];
+    if (k->gone_from != TD_NO_STEP && (k->back_at == TD_NO_STEP || step < k->back_at)) {
+        return td_refuse(r->world, THUD_ERROR_INVALID, "rollback: the player is absent");
+    }
+    if (step < td_rollback_oldest(r) || step > r->steps + r->options.depth ||
+        step < k->told_before) {
+        return td_refuse(r->world, THUD_ERROR_INVALID,
+                         "rollback: an input of that step is known, or the step is too far away");
+    }
+    k->gone_from = step;
+    k->back_at = TD_NO_STEP;
+    know_absence(r, player, step);
+    return THUD_OK;
+}
+
+thud_result thud_rollback_enter(thud_rollback *r, int player, int64_t step) {
+    thud_result result = check_player(r, player);
+    if (result != THUD_OK) {
+        return result;
+    }
+    td_player_inputs *k = &r->players[player];
+    if (k->gone_from == TD_NO_STEP || k->back_at != TD_NO_STEP) {
+        return td_refuse(r->world, THUD_ERROR_INVALID, "rollback: the player is not absent");
+    }
+    if (step < k->gone_from || step < confirmed_of(r) || step > r->steps + r->options.depth) {
+        return td_refuse(r->world, THUD_ERROR_INVALID,
+                         "rollback: that step is confirmed, or too far ahead");
+    }
+    k->back_at = k->told_before = step;
+    k->known_before = step < k->known_before ? step : k->known_before;
+    for (int64_t i = step; i <= r->steps + r->options.depth; i++) {
+        k->is_known[i % input_count(r)] = false;
     }
     return THUD_OK;
 }
 
 /* ---- playing ---- */
 
-/* The input of a player in a step: the known one, or the one it was last played with. */
+/* The input of a player in a step: the known one, or the one of the step before. */
 static uint64_t input_of(const thud_rollback *r, int player, int64_t step) {
-    const player_inputs *k = &r->players[player];
-    if (k->is_known[step % input_count(r)]) {
-        return k->inputs[step % input_count(r)];
-    }
-    return step == 0 ? r->options.idle : saved_step_of(r, step - 1)->inputs[player];
+    const td_player_inputs *k = &r->players[player];
+    return k->is_known[step % input_count(r)] ? k->inputs[step % input_count(r)]
+                                              : td_rollback_saved(r, step - 1)->inputs[player];
 }
 
-/* Restores world and state to what they were before a saved step. */
-static thud_result restore_step(thud_rollback *r, int64_t step) {
-    const saved_step *m = saved_step_of(r, step);
+thud_result td_rollback_restore_step(thud_rollback *r, int64_t step) {
+    const td_saved_step *m = td_rollback_saved(r, step);
     thud_result result = thud_world_restore(r->world, m->image, m->bytes);
-    if (result == THUD_OK && r->options.state) {
-        memcpy(r->options.state, m->image + m->bytes, r->options.state_bytes);
+    if (result == THUD_OK) {
+        r->at = step;
+        if (r->options.state) {
+            memcpy(r->options.state, m->image + m->bytes, r->options.state_bytes);
+        }
     }
     return result;
 }
 
-/* Saves world and state, as they are before a step. */
-static thud_result save_step(thud_rollback *r, saved_step *m) {
+thud_result td_rollback_save_step(thud_rollback *r, int64_t step) {
+    td_saved_step *m = td_rollback_saved(r, step);
     size_t bytes;
     thud_result result = thud_world_get_snapshot_size(r->world, &bytes);
     if (result != THUD_OK) {
@@ -278,8 +394,8 @@ static thud_result save_step(thud_rollback *r, saved_step *m) {
  * has it played again; the caller resets it when all steps have succeeded. Where the step cannot be
  * saved, first_wrong stays at an earlier one. If `step` fails, world and state are restored. */
 static thud_result play_step(thud_rollback *r, int64_t step) {
-    saved_step *m = saved_step_of(r, step);
-    thud_result result = save_step(r, m);
+    td_saved_step *m = td_rollback_saved(r, step);
+    thud_result result = td_rollback_save_step(r, step);
     if (result != THUD_OK) {
         return result;
     }
@@ -287,44 +403,61 @@ static thud_result play_step(thud_rollback *r, int64_t step) {
         m->inputs[i] = input_of(r, i, step);
     }
     r->first_wrong = step;
+    r->at = -1;
     r->playing = true;
     result = r->options.step(r->world, m->inputs, r->options.state);
     r->playing = false;
     if (result != THUD_OK) {
-        restore_step(r, step);
+        td_rollback_restore_step(r, step);
+        return result;
+    }
+    r->at = step + 1;
+    return THUD_OK;
+}
+
+/* Plays at most so many of the steps again that have to be. */
+static thud_result settle(thud_rollback *r, int64_t most) {
+    if (r->first_wrong == TD_NO_STEP) {
+        return THUD_OK;
+    }
+    int64_t step = r->first_wrong;
+    thud_result result = r->at == step ? THUD_OK : td_rollback_restore_step(r, step);
+    for (; step < r->steps && most > 0 && result == THUD_OK; most--) {
+        result = play_step(r, step);
+        step += result == THUD_OK;
+        r->replayed += result == THUD_OK;
+    }
+    if (result == THUD_OK) {
+        r->first_wrong = step < r->steps ? step : TD_NO_STEP;
     }
     return result;
 }
 
 thud_result thud_rollback_settle(thud_rollback *r) {
-    thud_result result = check(r);
-    if (result != THUD_OK || r->first_wrong == NO_STEP) {
-        return result;
-    }
-    result = restore_step(r, r->first_wrong);
-    for (int64_t step = r->first_wrong; step < r->steps && result == THUD_OK; step++) {
-        result = play_step(r, step);
-        r->replayed += result == THUD_OK;
-    }
-    r->first_wrong = result == THUD_OK ? NO_STEP : r->first_wrong;
-    return result;
+    thud_result result = td_rollback_check(r);
+    return result == THUD_OK ? settle(r, INT64_MAX) : result;
 }
 
 thud_result thud_rollback_advance(thud_rollback *r, bool *out_made) {
-    thud_result result = thud_rollback_settle(r);
+    thud_result result = td_rollback_check(r);
+    if (result == THUD_OK) {
+        result = settle(r, r->options.budget ? r->options.budget : INT64_MAX);
+    }
     if (result != THUD_OK) {
         return result;
     }
-    bool waits = r->steps - thud_progress_of(r).confirmed >= r->options.depth;
+    bool waits = r->first_wrong != TD_NO_STEP || r->steps - confirmed_of(r) >= r->options.depth;
     result = waits ? THUD_OK : play_step(r, r->steps);
     if (result != THUD_OK) {
         return result;
     }
     if (!waits) {
-        r->first_wrong = NO_STEP;
+        r->first_wrong = TD_NO_STEP;
         r->steps++;
         for (int i = 0; i < r->options.players; i++) {
-            r->players[i].is_known[(r->steps + r->options.depth) % input_count(r)] = false;
+            int64_t last = r->steps + r->options.depth;
+            r->players[i].is_known[last % input_count(r)] = false;
+            know_absence(r, i, last);
         }
     }
     if (out_made) {
@@ -335,15 +468,18 @@ thud_result thud_rollback_advance(thud_rollback *r, bool *out_made) {
 
 thud_result thud_rollback_get_state(thud_rollback *r, int64_t step, uint64_t *out_hash,
                                     void *out_state) {
-    thud_result result = thud_rollback_settle(r);
+    thud_result result = td_rollback_check(r);
+    if (result == THUD_OK && (step > r->first_wrong || step == r->steps)) {
+        result = settle(r, INT64_MAX);
+    }
     if (result != THUD_OK) {
         return result;
     }
-    bool now = step == r->steps;
-    if (step < 0 || step > r->steps || step < r->steps - r->options.depth) {
+    bool now = step == r->at; /* otherwise it is stored, as it was played last */
+    if (step < td_rollback_oldest(r) || step > r->steps) {
         return td_refuse(r->world, THUD_ERROR_INVALID, "rollback: that step is not kept");
     }
-    const saved_step *m = now ? NULL : saved_step_of(r, step);
+    const td_saved_step *m = now ? NULL : td_rollback_saved(r, step);
     if (out_hash) {
         *out_hash = now ? thud_hash_of(r->world) : m->hash;
     }

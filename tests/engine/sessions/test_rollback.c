@@ -321,6 +321,17 @@ static thud_result ask_inside(thud_world *world, const uint64_t *inputs, void *s
     assert_int_equal(thud_rollback_advance(inner, &made), THUD_ERROR_LOCKED);
     assert_int_equal(thud_rollback_settle(inner), THUD_ERROR_LOCKED);
     assert_int_equal(thud_rollback_get_state(inner, 0, NULL, NULL), THUD_ERROR_LOCKED);
+    size_t bytes;
+    int64_t lead;
+    thud_rollback_difference found;
+    assert_int_equal(thud_rollback_report(inner, -1, NULL, 0, &bytes), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_rollback_compare(inner, &bytes, 1, &found), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_rollback_snapshot(inner, NULL, 0, &bytes), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_rollback_restore(inner, &bytes, 1), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_rollback_leave(inner, 0, 0), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_rollback_enter(inner, 0, 0), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_rollback_get_lead(inner, 0, &lead), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_rollback_set_lead(inner, 0, 0), THUD_ERROR_LOCKED);
     thud_rollback_destroy(inner);
     return thud_world_step(world);
 }

@@ -4,6 +4,7 @@
  */
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { pack, unpack } from "../../../web/package/dist/net/rollback-bytes.js";
 import { thud } from "../support/package.mjs";
 
 const { Mover, Rollback } = thud;
@@ -20,17 +21,19 @@ function randomBy(seed) {
 }
 
 /** A peer: two bodies that inputs push among others, a mover that runs, and a count of contacts. */
-function createPeer(options = {}) {
-  const world = engine.createWorld();
+function createPeer(options = {}, worldOptions = {}) {
+  const world = engine.createWorld(worldOptions);
   const floor = { kind: "aabb", halfWidth: 20, halfHeight: 1, offset: [0, -1] };
   world.createBody({ shapes: [floor] });
-  const bodies = Array.from({ length: 6 }, (_, i) => {
+  for (let i = 0; i < 6; i++) {
     const shapes = [{ kind: "circle", radius: 0.5, category: i < 2 ? 2 : 4 }];
-    return world.createBody({ kind: "dynamic", position: [i - 3, 0.6 + 0.1 * i], shapes });
-  });
+    world.createBody({ kind: "dynamic", position: [i - 3, 0.6 + 0.1 * i], shapes });
+  }
   const shape = { kind: "circle", radius: 0.4 };
   const hero = new Mover(world, { shape, position: [-8, 1], pushForce: 10 });
   const step = (inputs, state) => {
+    // Who joins a game has the handles of the peer that it was joined at.
+    const [, ...bodies] = world.bodies();
     inputs.forEach((held, player) => world.applyCenterForce(bodies[player], [15 * held, 0]));
     world.step();
     hero.move([3 * inputs[0], -3], 1 / 60);
@@ -174,4 +177,227 @@ test("wrong_calls_throw_and_change_nothing", () => {
   ])
     assert.throws(call, { name: "ThudError", code: "invalid" });
   assert.equal(rollback.hashAt(3), hash);
+});
+
+// ---- several peers ----
+
+const DEPTH = 20;
+
+// Gives inputs of both players before a step, of one late.
+function playLate({ rollback }, inputs, late) {
+  const now = rollback.steps;
+  rollback.input(0, now, inputs[0][now]);
+  if (now >= late) rollback.input(1, now - late, inputs[1][now - late]);
+  assert.equal(rollback.advance(), true);
+}
+
+function tellAll({ rollback }, inputs) {
+  inputs.forEach((held, player) => {
+    for (let step = Math.max(0, rollback.steps - DEPTH); step < rollback.steps; step++)
+      rollback.input(player, step, held[step]);
+  });
+}
+
+test("budget_spreads_what_is_run_again", () => {
+  const inputs = inputsOf(4);
+  const wanted = playKnowing(inputs);
+  const peer = createPeer({ depth: DEPTH, budget: 3 });
+  const { rollback, world } = peer;
+  let held = 0;
+  let told = 0;
+  while (rollback.steps < STEPS) {
+    const now = rollback.steps;
+    rollback.input(0, now, inputs[0][now]);
+    if (now % 12 === 11) for (; told < now; told++) rollback.input(1, told, inputs[1][told]);
+    const { replayed } = rollback;
+    const made = rollback.advance();
+    assert.ok(rollback.replayed - replayed <= 3);
+    assert.equal(rollback.steps, now + (made ? 1 : 0));
+    assert.equal(made, rollback.settled === rollback.steps);
+    const final = Math.min(rollback.confirmed, rollback.settled);
+    if (final > STEPS - 60) assert.equal(rollback.hashAt(final), wanted.rollback.hashAt(final));
+    if (!made) held++;
+  }
+  tellAll(peer, inputs);
+  assert.equal(rollback.settle() > 0 || rollback.settled === STEPS, true);
+  assert.equal(world.hash(), wanted.world.hash());
+  assert.ok(held > 10, `${held} frames were held back`);
+});
+
+test("clocks_are_compared_through_any_delay", () => {
+  for (const delay of [0, 3, 6]) {
+    const peers = [createPeer({ depth: DEPTH }), createPeer({ depth: DEPTH })];
+    const told = [0, 0];
+    for (let now = 0; now < 120; now++) {
+      peers.forEach(({ rollback }, i) => {
+        if (now < 5 * i) return; // the second begins five frames later
+        rollback.input(i, rollback.steps, IDLE);
+        const heard = i === 0 ? now - 5 - delay : now - delay;
+        for (; told[i] <= heard; told[i]++) rollback.input(1 - i, told[i], IDLE);
+        assert.equal(rollback.advance(), true);
+      });
+      const leads = peers.map(({ rollback }, i) => rollback.leadOver(1 - i));
+      if (now > 20) peers.forEach(({ rollback }, i) => rollback.hearLead(1 - i, leads[1 - i]));
+    }
+    const [first, second] = peers.map(({ rollback }) => rollback.ahead);
+    assert.ok(Math.abs(first - 5) < 0.5 && Math.abs(second + 5) < 0.5, `${first} and ${second}`);
+  }
+});
+
+test("who_joins_has_the_same_game_and_absent_players_are_idle", () => {
+  const [GONE, BACK] = [50, 90];
+  const inputs = inputsOf(5);
+  inputs[1].fill(IDLE, GONE, BACK);
+  const wanted = playKnowing(inputs);
+  const host = createPeer({ depth: DEPTH });
+  while (host.rollback.steps < 40) playLate(host, inputs, 6);
+  for (let step = 34; step < GONE; step++) host.rollback.input(1, step, inputs[1][step]);
+  host.rollback.leave(1, GONE);
+  while (host.rollback.steps < 60) {
+    const now = host.rollback.steps;
+    if (now > 45) host.rollback.input(0, now - 5, inputs[0][now - 5]);
+    else host.rollback.input(0, now, inputs[0][now]);
+    assert.equal(host.rollback.advance(), true);
+  }
+  // All that is late here is the other player's own.
+  const guest = createPeer({ depth: DEPTH });
+  guest.rollback.restore(host.rollback.snapshot());
+  assert.equal(guest.rollback.steps, host.rollback.confirmed);
+  assert.ok(guest.rollback.steps > GONE && guest.rollback.steps < 60);
+  for (const peer of [host, guest]) {
+    const { rollback } = peer;
+    for (let step = rollback.confirmed; step < rollback.steps; step++) rollback.input(0, step, inputs[0][step]);
+    while (rollback.steps < STEPS) {
+      const now = rollback.steps;
+      if (now === BACK - 10) rollback.enter(1, BACK);
+      rollback.input(0, now, inputs[0][now]);
+      if (now >= BACK + 4) rollback.input(1, now - 4, inputs[1][now - 4]);
+      assert.equal(rollback.advance(), true);
+    }
+    tellAll(peer, inputs);
+    assert.equal(rollback.hashAt(STEPS), wanted.world.hash());
+    assert.deepEqual(ended(peer).slice(2), ended(wanted).slice(2));
+  }
+});
+
+// How the second of two peers differs from the first, by their reports.
+function differenceOf([one, two]) {
+  const before = one.world.hash();
+  const { step, isDetailed } = one.rollback.compare(two.rollback.report());
+  assert.equal(isDetailed, false);
+  const found = one.rollback.compare(two.rollback.report(step));
+  assert.equal(found.step, step);
+  assert.equal(found.isDetailed, step >= 0);
+  assert.equal(one.world.hash(), before);
+  return found;
+}
+
+for (const detection of ["overlap", "continuous", "bisect", "swept"])
+  test(`changed_body_and_other_inputs_are_named_with_${detection}`, () => {
+    const inputs = inputsOf(6);
+    const none = { body: null, bodySlot: -1, bodies: 0, player: -1 };
+    const pair = () => [1, 2].map(() => createPeer({ depth: DEPTH }, { detection }));
+    const playBoth = (peers, steps) => {
+      for (const peer of peers) {
+        while (peer.rollback.steps < steps) playLate(peer, inputs, 4);
+        tellAll(peer, inputs);
+        peer.rollback.settle();
+      }
+    };
+    const peers = pair();
+    playBoth(peers, 30);
+    assert.deepEqual(differenceOf(peers), { step: -1, isDetailed: false, ...none });
+    const [, , , body] = peers[1].world.bodies();
+    peers[1].world.setVelocity(body, [0.5, 2]);
+    playBoth(peers, 36);
+    const found = differenceOf(peers);
+    assert.deepEqual([found.step, found.bodySlot, found.player], [30, body.index, -1]);
+    assert.deepEqual(found.body, peers[0].world.bodies()[3]);
+
+    const others = pair();
+    playBoth(others, 30);
+    others[1].rollback.input(1, 30, 5);
+    const kept = inputs[1][30];
+    for (const peer of others) {
+      inputs[1][30] = peer === others[1] ? 5 : kept;
+      playBoth([peer], 36);
+    }
+    inputs[1][30] = kept;
+    const { step, player } = differenceOf(others);
+    assert.deepEqual([step, player], [31, 1]);
+  });
+
+test("damaged_bytes_and_wrong_calls_of_peers_throw_and_change_nothing", () => {
+  const inputs = inputsOf(7);
+  const peer = createPeer({ depth: DEPTH });
+  const { rollback, world } = peer;
+  while (rollback.steps < 30) playLate(peer, inputs, 4);
+  const hash = world.hash();
+  const [report, game] = [rollback.report(20), rollback.snapshot()];
+  const refused = (call) => assert.throws(call, { name: "ThudError", code: "invalid" });
+  const flipped = (bytes, at) => bytes.map((byte, i) => (i === at ? byte ^ (1 << at % 8) : byte));
+  for (let at = 0; at < report.length; at++) {
+    refused(() => rollback.compare(flipped(report, at)));
+    refused(() => rollback.compare(report.slice(0, at)));
+  }
+  for (let at = 0; at < game.length; at += 1 + (at >> 4)) {
+    refused(() => rollback.restore(flipped(game, at)));
+    refused(() => rollback.restore(game.slice(0, at)));
+  }
+  for (const call of [
+    () => rollback.compare(game),
+    () => rollback.restore(report),
+    () => rollback.restore("game"),
+    () => rollback.report(rollback.confirmed + 1),
+    () => rollback.report(1),
+    () => rollback.report(20.5),
+    () => rollback.leadOver(2),
+    () => rollback.hearLead(2, 0),
+    () => rollback.hearLead(1, 1001),
+    () => rollback.hearLead(1, NaN),
+    () => rollback.leave(2, 30),
+    () => rollback.leave(0, 29),
+    () => rollback.leave(1, 30 + DEPTH + 1),
+    () => rollback.leave(1, 30.5),
+    () => rollback.enter(1, 40),
+    () => createPeer({ budget: -1 }),
+    () => createPeer({ budget: 1001 }),
+  ])
+    refused(call);
+  rollback.leave(1, 30);
+  refused(() => rollback.leave(1, 31));
+  refused(() => rollback.enter(1, 29));
+  refused(() => rollback.enter(1, 30 + DEPTH + 1));
+  refused(() => rollback.input(1, 31, 1));
+  rollback.enter(1, 32);
+  rollback.input(1, 32, 1);
+  assert.deepEqual([world.hash(), rollback.steps, rollback.ahead], [hash, 30, 0]);
+  const other = createPeer({ depth: DEPTH, movers: [] });
+  refused(() => rollback.restore(other.rollback.snapshot()));
+  // Forged bytes, whose checksum is right.
+  const { data, more } = unpack("tdJj", game);
+  const moved = peer.hero.state();
+  for (const wrong of [
+    { movers: [{ ...moved, position: [NaN, 0] }] },
+    { movers: [{ ...moved, ground: {} }] },
+    { movers: [null] },
+    { inputs: [1] },
+    { absent: [[0, 1], null] },
+    { step: -1 },
+    { players: 3 },
+  ])
+    refused(() => rollback.restore(pack("tdJj", { ...data, ...wrong }, more)));
+  refused(() => rollback.restore(pack("tdJj", data, more.slice(1))));
+  refused(() => rollback.restore(pack("tdJj", null, more)));
+  const told = unpack("tdRj", report).data;
+  for (const wrong of [
+    { hashes: [1] },
+    { bodies: [[1, 2], [1, 2]] },
+    { inputs: [1] },
+    { step: -2 },
+    { first: 0.5 },
+  ])
+    refused(() => rollback.compare(pack("tdRj", { ...told, ...wrong })));
+  refused(() => rollback.compare(pack("tdRj", null)));
+  assert.deepEqual([world.hash(), rollback.steps, peer.hero.state()], [hash, 30, moved]);
 });

@@ -20,7 +20,7 @@ export * from "./fields/field-types.js";
 export * from "./joint-types.js";
 export { type MinkowskiSum, minkowskiSum } from "./minkowski.js";
 export { Mover, type MoverState } from "./mover.js";
-export { Rollback, type RollbackOptions } from "./net/rollback.js";
+export { Rollback, type RollbackDifference, type RollbackOptions } from "./net/rollback.js";
 export * from "./query-types.js";
 export * from "./rules/rule-types.js";
 export * from "./types.js";

@@ -1133,6 +1133,7 @@ pub struct thud_rollback {
 pub struct thud_rollback_options {
     pub players: c_int,
     pub depth: c_int,
+    pub budget: c_int,
     pub idle: u64,
     pub step: Option<thud_rollback_step_fn>,
     pub state: *mut c_void,
@@ -1145,6 +1146,19 @@ pub struct thud_rollback_progress {
     pub steps: i64,
     pub confirmed: i64,
     pub replayed: i64,
+    pub settled: i64,
+    pub ahead: f64,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct thud_rollback_difference {
+    pub step: i64,
+    pub is_detailed: bool,
+    pub body: thud_body_id,
+    pub body_slot: c_int,
+    pub bodies: c_int,
+    pub player: c_int,
 }
 
 #[repr(C)]
@@ -1485,6 +1499,14 @@ extern "C" {
     pub fn thud_rollback_settle(rollback: *mut thud_rollback) -> thud_result;
     pub fn thud_rollback_get_progress(rollback: *const thud_rollback, out: *mut thud_rollback_progress) -> thud_result;
     pub fn thud_rollback_get_state(rollback: *mut thud_rollback, step: i64, out_hash: *mut u64, out_state: *mut c_void) -> thud_result;
+    pub fn thud_rollback_report(rollback: *mut thud_rollback, step: i64, buffer: *mut c_void, capacity: usize, out_bytes: *mut usize) -> thud_result;
+    pub fn thud_rollback_compare(rollback: *mut thud_rollback, report: *const c_void, bytes: usize, out: *mut thud_rollback_difference) -> thud_result;
+    pub fn thud_rollback_get_lead(rollback: *const thud_rollback, player: c_int, out_lead: *mut i64) -> thud_result;
+    pub fn thud_rollback_set_lead(rollback: *mut thud_rollback, player: c_int, lead: i64) -> thud_result;
+    pub fn thud_rollback_leave(rollback: *mut thud_rollback, player: c_int, step: i64) -> thud_result;
+    pub fn thud_rollback_enter(rollback: *mut thud_rollback, player: c_int, step: i64) -> thud_result;
+    pub fn thud_rollback_snapshot(rollback: *mut thud_rollback, buffer: *mut c_void, capacity: usize, out_bytes: *mut usize) -> thud_result;
+    pub fn thud_rollback_restore(rollback: *mut thud_rollback, buffer: *const c_void, bytes: usize) -> thud_result;
     pub fn thud_default_rule() -> thud_rule;
     pub fn thud_world_set_rule(world: *mut thud_world, first: u32, second: u32, rule: *const thud_rule) -> thud_result;
     pub fn thud_world_get_rule(world: *const thud_world, first: u32, second: u32, out: *mut thud_rule, out_is_set: *mut bool, out_reversed: *mut bool) -> thud_result;

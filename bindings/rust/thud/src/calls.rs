@@ -64,6 +64,7 @@ pub use sys::thud_prediction as Prediction;
 pub use sys::thud_query_filter as QueryFilter;
 pub use sys::thud_ray_hit as RayHit;
 pub use sys::thud_result as Code;
+pub use sys::thud_rollback_difference as RollbackDifference;
 pub use sys::thud_rollback_progress as RollbackProgress;
 pub use sys::thud_rule as Rule;
 pub use sys::thud_rule_kind as RuleKind;

@@ -1,0 +1,68 @@
+/* rollback.h: a rollback's rings, for the files that implement thud_rollback.h.
+ *
+ * Two ring buffers are indexed by the step's number: `saved` has the snapshot before each of the
+ * last depth + 1 steps, and the inputs that the step was played with; and each player has the
+ * inputs known of the steps from depth + 1 before the next one to depth after it. An input that is
+ * not known yet is predicted to be that of the step before. */
+#ifndef TD_ROLLBACK_H
+#define TD_ROLLBACK_H
+
+#include "state/handles.h"
+#include "thud/thud_rollback.h"
+
+/* In place of a step: none. */
+#define TD_NO_STEP INT64_MAX
+
+/* The world and state before a step, and what the step was played with. */
+typedef struct td_saved_step {
+    char *image;        /* the world's snapshot, followed by the caller's state */
+    size_t room, bytes; /* size of the memory at image; of the snapshot in it */
+    uint64_t hash;      /* thud_hash_of before the step */
+    uint64_t *inputs;   /* by player */
+} td_saved_step;
+
+/* The known inputs of a player. */
+typedef struct td_player_inputs {
+    uint64_t *inputs;           /* ring of input_count */
+    bool *is_known;             /* likewise: the input of the step is known */
+    int64_t known_before;       /* every input before this step is known */
+    int64_t told_before;        /* no input of this step or a later one has been given */
+    int64_t gone_from, back_at; /* absent from one step until before the other; TD_NO_STEP: never */
+    bool is_timed;              /* both leads have been heard of */
+    double lead, their_lead;    /* thud_rollback_get_lead, and the player's own, smoothed */
+} td_player_inputs;
+
+struct thud_rollback {
+    thud_world *world;
+    thud_rollback_options options;
+    size_t bytes;              /* of the memory block of this struct and its rings */
+    td_saved_step *saved;      /* ring of saved_count */
+    td_player_inputs *players; /* by player */
+    int64_t first;             /* the step with which this peer began: 0, unless it has joined */
+    int64_t steps;             /* made so far: the number of the next one */
+    int64_t at;                /* the step before which world and state are; -1: in the middle */
+    int64_t replayed;          /* steps that were played again, in all */
+    int64_t first_wrong;       /* the first step that has to be played again, or TD_NO_STEP */
+    bool playing;              /* inside options.step */
+};
+
+/* Refuses calls from inside a step or callback. */
+thud_result td_rollback_check(const thud_rollback *r);
+
+/* The place of a step >= -1 in the ring. */
+td_saved_step *td_rollback_saved(const thud_rollback *r, int64_t step);
+
+/* The first step of which the state before it is stored. */
+int64_t td_rollback_oldest(const thud_rollback *r);
+
+/* Restores world and state to what they were before a saved step. */
+thud_result td_rollback_restore_step(thud_rollback *r, int64_t step);
+
+/* Saves world and state, as they are before a step, in its place in the ring. */
+thud_result td_rollback_save_step(thud_rollback *r, int64_t step);
+
+/* Begins anew with the world and state that are there, before a step: nothing is known but who is
+ * absent. `inputs`: those of the step before, by player. */
+void td_rollback_begin(thud_rollback *r, int64_t step, const uint64_t *inputs);
+
+#endif
