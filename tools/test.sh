@@ -108,13 +108,15 @@ test_threads() {
     test_under threads $THREADS_TESTS
 }
 
-# All cases of the guarantees, and a million random cases of each pair of shapes. Takes half an hour
-# on two processors.
+# All cases of the guarantees, a million random cases of each pair of shapes, and a hundred thousand
+# steps over the worst network by each number of players. Takes half an hour on two processors, and
+# ten minutes more on one.
 test_all_cases() {
     THUD_GUARANTEES=full ctest --preset release --label-regex '^guarantees$' --timeout 3600 \
         --parallel "$jobs"
     THUD_CASES=1000000 ctest --preset release --label-regex '^pairs$' --timeout 7200 \
         --parallel "$jobs"
+    THUD_NETWORK_STEPS=100000 ctest --preset release --tests-regex '^test_play$' --timeout 3600
 }
 
 # The files of a release, made twice, but for the site, which differs from folder to folder. Takes
