@@ -15,6 +15,8 @@ it for programs whose calls are recorded. thud.c is four parts:
    and macros of headers of which kernels are made: what a vector of eight floats compiles to depends on
    the instruction set of the function that adds it. World.c chooses at run time, as in the library.
 
+Files of a part of parts.py stand between `#if` and `#endif`, so that a program leaves the part out by a define.
+
 In one file, names that are private to a file meet: several files have a static function `run`. A name
 of file scope that another file of the engine has at its file scope, too, gets the name of its file in front
 (`run` of solve.c: `solve_run`); in part 4 all such names end in _avx2. A file's macros end with it. Renaming
@@ -23,9 +25,13 @@ understands are those that the engine uses; what it does not, the compiler repor
 """
 
 import argparse
+import functools
 import pathlib
 import re
 import sys
+import textwrap
+
+from parts import PARTS, parts_of
 
 TOKEN = re.compile(r"""
     (?P<comment>/\*.*?\*/|//[^\n]*)
@@ -106,6 +112,19 @@ class Source:
     @property
     def is_wide(self):
         return self.stem.startswith("wide_") and self.path.suffix == ".c"
+
+    @property
+    def condition(self):
+        """The condition under which the one file has this file, or ""."""
+        names = parts_of(str(self.path)[len("src/"):]) if self.path.suffix == ".c" else []
+        kept = " || ".join(f"!defined(THUD_NO_{name})" for name in names)
+        windows = "!defined(_WIN32)" if str(self.path) in NOT_ON_WINDOWS else ""
+        if kept and windows:
+            kept = kept if len(names) == 1 else f"({kept})"
+        return " && ".join(condition for condition in (windows, kept) if condition)
+
+    def within_condition(self, text):
+        return f"#if {self.condition}\n{text}#endif\n" if self.condition else text
 
 
 def macro_call_end(tokens, start, macros):
@@ -285,6 +304,7 @@ def directive_of(chunk):
     return chunk[-1][1] if chunk and chunk[-1][0] == "directive" and not solid(chunk) else ""
 
 
+@functools.lru_cache(maxsize=None)
 def used_by(text):
     """All names in a text, directives included, without comments and strings."""
     used = set()
@@ -293,7 +313,7 @@ def used_by(text):
             used.add(part)
         elif kind == "directive":
             used |= used_by(re.sub(r"^[ \t]*#", "", part))
-    return used
+    return frozenset(used)
 
 
 def ends_of_macros(source, names, called):
@@ -340,6 +360,20 @@ def without_empty_conditions(chunks):
             kept.append(chunk)
         chunks = kept
     return chunks
+
+
+def parts_head():
+    """What thud.c says of its parts, and the errors where a part is left out that another one calls."""
+    text, errors = PARTS_HEAD, ""
+    for name, part in PARTS.items():
+        what = part.what.replace("`", "")
+        text += "\n".join(textwrap.wrap(f"THUD_NO_{name}: {what}.", 100, initial_indent=" *   ",
+                                        subsequent_indent=" *       ", break_long_words=False)) + "\n"
+        for other in part.goes_with:
+            errors += (f"#if defined(THUD_NO_{name}) && !defined(THUD_NO_{other})\n"
+                       f'#error "THUD_NO_{name} leaves out what another part calls: define THUD_NO_{other}, too"\n'
+                       "#endif\n")
+    return text + " */\n\n" + errors
 
 
 class Engine:
@@ -405,7 +439,7 @@ class Engine:
                     if renamed(body, inner) != body:
                         called[macro] = f"{source.stem}_{macro}{suffix}"
         copies = []
-        for header in self.headers:
+        for header in self.headers if called else []:
             chunks = []
             for chunk in header.chunks:
                 define = DEFINE.match(directive_of(chunk))
@@ -474,12 +508,16 @@ class Engine:
     def system_headers(self):
         """The includes of all files of the C library's and the system's headers, each under the
         conditions under which a file includes it."""
-        includes = {include for source in self.files for include in system_includes(source.text)}
+        includes = {}
+        for source in self.files:
+            for name, condition in system_includes(source.text):
+                own = f"({source.condition})" if source.condition else ""
+                includes.setdefault(name, set()).add(" && ".join(filter(None, (own, condition))))
+        includes.pop("windows.h", None)
         text = ""
-        for name, condition in sorted(includes):
+        for name, conditions in sorted(includes.items()):
             include = f"#include <{name}>\n"
-            if name != "windows.h":
-                text += f"#if {condition}\n{include}#endif\n" if condition else include
+            text += include if "" in conditions else f"#if {' || '.join(sorted(conditions))}\n{include}#endif\n"
         return text
 
     def section(self, source):
@@ -491,9 +529,7 @@ class Engine:
             text = copies + "\n" + text
         if source.path.suffix == ".c":
             text += ends_of_macros(source, names, called)
-        if str(source.path) in NOT_ON_WINDOWS:
-            text = f"#if !defined(_WIN32)\n{text}#endif\n"
-        return HERE.format(f"engine/{source.path}") + text
+        return HERE.format(f"engine/{source.path}") + source.within_condition(text)
 
     def wide_headers(self):
         """The headers that kernels include, in order, and the names of which AVX2 has its own."""
@@ -578,16 +614,16 @@ class Engine:
                 text = re.sub(r"[ \t]*#[ \t]*include[^\n]*\n", "", source.text)
                 called, copies = self.own_macros(source, mine, AVX2, text)
                 mine = {**names, **mine, **called}
+                text = without_comments(copies + renamed(text, mine, avx2=True))
                 parts.append(HERE.format(f"engine/{source.path}, for AVX2")
-                             + without_comments(copies + renamed(text, mine, avx2=True))
-                             + ends_of_macros(source, mine, called))
+                             + source.within_condition(text + ends_of_macros(source, mine, called)))
         return "\n".join(parts)
 
     def code(self):
         """thud.c"""
         narrow = [source for source in self.sources if not source.is_wide]
         wide = [source for source in self.sources if source.is_wide]
-        return "\n".join([self.head("thud.c", CODE_HEAD), BEFORE.replace("SYSTEM\n", self.system_headers())]
+        return "\n".join([self.head("thud.c", CODE_HEAD), parts_head(), BEFORE.replace("SYSTEM\n", self.system_headers())]
                          + [self.section(source) for source in narrow]
                          + [self.section(source) for source in wide]
                          + [AVX2_BEGINS, self.again_for_avx2(), AVX2_ENDS])
@@ -604,8 +640,17 @@ CODE_HEAD = """, the whole engine in one file, for gcc and clang. Needs thud.h b
  *
  *     cc -O2 game.c thud.c -lm
  *
- * It computes the same bits as the library. On Windows it has no pool of threads (thud_threads.h). Made by tools/amalgamate.py from engine/src: change the files
- * there, whose names stand before what they hold."""
+ * It computes the same bits as the library. On Windows it has no pool of threads (thud_threads.h).
+ * Parts of it are left out by defines, which are listed below. Made by tools/amalgamate.py from engine/src:
+ * change the files there, whose names stand before what they hold."""
+
+PARTS_HEAD = """/* ======== parts that may be left out ========
+ *
+ * A program that has no use for a part compiles this file with the part's define (-DTHUD_NO_JOINTS), and
+ * gets a smaller object. What is left computes the same bits. thud.h declares every part all the same, so
+ * that other files need no define; a call to what was left out does not link, and the linker names it.
+ *
+"""
 
 BEFORE = """#include "thud.h"
 

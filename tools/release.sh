@@ -10,7 +10,8 @@ usage: ./run release [PART...]
 
 Makes the files of a release in build/release-files, or only the parts that are named:
 
-  source    thud-VERSION.tar.gz: every file of the repository
+  source    thud-VERSION.tar.gz: every file of the repository; and thud.wrap, by which a project that
+            Meson builds has it as a subproject
   one-file  thud-VERSION-one-file.tar.gz: thud.h, thud.c, thud_recorded.h, thud.hpp and the license
   npm       thud-VERSION.tgz: the JavaScript package
   python    python/thud-VERSION-*.whl, the Python package for this system and its version of Python,
@@ -60,6 +61,8 @@ release_archive() {
 # release_PART: makes a part, in the folder of a fresh copy of the last commit.
 release_source() {
     release_archive "thud-$version.tar.gz" "$work/source.tar"
+    sum=$(sha256 "$files/thud-$version.tar.gz")
+    sed "s/@VERSION@/$version/; s/@SHA256@/${sum%% *}/" packaging/meson/thud.wrap.in >"$files/thud.wrap"
 }
 
 release_one_file() {

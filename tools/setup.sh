@@ -157,13 +157,23 @@ os.stat(os.path.join(sysconfig.get_path("include"), "Python.h"))'
 }
 
 need_test() {
-    [ "${full:-no}" = no ] || need_fuzz
+    [ "${full:-no}" = no ] || {
+        need_fuzz
+        need "pkg-config" "pkgconf|pkg-config" have pkg-config
+        # Debian's package is built on Debian alone.
+        ! have dpkg || {
+            need "the tools that build Debian's packages" dpkg-dev have dpkg-buildpackage
+            need "what Debian's package is built by" debhelper have dh
+            need "the checks of Debian's packages" lintian have lintian
+        }
+    }
     need "Python's environments" python3-venv have_python_environments
     need "Python's headers" python3-dev have_python_header
     need_play
     need_demo
     need "Ninja" ninja-build have ninja
     need "LuaJIT" luajit have luajit
+    need "Meson" meson have meson
     need "clang-format 16" clang-format-16 have clang-format-16
     need "clang 16" clang-16 have clang-16
     need "LLVM's linker" lld-16 test -x /usr/lib/llvm-16/bin/ld.lld

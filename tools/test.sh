@@ -25,9 +25,10 @@ Builds and tests everything, or only the parts that are named:
               of some twenty, runs all tests under the address and undefined-behaviour sanitizers
               (tests/CMakeLists.txt), the tests of clang's release build, those of the memory
               sanitizer, and those of threads and the kept inputs of ./run fuzz under the thread
-              sanitizer, makes the files of ./run release twice and compares them, and measures anew
-              what the generated pages in docs/ say, more than an hour; all this in the part native. In the part page, tests of what the page's own code
-              decides run in Firefox, too, and not in Chromium alone
+              sanitizer, compiles the one file without each of its parts, builds the packages
+              of other tools than CMake, makes the files of ./run release twice and compares them,
+              and measures anew what the generated pages in docs/ say, more than an hour; all this in the part native. In the part page, tests of
+              what the page's own code decides run in Firefox, too, and not in Chromium alone
 
 Two lanes run side by side: wasm and baseline; native, sanitizers and then page, to which all others
 give way. What a part prints is in build/test/PART.log and shown as it ends.
@@ -108,15 +109,18 @@ test_threads() {
     test_under threads $THREADS_TESTS
 }
 
-# All cases of the guarantees, a million random cases of each pair of shapes, and a hundred thousand
-# steps over the worst network by each number of players. Takes half an hour on two processors, and
-# ten minutes more on one.
+# All cases of the guarantees, a million random cases of each pair of shapes, a hundred thousand steps
+# over the worst network by each number of players, the one file without each of its parts, and packages
+# that other tools than CMake build. Takes 40 minutes on two processors.
 test_all_cases() {
     THUD_GUARANTEES=full ctest --preset release --label-regex '^guarantees$' --timeout 3600 \
         --parallel "$jobs"
     THUD_CASES=1000000 ctest --preset release --label-regex '^pairs$' --timeout 7200 \
         --parallel "$jobs"
     THUD_NETWORK_STEPS=100000 ctest --preset release --tests-regex '^test_play$' --timeout 3600
+    THUD_PARTS=full ctest --preset release --tests-regex '^test_parts$' --timeout 3600
+    pip_packages build/conan packaging/conan/requirements.txt "Conan"
+    THUD_PACKAGES=full ctest --preset release --label-regex '^packages$' --timeout 3600
 }
 
 # The files of a release, made twice, but for the site, which differs from folder to folder. Takes

@@ -123,6 +123,8 @@ typedef struct thud_broadphase_counts thud_broadphase_counts;
 typedef struct thud_recorder thud_recorder;
 typedef struct thud_recorder_options thud_recorder_options;
 typedef struct thud_player thud_player;
+typedef struct thud_call_value thud_call_value;
+typedef struct thud_played_call thud_played_call;
 typedef struct thud_player_options thud_player_options;
 typedef struct thud_player_progress thud_player_progress;
 typedef struct thud_rollback thud_rollback;
@@ -149,6 +151,7 @@ typedef void thud_object_epilogue_fn(thud_world * world, const thud_contact * co
 typedef _Bool thud_mover_pass_fn(const thud_mover * mover, const thud_mover_hit * hit, thud_vec2 velocity, void * context);
 typedef _Bool thud_recording_sink_fn(const void * bytes, size_t count, void * context);
 typedef void thud_chunk_fn(const char * name, thud_bytes bytes, void * context);
+typedef void thud_played_call_fn(const thud_played_call * call, void * context);
 typedef thud_result thud_rollback_step_fn(thud_world * world, const uint64_t * inputs, void * state);
 typedef _Bool thud_filter_fn(const thud_world * world, thud_shape_id shape_a, thud_shape_id shape_b, void * context);
 struct thud_vec2 { float x; float y; };
@@ -224,7 +227,9 @@ struct thud_prediction { thud_body_id body; thud_pos position; double angle; thu
 struct thud_step_settings { thud_vec2 gravity; double time_step; double max_error; int substeps; _Bool sleeping; thud_quality quality; };
 struct thud_broadphase_counts { int moved; int64_t tested; int64_t found; int64_t sort_moves; int cells; int cell_shapes; int cell_shapes_max; };
 struct thud_recorder_options { int hash_steps; _Bool body_hashes; int keyframe_steps; int ring_steps; thud_recording_sink_fn * sink; void * context; };
-struct thud_player_options { thud_allocator allocator; thud_log_fn * log; void * log_context; thud_job_system job_system; thud_chunk_fn * chunk; void * context; };
+struct thud_call_value { double number; _Bool handle; };
+struct thud_played_call { const char * name; thud_result result; const thud_call_value * values; int value_count; uint32_t returned; };
+struct thud_player_options { thud_allocator allocator; thud_log_fn * log; void * log_context; thud_job_system job_system; thud_chunk_fn * chunk; thud_played_call_fn * call; void * context; thud_clock_fn * clock; void * clock_context; };
 struct thud_player_progress { int64_t first; int64_t end; int64_t steps; int64_t hashes; _Bool differs; int64_t differs_after; int64_t differs_at; thud_body_id body; };
 struct thud_rollback_options { int players; int depth; int budget; uint64_t idle; thud_rollback_step_fn * step; void * state; size_t state_bytes; };
 struct thud_rollback_progress { int64_t steps; int64_t confirmed; int64_t replayed; int64_t settled; double ahead; };
@@ -465,6 +470,7 @@ thud_result thud_player_create(thud_bytes recording, const thud_player_options *
 void thud_player_destroy(thud_player * player);
 thud_result thud_player_step(thud_player * player, _Bool * out_stepped);
 thud_result thud_player_seek(thud_player * player, int64_t step);
+thud_result thud_player_get_keyframe(const thud_player * player, int64_t step, int64_t * out_step);
 thud_result thud_player_get_world(thud_player * player, thud_world ** out);
 thud_result thud_player_get_progress(const thud_player * player, thud_player_progress * out);
 thud_result thud_rollback_create(thud_world * world, const thud_rollback_options * options, thud_rollback ** out);
@@ -628,7 +634,8 @@ local CALLBACKS = {
     thud_overlap_fn = "_Bool", thud_step_fn = "void", thud_cast_fn = "double", thud_prologue_fn = "_Bool",
     thud_epilogue_fn = "void", thud_prologue_all_fn = "void", thud_epilogue_all_fn = "void",
     thud_object_epilogue_fn = "void", thud_mover_pass_fn = "_Bool", thud_recording_sink_fn = "_Bool",
-    thud_chunk_fn = "void", thud_rollback_step_fn = "thud_result", thud_filter_fn = "_Bool"
+    thud_chunk_fn = "void", thud_played_call_fn = "void", thud_rollback_step_fn = "thud_result",
+    thud_filter_fn = "_Bool"
 }
 local FIELDS = {
     thud_vec2 = { x = "float", y = "float" },
@@ -704,7 +711,9 @@ local FIELDS = {
     thud_step_settings = { gravity = "thud_vec2", time_step = "double", max_error = "double", substeps = "int", sleeping = "_Bool", quality = "thud_quality" },
     thud_broadphase_counts = { moved = "int", tested = "int64_t", found = "int64_t", sort_moves = "int64_t", cells = "int", cell_shapes = "int", cell_shapes_max = "int" },
     thud_recorder_options = { hash_steps = "int", body_hashes = "_Bool", keyframe_steps = "int", ring_steps = "int", sink = "thud_recording_sink_fn *", context = "void *" },
-    thud_player_options = { allocator = "thud_allocator", log = "thud_log_fn *", log_context = "void *", job_system = "thud_job_system", chunk = "thud_chunk_fn *", context = "void *" },
+    thud_call_value = { number = "double", handle = "_Bool" },
+    thud_played_call = { name = "const char *", result = "thud_result", values = "const thud_call_value *", value_count = "int", returned = "uint32_t" },
+    thud_player_options = { allocator = "thud_allocator", log = "thud_log_fn *", log_context = "void *", job_system = "thud_job_system", chunk = "thud_chunk_fn *", call = "thud_played_call_fn *", context = "void *", clock = "thud_clock_fn *", clock_context = "void *" },
     thud_player_progress = { first = "int64_t", ["end"] = "int64_t", steps = "int64_t", hashes = "int64_t", differs = "_Bool", differs_after = "int64_t", differs_at = "int64_t", body = "thud_body_id" },
     thud_rollback_options = { players = "int", depth = "int", budget = "int", idle = "uint64_t", step = "thud_rollback_step_fn *", state = "void *", state_bytes = "size_t" },
     thud_rollback_progress = { steps = "int64_t", confirmed = "int64_t", replayed = "int64_t", settled = "int64_t", ahead = "double" },

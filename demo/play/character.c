@@ -7,6 +7,9 @@
 
 #include <math.h>
 
+/* Last: the calls of this file are recorded. */
+#include <thud/thud_recorded.h>
+
 /* Half extents of the character. */
 static const double HALF_WIDTH = 0.35, HALF_HEIGHT = 0.75;
 static const float RUN_SPEED = 8; /* max speed, length scales / s */

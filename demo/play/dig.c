@@ -3,6 +3,9 @@
 
 #include <stdio.h>
 
+/* Last: the calls of this file are recorded. */
+#include <thud/thud_recorded.h>
+
 /* In length scales of the scene. */
 static const double CRATER_RADIUS = 1.5;
 static const double MOUND_RADIUS = 2;
@@ -16,7 +19,7 @@ static thud_result dig_shape(session *s, thud_shape_id shape, thud_pos at, bool 
 
 /* Digs or raises every terrain line with vertices. A message says so if there is none. */
 static void dig(session *s, thud_pos at, bool mound) {
-    if (!s->world)
+    if (!s->world || !session_yields(s))
         return;
     s->message[0] = '\0';
     int lines = 0;

@@ -6,6 +6,9 @@
 
 #include <math.h>
 
+/* Last: the calls of this file are recorded. */
+#include <thud/thud_recorded.h>
+
 static const float FREQUENCY = 5, DAMPING = 1; /* Hz and damping ratio: critical */
 static const float WEIGHTS = 40;               /* max force, in weights of the body */
 /* Min gravity from which that weight is computed, length scales / s^2; for scenes with less or

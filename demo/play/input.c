@@ -3,6 +3,7 @@
 
 #include "dig.h"
 #include "panel/panel.h"
+#include "panel/timeline.h"
 
 #include <math.h>
 
@@ -20,12 +21,19 @@ const char INPUT_HELP[] =
     "  X                  explode at the pointer\n"
     "  L M                next pair of kinds; collide, ignore or one-way, where a scene has kinds\n"
     "  V                  of scene minkowski's pairs: their sums, closest points, bounds\n"
+    "  T                  save the last 30 s as a recording in the present folder: for a report of\n"
+    "                     an error, or to look at slowly\n"
     "  Delete             remove the body under the pointer\n"
     "  1 to 9, 0          contacts, normals, bounds, cells, islands, sleeping, timings, axes,\n"
     "                     pairs, motions\n"
     "  J K                joints; their forces and gaps\n"
     "  E F                next detection, next broadphase; the scene starts anew\n"
     "  Up Down PgUp PgDn  previous, next scene or level\n"
+    "  of a recording, which may also be dropped on the window:\n"
+    "  Left Right         a step back, forward; with Shift 60 steps\n"
+    "  Home End           its first, its last step; the line at the foot: any step\n"
+    "  H                  fork: go on by hand from this step; again: back to the recording\n"
+    "  I                  list the calls of the present step\n"
     "  Tab                hide and show panel and texts\n"
     "  F11                full screen          Esc          quit\n";
 
@@ -33,6 +41,8 @@ const char INPUT_HELP[] =
 static const double ZOOM_PER_NOTCH = 1.15;
 /* Distance in points from the pointer at which a body is still picked. */
 static const float PICK_PIXELS = 3;
+/* Steps of a recording that the arrows go with Shift: a second of most. Chosen. */
+enum { STEPS_WITH_SHIFT = 60 };
 
 /* Pixels of the output in a unit of event coordinates; more than 1 on dense displays. */
 static float pixels_per_window_unit(const viewer *v, SDL_Window *window) {
@@ -41,8 +51,9 @@ static float pixels_per_window_unit(const viewer *v, SDL_Window *window) {
     return width > 0 ? (float)v->canvas.width / (float)width : 1;
 }
 
+/* Whether the pointer is over the panel or the line of steps. */
 static bool over_panel(const viewer *v) {
-    return !v->bare && v->ui.x < panel_width(&v->canvas);
+    return (!v->bare && v->ui.x < panel_width(&v->canvas)) || timeline_hovered(v);
 }
 
 static thud_pos pointer_place(const viewer *v) {
@@ -54,13 +65,19 @@ static double pick_margin(const viewer *v) {
     return fmax(margin, 1e-4 * v->session.scene.length_scale);
 }
 
+/* Whether bodies can be pulled: a recording that plays cannot be changed. */
+static bool may_grab(const viewer *v) {
+    return !v->session.played || v->session.played->forked;
+}
+
 /* Begins a click on the panel, a pull at a body, or a pan of the view. */
 static void press(viewer *v, int button) {
     if (button == SDL_BUTTON_LEFT) {
         v->ui.down = true;
         if (over_panel(v))
             v->ui.pressed = true;
-        else if (!grab_start(&v->grab, &v->session, pointer_place(v), pick_margin(v)))
+        else if (!may_grab(v) ||
+                 !grab_start(&v->grab, &v->session, pointer_place(v), pick_margin(v)))
             v->panning = true;
     } else if ((button == SDL_BUTTON_RIGHT || button == SDL_BUTTON_MIDDLE) && !over_panel(v)) {
         v->panning = true;
@@ -95,9 +112,9 @@ static void zoom_centre(viewer *v, double notches) {
 }
 
 static void open_neighbour(viewer *v, int direction) {
-    int count = v->catalog.count;
+    int count = v->catalog.count, from = v->selected < 0 && direction < 0 ? 0 : v->selected;
     if (count > 0)
-        viewer_open(v, (v->selected + direction + count) % count);
+        viewer_open(v, (from + direction + count) % count);
 }
 
 static void spawn_here(viewer *v, thud_shape_kind kind, bool large) {
@@ -127,6 +144,39 @@ static void toggle_full_screen(SDL_Window *window) {
     SDL_SetWindowFullscreen(window, full ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
 }
 
+/* Keys of a recording; those that move by a step act again while they are held. True for a key that
+ * acts on recordings alone. */
+static bool press_recording_key(viewer *v, const SDL_KeyboardEvent *event) {
+    const playback *p = v->session.played;
+    int steps = event->keysym.mod & KMOD_SHIFT ? STEPS_WITH_SHIFT : 1;
+    if (!p)
+        return false;
+    switch (event->keysym.sym) {
+    case SDLK_LEFT:
+        viewer_go(v, -steps);
+        return true;
+    case SDLK_RIGHT:
+        viewer_go(v, steps);
+        return true;
+    case SDLK_HOME:
+        viewer_go_to(v, p->progress.first);
+        return true;
+    case SDLK_END:
+        viewer_go_to(v, p->progress.end);
+        return true;
+    case SDLK_h:
+        if (!event->repeat)
+            viewer_fork(v);
+        return true;
+    case SDLK_i:
+        if (!event->repeat)
+            v->lists_calls = !v->lists_calls;
+        return true;
+    default:
+        return false;
+    }
+}
+
 /* Keys that act once when they are pressed. Overlay keys are among them. */
 static void press_key(viewer *v, SDL_Window *window, SDL_Keycode key) {
     for (int i = 0; i < OVERLAY_COUNT; i++)
@@ -152,7 +202,7 @@ static void press_key(viewer *v, SDL_Window *window, SDL_Keycode key) {
         viewer_look_home(v);
         break;
     case SDLK_q:
-        session_set_quality(&v->session, (v->session.quality + 1) % QUALITY_CHOICES);
+        session_set_quality(&v->session, (session_quality(&v->session) + 1) % QUALITY_CHOICES);
         break;
     case SDLK_e:
         viewer_set_detection(v, (v->session.detection + 1) % DETECTION_CHOICES);
@@ -165,6 +215,9 @@ static void press_key(viewer *v, SDL_Window *window, SDL_Keycode key) {
         break;
     case SDLK_l:
         session_next_pair(&v->session);
+        break;
+    case SDLK_t:
+        session_save_last(&v->session);
         break;
     case SDLK_m:
         session_next_meeting(&v->session);
@@ -263,7 +316,13 @@ static void handle(viewer *v, SDL_Window *window, const SDL_Event *event) {
     case SDL_MOUSEWHEEL:
         turn_wheel(v, event->wheel.preciseY);
         break;
+    case SDL_DROPFILE:
+        viewer_open_file(v, event->drop.file);
+        SDL_free(event->drop.file);
+        break;
     case SDL_KEYDOWN:
+        if (press_recording_key(v, &event->key))
+            break;
         if (!event->key.repeat)
             press_key(v, window, event->key.keysym.sym);
         repeat_key(v, event->key.keysym.sym, (event->key.keysym.mod & KMOD_SHIFT) != 0);

@@ -27,17 +27,25 @@ static void print_list(const catalog *c) {
     }
 }
 
-/* Opens the first scene or level with the options of the command line. False after a message. */
+/* The path of the recording that the command line names, or null. */
+static const char *recording_of(const options *o) {
+    return o->replay ? o->replay : o->show && playback_is_recording(o->show) ? o->show : NULL;
+}
+
+/* Opens the first scene, level or recording with the options of the command line. False after a
+ * message. */
 static bool open_first(viewer *v, const options *o) {
-    int entry = o->show ? catalog_find(&v->catalog, o->show) : 0;
+    const char *recording = recording_of(o);
+    int entry = o->show && !recording ? catalog_find(&v->catalog, o->show) : 0;
     if (entry == -1) {
         fprintf(stderr,
-                "thud-play: there is no scene '%s', and it is no .tmj file; "
+                "thud-play: there is no scene '%s', and it is no .tmj file and no recording; "
                 "see thud-play --list\n",
                 o->show);
         return false;
     }
     v->bare = o->bare;
+    v->lists_calls = o->calls;
     v->pair_look = o->pair_look;
     v->session.quality = o->quality;
     v->session.detection = o->detection;
@@ -48,7 +56,7 @@ static bool open_first(viewer *v, const options *o) {
     if (o->workers > 1 && thud_threads_create(o->workers, NULL, &v->session.threads) != THUD_OK)
         fprintf(stderr, "thud-play: threads cannot be created; running on one thread\n");
     viewer_layout(v);
-    if (viewer_open(v, entry)) {
+    if (recording ? viewer_open_recording(v, recording) : viewer_open(v, entry)) {
         if (o->overlays_given)
             v->overlays = o->overlays, v->lent = 0;
         return true;

@@ -5,6 +5,9 @@
 
 #include <stdio.h>
 
+/* Last: the calls of this file are recorded. */
+#include <thud/thud_recorded.h>
+
 /* The category bit of a kind, counted from 0. */
 static uint32_t kind(int index) {
     return 2u << index;

@@ -18,11 +18,16 @@ enum {
 
 void options_print_help(void) {
     printf(
-        "usage: thud-play [SCENE|LEVEL.tmj|LEVEL.tmx] [OPTION...]\n"
+        "usage: thud-play [SCENE|LEVEL.tmj|LEVEL.tmx|RECORDING] [OPTION...]\n"
         "\n"
         "Shows a built-in scene or a level of the Tiled editor, and lets you play with it. What\n"
-        "of a level cannot be modelled is left out, and listed on standard error.\n"
+        "of a level cannot be modelled is left out, and listed on standard error. Or plays a\n"
+        "recording, as thud-run --record, the page and programs make them: step by step, back,\n"
+        "slowly, and from any step on by hand. A level or recording may also be dropped on the\n"
+        "window.\n"
         "\n"
+        "  --replay FILE      play a recording\n"
+        "  --calls            list the calls of each step of a recording\n"
         "  --list             print what there is to show\n"
         "  --size WxH         size of the window or picture (1280x800)\n"
         "  --quality Q        draft, default, high or exact\n"
@@ -125,6 +130,11 @@ static bool parse_look(options *o, const char *text) {
     return look >= 0 || complain("--look needs sum, closest or bounds, not", text);
 }
 
+static bool parse_replay(options *o, const char *text) {
+    o->replay = text;
+    return true;
+}
+
 static bool parse_screenshot(options *o, const char *text) {
     o->screenshot = text;
     return picture_has_format(text) ||
@@ -143,7 +153,7 @@ static bool parse_valued(options *o, const char *name, const char *value, bool *
         {"--broadphase", parse_broadphase}, {"--overlay", parse_overlays},
         {"--screenshot", parse_screenshot}, {"--look", parse_look},
         {"--rate", parse_step_rate},        {"--top-speed", parse_top_speed},
-        {"--workers", parse_workers},
+        {"--workers", parse_workers},       {"--replay", parse_replay},
     };
     *known = true;
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++)
@@ -158,11 +168,8 @@ static bool parse_switch(options *o, const char *name) {
     const struct {
         const char *name;
         bool *value;
-    } table[] = {{"--help", &o->help},
-                 {"-h", &o->help},
-                 {"--list", &o->list},
-                 {"--paused", &o->paused},
-                 {"--bare", &o->bare}};
+    } table[] = {{"--help", &o->help}, {"-h", &o->help},         {"--calls", &o->calls},
+                 {"--list", &o->list}, {"--paused", &o->paused}, {"--bare", &o->bare}};
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++)
         if (strcmp(name, table[i].name) == 0) {
             *table[i].value = true;
@@ -194,5 +201,7 @@ bool options_parse(options *o, int argc, char **argv) {
             o->show = argv[i];
         }
     }
+    if (o->show && o->replay)
+        return complain("--replay plays a recording, and so does not show", o->show);
     return true;
 }

@@ -8,7 +8,9 @@
 #include <thud/thud.h>
 
 typedef struct options {
-    const char *show;       /* a scene's name or a level's path; null for the first scene */
+    const char *show;       /* a scene's name, or the path of a level or recording; null for the
+                               first scene */
+    const char *replay;     /* path of a recording, in place of `show`; or null */
     const char *screenshot; /* file to write, or null */
     int frames;             /* number of frames until the program ends; -1: it does not */
     int width, height;
@@ -19,7 +21,7 @@ typedef struct options {
     int workers;               /* that step the world; 0: one */
     bool overlays_given;       /* false: those of the scene are used */
     pair_look pair_look;
-    bool bare, paused, list, help;
+    bool bare, paused, calls, list, help;
 } options;
 
 /* Parses the arguments. False, after a message on stderr, if one is wrong. */

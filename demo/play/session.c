@@ -1,11 +1,12 @@
 /* session.c: see session.h. */
-#include "session.h"
+#include "session_parts.h"
 
 #include <act_thud.h>
 #include <build_thud.h>
 
 #include <thud/thud_fields.h>
 #include <thud/thud_lists.h>
+#include <thud/thud_reads.h>
 
 #include <SDL.h>
 #include <math.h>
@@ -13,19 +14,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Last: the calls of this file are recorded. */
+#include <thud/thud_recorded.h>
+
 /* s. Max time that the steps of a frame may take: frames that take longer make the viewer sluggish.
  * The world then runs slower than its speed says. Chosen. */
 static const double STEPPING_BUDGET = 0.040;
 /* Max number of steps in a frame. */
 enum { STEPS_PER_FRAME = 16 };
 
-static double clock_seconds(void *context) {
+double session_clock(void *context) {
     (void)context;
     return (double)SDL_GetPerformanceCounter() / (double)SDL_GetPerformanceFrequency();
 }
 
-/* The world's log function: stores the text in session.message. */
-static void log_message(thud_result result, const char *text, void *context) {
+void session_log(thud_result result, const char *text, void *context) {
     session *s = context;
     snprintf(s->message, sizeof s->message, "%s: %s", thud_result_text(result), text);
 }
@@ -39,8 +42,18 @@ void session_init(session *s) {
     scene_init(&s->scene);
 }
 
+void session_destroy_world(session *s) {
+    last_seconds_end(&s->last);
+    if (s->played)
+        playback_close(s->played);
+    else
+        thud_world_destroy(s->world);
+    s->played = NULL;
+    s->world = NULL;
+}
+
 void session_free(session *s) {
-    thud_world_destroy(s->world);
+    session_destroy_world(s);
     thud_threads_destroy(s->threads);
     scene_free(&s->scene);
     free(s->bodies);
@@ -49,9 +62,7 @@ void session_free(session *s) {
     *s = (session){0};
 }
 
-/* Doubles *capacity until `wanted` elements of `size` bytes fit in *block. False if memory runs
- * out. */
-static bool grow(void **block, int *capacity, int wanted, size_t size) {
+bool session_grow(void **block, int *capacity, int wanted, size_t size) {
     int room = *capacity > 0 ? *capacity : 64;
     while (room < wanted)
         room *= 2;
@@ -76,9 +87,10 @@ static float shape_reach(const session_shape *shape) {
 static bool list_body(session *s, thud_body_id id) {
     thud_body_state body;
     if (thud_body_get_state(s->world, id, &body) != THUD_OK ||
-        !grow((void **)&s->bodies, &s->body_capacity, s->body_count + 1, sizeof *s->bodies) ||
-        !grow((void **)&s->shapes, &s->shape_capacity, s->shape_count + body.shape_count,
-              sizeof *s->shapes))
+        !session_grow((void **)&s->bodies, &s->body_capacity, s->body_count + 1,
+                      sizeof *s->bodies) ||
+        !session_grow((void **)&s->shapes, &s->shape_capacity, s->shape_count + body.shape_count,
+                      sizeof *s->shapes))
         return false;
     thud_shape_id *ids = malloc((size_t)body.shape_count * sizeof *ids + 1);
     if (!ids)
@@ -106,8 +118,7 @@ static bool list_body(session *s, thud_body_id id) {
     return true;
 }
 
-/* Lists all bodies of a new world. False after a message. */
-static bool list_bodies(session *s, const thud_body_id *ids, int count) {
+bool session_list_bodies(session *s, const thud_body_id *ids, int count) {
     s->body_count = s->shape_count = 0;
     for (int i = 0; i < count; i++)
         if (!list_body(s, ids[i])) {
@@ -117,18 +128,27 @@ static bool list_bodies(session *s, const thud_body_id *ids, int count) {
     return true;
 }
 
-/* Reads the handles of all joints, which are in the order of the scene's. False if memory runs out.
- */
-static bool list_joints(session *s) {
-    free(s->joints);
+bool session_list_joints(session *s) {
     s->joint_count = 0;
-    s->joints = malloc((size_t)s->scene.joint_count * sizeof *s->joints + 1);
-    if (!s->joints) {
+    if (!session_grow((void **)&s->joints, &s->joint_capacity, s->scene.joint_count,
+                      sizeof *s->joints)) {
         snprintf(s->message, sizeof s->message, "Out of memory while listing the joints.");
         return false;
     }
     thud_world_get_joints(s->world, s->joints, s->scene.joint_count, &s->joint_count);
     return true;
+}
+
+void session_show_world(session *s, thud_world *world, scene fresh, double time_step) {
+    scene_free(&s->scene);
+    s->world = world;
+    s->scene = fresh;
+    s->time_step = time_step;
+    s->alpha = 1;
+    s->missed = (session_missed){0};
+    s->pair[0] = s->pair[1] = 0;
+    for (int i = 0; i < SESSION_BLASTS; i++)
+        s->blasts[i].step = -1e9;
 }
 
 bool session_load(session *s, const catalog_entry *entry) {
@@ -145,9 +165,9 @@ bool session_load(session *s, const catalog_entry *entry) {
     if (s->top_speed > 0)
         def.maximum_speed = (float)s->top_speed;
     def.job_system = thud_job_system_of(s->threads);
-    def.log = log_message;
+    def.log = session_log;
     def.log_context = s;
-    def.clock = clock_seconds;
+    def.clock = session_clock;
     thud_world *world = NULL;
     thud_body_id *ids = malloc((size_t)fresh.body_count * sizeof *ids + 1);
     thud_result result =
@@ -159,17 +179,10 @@ bool session_load(session *s, const catalog_entry *entry) {
         scene_free(&fresh);
         return false;
     }
-    thud_world_destroy(s->world);
-    scene_free(&s->scene);
-    s->world = world;
-    s->scene = fresh;
-    s->time_step = def.time_step;
-    s->alpha = 1;
-    s->missed = (session_missed){0};
-    s->pair[0] = s->pair[1] = 0;
-    for (int i = 0; i < SESSION_BLASTS; i++)
-        s->blasts[i].step = -1e9;
-    bool listed = list_bodies(s, ids, fresh.body_count) && list_joints(s);
+    session_destroy_world(s);
+    session_show_world(s, world, fresh, def.time_step);
+    last_seconds_begin(&s->last, world, def.time_step, &s->scene);
+    bool listed = session_list_bodies(s, ids, fresh.body_count) && session_list_joints(s);
     for (int i = 0; i < s->body_count; i++)
         s->bodies[i].look = fresh.bodies[i].look;
     free(ids);
@@ -201,11 +214,25 @@ static void list_pieces(session *s) {
         snprintf(s->message, sizeof s->message, "Out of memory while listing the bodies.");
 }
 
+/* Says what went wrong, and how to report it. */
+static void offer_recording(session *s, const char *what) {
+    snprintf(s->message, sizeof s->message, "%s: T saves a recording of what led to it.", what);
+}
+
 /* One step of the world, with what follows from it. Does nothing more if the step fails. */
 static void run_step(session *s) {
-    if (scene_step_thud(&s->scene.fields, s->world) != THUD_OK)
+    if (s->played) {
+        playback_step(s->played);
+        session_tell_end(s);
+    } else if (scene_step_thud(&s->scene.fields, s->world) != THUD_OK) {
+        offer_recording(s, "This step failed");
         return;
-    list_pieces(s);
+    } else {
+        if (thud_events_of(s->world).quarantined_count > 0)
+            offer_recording(s, "A body was stopped, since its state was not finite");
+        last_seconds_stepped(&s->last, &s->scene);
+        list_pieces(s);
+    }
     thud_stats stats = thud_stats_of(s->world);
     s->missed.held += stats.held_bodies;
     s->missed.seconds += stats.held_seconds;
@@ -218,38 +245,54 @@ static void run_step(session *s) {
 /* `elapsed` is in world seconds. At most `steps_max` steps are run; time beyond them is dropped. */
 static void advance(session *s, double elapsed, int steps_max) {
     double due = s->alpha * s->time_step + elapsed;
-    for (; due >= s->time_step && steps_max > 0; steps_max--) {
+    for (; due >= s->time_step && steps_max > 0 && !s->paused; steps_max--) {
         run_step(s);
         due -= s->time_step;
     }
-    s->alpha = fmod(due, s->time_step) / s->time_step;
+    s->alpha = s->paused ? 1 : fmod(due, s->time_step) / s->time_step;
 }
 
 void session_advance(session *s, double elapsed) {
-    if (s->paused || !s->world)
+    if (session_go_on_seeking(s) || s->paused || !s->world)
         return;
     double step_seconds = thud_stats_of(s->world).step_seconds;
     int steps_max = STEPS_PER_FRAME;
     if (step_seconds * STEPS_PER_FRAME > STEPPING_BUDGET)
         steps_max = (int)fmax(1, STEPPING_BUDGET / step_seconds);
     advance(s, elapsed * s->speed, steps_max);
+    session_list_played(s);
 }
 
 void session_step(session *s) {
     if (!s->world)
         return;
+    if (s->played)
+        playback_work(s->played, INFINITY);
     run_step(s);
+    session_list_played(s);
     s->alpha = 1;
 }
 
 void session_set_quality(session *s, int quality) {
+    if (!session_yields(s))
+        return;
     s->quality = quality;
     if (s->world)
         thud_world_set_quality(s->world, QUALITIES[quality]);
 }
 
+int session_quality(const session *s) {
+    thud_step_settings settings;
+    if (!s->world || thud_world_get_step_settings(s->world, &settings) != THUD_OK)
+        return s->quality;
+    for (int i = 0; i < QUALITY_CHOICES; i++)
+        if (strcmp(settings.quality.name, QUALITIES[i]->name) == 0)
+            return i;
+    return -1;
+}
+
 void session_spawn(session *s, thud_shape_kind kind, thud_pos at, float size) {
-    if (!s->world)
+    if (!s->world || !session_yields(s))
         return;
     float half = 0.5f * size * (float)s->scene.length_scale;
     thud_body_def body = thud_default_body_def();
@@ -283,7 +326,7 @@ void session_spawn(session *s, thud_shape_kind kind, thud_pos at, float size) {
 static const double BLAST_RADIUS = 1.5, BLAST_FALLOFF = 6, BLAST_SPEED = 30;
 
 void session_explode(session *s, thud_pos at) {
-    if (!s->world)
+    if (!s->world || !session_yields(s))
         return;
     double unit = s->scene.length_scale;
     thud_explosion explosion = thud_default_explosion();
@@ -337,7 +380,7 @@ bool session_pick(session *s, thud_pos at, double margin, thud_body_kind kind, t
 }
 
 void session_remove(session *s, thud_body_id body) {
-    if (!s->world || thud_body_destroy(s->world, body) != THUD_OK)
+    if (!s->world || !session_yields(s) || thud_body_destroy(s->world, body) != THUD_OK)
         return;
     for (int i = 0; i < s->body_count; i++)
         if (s->bodies[i].id.index1 == body.index1) {

@@ -3,6 +3,8 @@
 #define THUD_PLAY_SESSION_H
 
 #include "panel/catalog.h"
+#include "last_seconds.h"
+#include "playback.h"
 
 #include <choices.h>
 #include <thud/thud_joint.h>
@@ -47,13 +49,15 @@ typedef struct session session;
 typedef void session_stepped_fn(session *s, void *context);
 
 struct session {
-    thud_world *world; /* null until a scene was loaded */
-    scene scene;
+    thud_world *world; /* null until a scene or a recording was loaded */
+    playback *played;  /* the recording that is shown, to which the world belongs; or null */
+    last_seconds last; /* recorded of a scene, not of a recording */
+    scene scene;       /* of a recording: what drawing needs of one */
     session_body *bodies;
     session_shape *shapes;
     int body_count, body_capacity, shape_count, shape_capacity;
     thud_joint_id *joints; /* in the order of scene.joints */
-    int joint_count;
+    int joint_count, joint_capacity;
     int quality;               /* index in QUALITIES of choices.h */
     int detection, broadphase; /* indices in DETECTIONS and BROADPHASES; they take effect when a
                                   scene is loaded */
@@ -81,11 +85,26 @@ void session_free(session *s);
  * stays. */
 bool session_load(session *s, const catalog_entry *entry);
 
+/* Opens a recording, at its first step. False, and `message` says why, if that fails; then the old
+ * world stays. */
+bool session_open_recording(session *s, const char *path);
+/* Goes to a step of the recording, of those that there are, during the next frames; a fork ends. */
+void session_seek(session *s, int64_t step);
+/* From this step of the recording on the world goes on by hand; or, in a fork, back to that step of
+ * the recording. */
+void session_fork(session *s);
+/* Saves the last seconds of a scene as a recording; `message` says where, or why not. */
+void session_save_last(session *s);
+/* Whether users may change the world. `message` says why not where a recording plays. */
+bool session_yields(session *s);
+
 /* Runs the steps that are due after `elapsed` real seconds at the session's speed; none while
  * paused. */
 void session_advance(session *s, double elapsed);
 void session_step(session *s); /* runs one step */
 void session_set_quality(session *s, int quality);
+/* The world's quality, as an index in QUALITIES; -1: it is none of them. */
+int session_quality(const session *s);
 
 /* Adds a dynamic body of `size` length scales at a place. */
 void session_spawn(session *s, thud_shape_kind kind, thud_pos at, float size);

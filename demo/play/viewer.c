@@ -9,8 +9,10 @@
 #include "panel/hud.h"
 #include "draw/palette.h"
 #include "panel/panel.h"
+#include "panel/timeline.h"
 
 #include <math.h>
+#include <stdio.h>
 
 /* Height of the view that follows a character, in length scales, and the rate at which it does,
  * 1/s. */
@@ -59,9 +61,43 @@ bool viewer_open(viewer *v, int entry) {
     return true;
 }
 
+bool viewer_open_recording(viewer *v, const char *path) {
+    grab_end(&v->grab, &v->session);
+    if (!session_open_recording(&v->session, path))
+        return false;
+    v->character.present = false;
+    v->session.stepped = NULL;
+    v->selected = -1;
+    v->scrubbing = false;
+    v->overlays &= ~v->lent;
+    v->lent = 0;
+    timings_clear(&v->timings);
+    viewer_layout(v);
+    viewer_look_home(v);
+    return true;
+}
+
+bool viewer_open_file(viewer *v, const char *path) {
+    bool opened = false;
+    if (playback_is_recording(path)) {
+        opened = viewer_open_recording(v, path);
+    } else {
+        int entry = catalog_find(&v->catalog, path);
+        if (entry >= 0)
+            opened = viewer_open(v, entry);
+        else
+            snprintf(v->session.message, sizeof v->session.message,
+                     "%.200s is neither a recording nor a level.", path);
+    }
+    v->session.paused &= !opened;
+    return opened;
+}
+
 void viewer_reset(viewer *v) {
     if (v->selected >= 0)
         load(v, v->selected);
+    else if (v->session.played)
+        session_seek(&v->session, v->session.played->progress.first);
 }
 
 void viewer_look_home(viewer *v) {
@@ -79,17 +115,36 @@ void viewer_toggle_overlay(viewer *v, overlay which) {
     v->lent &= ~(1u << which);
 }
 
+/* Whether the scene can be built anew with another system. */
+static bool may_rebuild(viewer *v) {
+    if (v->session.played)
+        snprintf(v->session.message, sizeof v->session.message,
+                 "A recording keeps the detection and the broadphase that it was made with.");
+    return !v->session.played;
+}
+
 void viewer_set_detection(viewer *v, int detection) {
+    if (!may_rebuild(v))
+        return;
     v->session.detection = detection;
     viewer_reset(v);
 }
 
 void viewer_set_broadphase(viewer *v, int broadphase) {
+    if (!may_rebuild(v))
+        return;
     v->session.broadphase = broadphase;
     viewer_reset(v);
 }
 
 void viewer_toggle_pause(viewer *v) {
+    const playback *p = v->session.played;
+    if (p && v->session.paused) {
+        v->session.message[0] = '\0';
+        /* After the end it plays from the start again. */
+        if (!p->forked && p->target < 0 && p->progress.steps == p->progress.end)
+            session_seek(&v->session, p->progress.first);
+    }
     v->session.paused = !v->session.paused;
     if (v->session.paused)
         /* Overlays show the state after the last step, so poses must not be interpolated. */
@@ -99,6 +154,27 @@ void viewer_toggle_pause(viewer *v) {
 void viewer_single_step(viewer *v) {
     v->session.paused = true;
     viewer_step_once(v);
+}
+
+void viewer_go_to(viewer *v, int64_t step) {
+    if (!v->session.played)
+        return;
+    grab_end(&v->grab, &v->session);
+    v->session.paused = true;
+    session_seek(&v->session, step);
+}
+
+void viewer_go(viewer *v, int steps) {
+    const playback *p = v->session.played;
+    if (p && p->forked && steps > 0)
+        viewer_single_step(v);
+    else if (p)
+        viewer_go_to(v, (p->target < 0 ? p->progress.steps : p->target) + steps);
+}
+
+void viewer_fork(viewer *v) {
+    grab_end(&v->grab, &v->session);
+    session_fork(&v->session);
 }
 
 void viewer_change_speed(viewer *v, int direction) {
@@ -169,10 +245,11 @@ void viewer_draw(viewer *v) {
         draw_fields(c, &v->camera, &v->session);
         draw_pairs(c, &v->camera, &v->session, v->pair_look);
         draw_texture(c, &v->camera, &v->session, &v->prints);
-        draw_overlays(c, &v->camera, &v->session, v->overlays, v->bare ? 0 : hud_footer(c));
+        draw_overlays(c, &v->camera, &v->session, v->overlays, v->bare ? 0 : hud_footer(v));
         if (overlays_have(v->overlays, OVERLAY_FORCES))
             draw_joint_forces(c, &v->camera, &v->session);
         thud_pos anchor;
+        timeline_mark(v);
         if (grab_anchor(&v->grab, &v->session, &anchor))
             draw_pull(c, &v->camera, anchor, v->grab.target);
     }
@@ -180,7 +257,7 @@ void viewer_draw(viewer *v) {
         hud_draw(v);
         panel_draw(v);
     } else if (overlays_have(v->overlays, OVERLAY_TIMINGS)) {
-        timings_draw(&v->timings, c);
+        timings_draw(&v->timings, c, hud_footer(v));
     }
     canvas_flush(c);
     SDL_RenderPresent(c->renderer);

@@ -16,7 +16,7 @@
 
 typedef struct viewer {
     catalog catalog;
-    int selected; /* index in the catalog; -1: none */
+    int selected; /* index in the catalog; -1: none, a recording is shown */
     session session;
     camera camera;
     canvas canvas;
@@ -32,6 +32,8 @@ typedef struct viewer {
     ui ui;
     bool bare; /* the picture alone: no panel and no texts */
     bool panning;
+    bool scrubbing;       /* the pointer holds the line of a recording's steps */
+    bool lists_calls;     /* the calls of the present step of a recording are listed */
     float list_scroll;    /* of the panel's list, pixels */
     bool reveal;          /* the list has to scroll to the selected entry in the next frame */
     double frame_seconds; /* mean time between frames, s; 0 for pictures */
@@ -44,15 +46,24 @@ void viewer_free(viewer *v);
 /* Loads an entry of the catalog and moves the camera to it. False, and the session's message says
  * why, if that fails; then everything stays. */
 bool viewer_open(viewer *v, int entry);
-void viewer_reset(viewer *v); /* builds the scene anew; the camera stays */
+/* Opens a recording, and moves the camera to it. False as viewer_open. */
+bool viewer_open_recording(viewer *v, const char *path);
+/* Opens a file that a user brought, a recording or a level, and plays it. False as viewer_open. */
+bool viewer_open_file(viewer *v, const char *path);
+/* Builds the scene anew, or goes to the first step of a recording; the camera stays. */
+void viewer_reset(viewer *v);
 /* Moves the camera to the scene's first view, or to the character. */
 void viewer_look_home(viewer *v);
 void viewer_toggle_overlay(viewer *v, overlay which);
-/* Both build the scene anew with the chosen system. */
+/* Both build the scene anew with the chosen system; not of a recording, which `message` says. */
 void viewer_set_detection(viewer *v, int detection);
 void viewer_set_broadphase(viewer *v, int broadphase);
 void viewer_toggle_pause(viewer *v);
 void viewer_single_step(viewer *v); /* pauses, and runs one step */
+/* Pauses, and goes so many steps forward, or back if negative, in a recording. */
+void viewer_go(viewer *v, int steps);
+void viewer_go_to(viewer *v, int64_t step); /* the same, to a step */
+void viewer_fork(viewer *v);                /* session_fork, and what is held is let go */
 /* To the next faster (1) or slower (-1) speed of a list. */
 void viewer_change_speed(viewer *v, int direction);
 void viewer_spawn_at_home(viewer *v, thud_shape_kind kind);

@@ -6,6 +6,7 @@
 #include "without.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -56,6 +57,16 @@ static bool parse_amount(const char *option, const char *text, double low, doubl
     }
     *out = value;
     return true;
+}
+
+/* Parses FROM,TO,EVERY. False after a message. */
+static bool parse_hashes(const char *text, long *out) {
+    int end = 0;
+    if (sscanf(text, "%18ld,%18ld,%9ld%n", &out[0], &out[1], &out[2], &end) == 3 &&
+        text[end] == '\0' && out[0] >= 0 && out[1] >= out[0] && out[2] >= 1)
+        return true;
+    fprintf(stderr, "thud-run: --hashes takes FROM,TO,EVERY, not '%s'\n", text);
+    return false;
 }
 
 /* Stores `found`, the index of the name `text` in a list of choices. False, after a message, if it
@@ -109,6 +120,16 @@ bool run_options_set(const char *option, const char *value, run_options *out) {
         out->picture = value;
         return true;
     }
+    if (strcmp(option, "--keyframes") == 0)
+        return parse_number(option, value, 0, THUD_RECORDING_STEPS_MAX, &out->keyframes);
+    if (strcmp(option, "--bisect") == 0) {
+        out->bisect = value;
+        return true;
+    }
+    if (strcmp(option, "--hashes") == 0)
+        return parse_hashes(value, out->hashes);
+    if (strcmp(option, "--hash-at") == 0)
+        return parse_number(option, value, 0, LONG_MAX, &out->hash_at);
     if (strcmp(option, "--record") == 0) {
         out->record = value;
         return true;
@@ -163,6 +184,11 @@ static bool check(const run_options *options, bool only_for_advice) {
         fprintf(stderr, "thud-run: --replay plays a recording, and no scene\n");
     else if (options->record && (options->advise || options->uses))
         fprintf(stderr, "thud-run: --record is for one run, without --advise or --uses\n");
+    else if (options->keyframes >= 0 && !options->record)
+        fprintf(stderr, "thud-run: --keyframes is for --record\n");
+    else if ((options->bisect || options->hashes[2] > 0 || options->hash_at >= 0) &&
+             !options->replay)
+        fprintf(stderr, "thud-run: --bisect, --hashes and --hash-at are for --replay\n");
     else if (options->replay)
         return true;
     else if (!options->source)
@@ -191,6 +217,8 @@ void run_options_default(run_options *out) {
                          .repeats = REPEATS,
                          .patience = PATIENCE,
                          .rate = RATE,
+                         .keyframes = -1,
+                         .hash_at = -1,
                          .heavier = 1};
 }
 
@@ -201,7 +229,8 @@ bool run_options_parse(int count, char **arguments, run_options *out) {
                                              "--workers",   "--detection", "--broadphase",
                                              "--substeps",  "--without",   "--rate",
                                              "--heavier",   "--cell-size", "--record",
-                                             "--replay"};
+                                             "--replay",    "--keyframes", "--bisect",
+                                             "--hashes",    "--hash-at"};
     enum { ONLY_FOR_ADVICE = 5 };
     run_options_default(out);
     bool only_for_advice = false;
@@ -316,8 +345,18 @@ void run_print_help(void) {
         "  --picture FILE.svg   also draw the error of each setting over its time\n"
         "  --record FILE        also write a recording of the run, with a hash of each body at\n"
         "                       each step\n"
+        "  --keyframes N        steps from one keyframe of it to the next (120); 0: none but the\n"
+        "                       first. To go back, a player plays on from the keyframe before, so\n"
+        "                       N steps at most. At 120 they take less than a tenth more time, and\n"
+        "                       make the file larger: by a quarter where bodies fly freely, to\n"
+        "                       three times the size where each has many contacts and joints\n"
         "  --replay FILE        play a recording instead of a scene, on any number of --workers:\n"
         "                       the first step and the first body that differ are named\n"
+        "  --bisect OTHER       of --replay: OTHER is another build's thud-run; say at which step\n"
+        "                       both have another hash for the first time, and in which body\n"
+        "  --hashes F,T,E       of --replay, what --bisect asks OTHER: the hashes after step F,\n"
+        "                       each E-th after it, and T\n"
+        "  --hash-at N          the same for step N alone, with a hash of each body\n"
         "  --list               list the built-in scenes\n"
         "  --jobs FILE          run the jobs of FILE over all cores instead, one JSON object a\n"
         "                       line: \"scene\" and any of the options above by their names, seed,\n"
@@ -331,8 +370,8 @@ void run_print_help(void) {
         "  --help               this text\n"
         "\n"
         "Exit status: 0 done, 1 the scene cannot be loaded or run, or a recording is damaged or\n"
-        "differs when it is played, 2 wrong arguments. With --jobs: 1 some jobs failed,\n"
-        "and their results say so; 2 a job is wrong, and nothing was run.");
+        "differs when it is played, or builds differ, 2 wrong arguments. With --jobs: 1 some\n"
+        "jobs failed, and their results say so; 2 a job is wrong, and nothing was run.");
 }
 
 void run_print_list(void) {

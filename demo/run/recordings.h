@@ -9,8 +9,8 @@
 /* As run_scene, and writes a recording of the run to options->record. */
 bool record_scene(const run_options *options, const scene *s, run_outcome *out);
 
-/* Plays options->replay and prints how that ended. False, after a message, if it cannot be played,
- * or differs. */
+/* Plays options->replay and prints how that ended, or what bisect.h says. False, after a message,
+ * if it cannot be played, or differs. */
 bool replay_file(const run_options *options);
 
 #endif

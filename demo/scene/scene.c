@@ -4,6 +4,7 @@
 #include "scene.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -256,6 +257,14 @@ scene_rule *scene_add_rule(scene *s, uint32_t first, uint32_t second, scene_rule
 bool scene_has_fields(const scene *s) {
     const scene_fields *f = &s->fields;
     return f->water_density > 0 || f->air_density > 0 || f->blast_count > 0 || f->rule_count > 0;
+}
+
+size_t scene_shown(const scene *s, char *out) {
+    return (size_t)snprintf(out, SCENE_SHOWN_MAX,
+                            "{\"view\": {\"x\": %.17g, \"y\": %.17g, \"height\": %.17g, \"width\": "
+                            "%.17g}, \"lengthScale\": %.17g}",
+                            s->camera_x, s->camera_y, s->camera_height, s->camera_width,
+                            s->length_scale);
 }
 
 void scene_shift(scene *s, double dx, double dy) {

@@ -243,6 +243,14 @@ scene_rule *scene_add_rule(scene *s, uint32_t first, uint32_t second, scene_rule
 /* Whether the scene has water, wind, explosions or rules, which are not built in other engines. */
 bool scene_has_fields(const scene *s);
 
+/* The chunk of a recording (thud_recording.h) that says how it is to be shown, and most characters
+ * of its text. */
+#define SCENE_SHOWN "thud-page"
+enum { SCENE_SHOWN_MAX = 320 };
+/* Writes that text for the scene, JSON as web/src/worker/playback.ts reads it: the first view, and
+ * the length scale. Returns its length. */
+size_t scene_shown(const scene *s, char *out);
+
 /* Moves everything, including the camera, by (dx, dy): exact for whole numbers up to 10^7. */
 void scene_shift(scene *s, double dx, double dy);
 

@@ -223,7 +223,12 @@ static void count_chunk(const char *name, thud_bytes bytes, void *context) {
     *(int *)context += bytes.count == 1 && name[0] == 'n';
 }
 
-/* A world that is recorded, and played to the same hash, with a chunk, by steps and by seeking. */
+static void count_played(const thud_played_call *call, void *context) {
+    *(int *)context += call->result == THUD_OK && call->value_count == 0 && call->returned == 0;
+}
+
+/* A world that is recorded, and played to the same hash, with a chunk, by steps and by seeking; its
+ * calls are told. */
 static void play_recorded(fuzz_session *s) {
     enum { RECORDED = 5 };
     thud_world *world = COUNTED(thud_world_make((thud_vec2){0, -10}, &thud_quality_draft)), *played;
@@ -233,8 +238,9 @@ static void play_recorded(fuzz_session *s) {
     thud_player *player = NULL;
     thud_player_progress progress = {0};
     thud_bytes bytes;
-    int chunks = 0;
-    thud_player_options options = {.chunk = count_chunk, .context = &chunks};
+    int told = 0;
+    int64_t keyframe = -1;
+    thud_player_options options = {.chunk = count_chunk, .call = count_played, .context = &told};
     bool ok = COUNTED(thud_recorder_begin(world, NULL, &recorder)) == THUD_OK &&
               COUNTED(thud_recorder_add_chunk(recorder, "n", (thud_bytes){"1", 1})) == THUD_OK;
     for (int i = 0; i < RECORDED && ok; i++) {
@@ -245,8 +251,10 @@ static void play_recorded(fuzz_session *s) {
     for (bool stepped = true; ok && stepped;) {
         ok = COUNTED(thud_player_step(player, &stepped)) == THUD_OK;
     }
-    ok = ok && COUNTED(thud_player_get_progress(player, &progress)) == THUD_OK && chunks == 1 &&
-         COUNTED(thud_player_get_world(player, &played)) == THUD_OK &&
+    ok = ok && COUNTED(thud_player_get_progress(player, &progress)) == THUD_OK &&
+         told > 1 && /* the chunk, and steps, or the state after steps that are not recorded */
+         COUNTED(thud_player_get_keyframe(player, progress.end, &keyframe)) == THUD_OK &&
+         keyframe == progress.first && COUNTED(thud_player_get_world(player, &played)) == THUD_OK &&
          thud_hash_of(played) == thud_hash_of(world) &&
          COUNTED(thud_player_seek(player, progress.first)) == THUD_OK;
     if (!ok) {

@@ -98,6 +98,14 @@ class ReleaseTest(unittest.TestCase):
                 self.assertEqual(archive.extractfile(f"{folder}/{name}").read(), (SOURCE / name).read_bytes())
             self.assertEqual(archive.getmember(f"{folder}/run").mode, 0o755)
 
+    def test_wrap_of_meson_is_of_the_source_archive(self):
+        files = files_of(self.first)
+        name, = (name for name in files if re.fullmatch(r"thud-[\d.]+\.tar\.gz", name))
+        wrap = files["thud.wrap"].decode()
+        self.assertIn(f"\ndirectory = {name[:-len('.tar.gz')]}\nsource_filename = {name}\n"
+                      f"source_hash = {hashlib.sha256(files[name]).hexdigest()}\n", wrap)
+        self.assertNotIn("@", wrap)
+
     def test_one_file_archive_has_headers_source_and_license(self):
         path, = (self.first / "build/release-files").glob("*-one-file.tar.gz")
         with tarfile.open(path) as archive:

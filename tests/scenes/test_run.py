@@ -7,6 +7,7 @@ Usage: python3 test_run.py PATH_OF_THUD_RUN, in the root of the project.
 import json
 import os
 import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -14,6 +15,26 @@ import unittest
 
 THUD_RUN = os.path.abspath(sys.argv.pop(1))
 LEVEL = "assets/levels/towers.tmj"
+
+
+# Answers as thud-run does, with other hashes from a step on.
+OTHER_BUILD = """#!{python}
+import subprocess, sys
+lines = subprocess.run(["{run}", *sys.argv[1:]], capture_output=True, text=True).stdout.splitlines()
+def other(hash):
+    return format(int(hash, 16) ^ 1, "016x")
+differs = False
+for i, line in enumerate(lines):
+    number, hash = line.split()
+    is_step = i == 0 or "--hashes" in sys.argv
+    differs |= is_step and int(number) >= {first}
+    if differs and (is_step or number == "{slot}"):
+        lines[i] = number + " " + other(hash)
+try:
+    print("\\n".join(lines), flush=True)
+except BrokenPipeError:
+    pass
+"""
 
 
 def run(*arguments):
@@ -96,8 +117,66 @@ class ThudRun(unittest.TestCase):
             self.assertIn("damaged", done.stderr)
             self.assertEqual(run("cradle", "--record", os.path.join(folder, "no", "where")).returncode, 1)
             self.assertEqual(run("--replay", os.path.join(folder, "nothing")).returncode, 1)
-        for wrong in (("cradle", "--replay", "x"), ("--replay", "x", "--record", "y"),
+        for wrong in (("cradle", "--keyframes", "9"), ("cradle", "--replay", "x"), ("--replay", "x", "--record", "y"),
                       ("cradle", "--record", "x", "--uses"), ("--record",)):
+            self.assertEqual(run(*wrong).returncode, 2, wrong)
+
+    def test_recording_has_keyframes_from_which_it_is_played(self):
+        def keyframes(*more):
+            """The steps before the keyframes of a recording of 300 steps, by recording.h."""
+            with tempfile.TemporaryDirectory() as folder:
+                file = os.path.join(folder, "run.rec")
+                self.assertEqual(run("cradle", "--steps", "300", "--record", file, *more).returncode, 0)
+                self.assertEqual(run("--replay", file).returncode, 0)
+                with open(file, "rb") as recording:
+                    data = recording.read()
+            found, at = [], 12
+            while at < len(data):
+                kind, _, steps, length = struct.unpack_from("<cIQQ", data, at)
+                at += 21 + length + 8
+                if kind == b"K":
+                    found.append(steps)
+            return found
+        self.assertEqual(keyframes(), [0, 120, 240])
+        self.assertEqual(keyframes("--keyframes", "100"), [0, 100, 200, 300])
+        self.assertEqual(keyframes("--keyframes", "0"), [0])
+
+    def test_bisect_finds_where_another_build_differs(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file, other = (os.path.join(folder, name) for name in ("run.rec", "other"))
+            self.assertEqual(run("ragdolls", "--steps", "200", "--record", file, "--keyframes",
+                                 "50").returncode, 0)
+
+            def bisect(first, slot, *more):
+                """With a build that has another state from step `first` on, first in a body."""
+                with open(other, "w", encoding="utf-8") as script:
+                    script.write(OTHER_BUILD.format(python=sys.executable, run=THUD_RUN,
+                                                    first=first, slot=slot))
+                os.chmod(other, 0o755)
+                done = run("--replay", file, "--bisect", other, *more)
+                self.assertEqual(done.returncode, 1, done.stderr)
+                return done.stdout
+
+            for first in (1, 64, 101, 200):
+                self.assertEqual(json.loads(bisect(first, 17, "--json")),
+                                 {"same": False, "after": first - 1, "at": first, "body": 17})
+            self.assertEqual(json.loads(bisect(77, 100000, "--json")),
+                             {"same": False, "after": 76, "at": 77})
+            self.assertEqual(bisect(128, 3), "the builds differ after step 127, at step 128, "
+                                             "first in the body of slot 3\n")
+            same = run("--replay", file, "--bisect", THUD_RUN)
+            self.assertEqual((same.returncode, same.stdout),
+                             (0, "the builds have the same hashes up to step 200\n"))
+            for nobody in (os.path.join(folder, "none"), "true"):
+                done = run("--replay", file, "--bisect", nobody)
+                self.assertEqual((done.returncode, done.stdout), (1, ""))
+                self.assertIn("does not answer", done.stderr)
+            self.assertEqual(run("--replay", file, "--hash-at", "201").returncode, 1)
+            hashes = run("--replay", file, "--hashes", "90,1000,60").stdout.split()
+            self.assertEqual(hashes[::2], ["90", "150", "200"])
+            self.assertEqual(hashes[1], run("--replay", file, "--hash-at", "90").stdout.split()[1])
+        for wrong in (("--bisect", "x"), ("--replay", "x", "--hashes", "1,2"),
+                      ("--replay", "x", "--hashes", "2,1,1"), ("--hash-at", "3")):
             self.assertEqual(run(*wrong).returncode, 2, wrong)
 
     def test_list_and_help_succeed(self):

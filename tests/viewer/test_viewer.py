@@ -1,5 +1,5 @@
 """Runs thud-play without a display and checks the pictures that it writes: test_viewer.py
-THUD_PLAY [short] [TEST...]. `short` leaves out the tests that take longest."""
+THUD_PLAY THUD_RUN [short] [TEST...]. `short` leaves out the tests that take longest."""
 
 import os
 import pathlib
@@ -13,8 +13,8 @@ from picture import read_bmp, read_png
 
 HERE = pathlib.Path(__file__).resolve().parent
 PALETTE = (HERE / "../../demo/play/draw/palette.h").read_text(encoding="utf-8")
-PLAY = ""
-SHORT = "short" in sys.argv[2:]
+PLAY = RUN = ""
+SHORT = "short" in sys.argv[3:]
 # Marks a test that takes long in a program that was built with sanitizers.
 long_one = unittest.skipIf(SHORT, "takes long")
 
@@ -341,13 +341,63 @@ class Viewer(unittest.TestCase):
                  for workers in (1, 3)]
         self.assertEqual(shown[0].rows, shown[1].rows)
 
+    def record(self, *arguments):
+        path = self.folder / "run.rec"
+        subprocess.run([RUN, *map(str, arguments), "--record", path], check=True, timeout=300,
+                       capture_output=True)
+        return path
+
+    def test_recording_is_shown_where_its_level_was(self):
+        recording = self.record(BALL, "--steps", 70)
+        for frames in (0, 60):
+            with self.subTest(frames=frames):
+                x, y = centre_of_colour(self.shoot_bare(recording, "--frames", frames))
+                self.assertEqual((x, y), centre_of_colour(self.shoot_bare(BALL, "--frames", frames)))
+
+    def test_joints_and_overlays_of_a_recording_are_drawn(self):
+        recording = self.record("crane", "--steps", 60)
+        for overlay in ("joints", "forces", "contacts"):
+            with self.subTest(overlay=overlay):
+                shown, plain = (self.shoot_bare(file, "--frames", 60, "--overlay", overlay)
+                                for file in (recording, "crane"))
+                color = palette(f"COLOR_{overlay.upper().rstrip('S')}")
+                self.assertGreater(plain.count_near(color, 60), 40)
+                self.assertEqual(shown.count_near(color, 60), plain.count_near(color, 60))
+
+    def test_calls_of_a_step_are_listed(self):
+        """Crates break after some 50 steps, which the scene does by calls."""
+        recording = self.record("crates", "--steps", 70)
+        def told(frames, *more):
+            picture = self.shoot("--replay", recording, "--frames", frames, *more)
+            lines = [row[300:] for row in picture.rows[130:400]]
+            color = palette("COLOR_TEXT")
+            return sum(sum(abs(a - b) for a, b in zip(pixel, color)) < 60
+                       for line in lines for pixel in line)
+        counts = {frames: told(frames, "--calls") for frames in range(49, 53)}
+        most = max(counts, key=counts.get)
+        self.assertEqual(min(counts.values()), 0)
+        self.assertGreater(counts[most], 300)
+        self.assertEqual(told(most), 0)
+
+    def test_foreign_and_damaged_recordings_give_message_and_failure(self):
+        recording = self.record(BALL, "--steps", 5)
+        short = self.folder / "short.rec"
+        short.write_bytes(recording.read_bytes()[:-9])
+        for path, words in ((short, "damaged"), (BALL, "no recording"),
+                            (self.folder / "none", "cannot be read"), (self.folder, "cannot be read")):
+            with self.subTest(path=path):
+                result = run("--replay", path, "--screenshot", self.folder / "shot.png")
+                self.assertEqual(result.returncode, 1)
+                self.assertIn(words, result.stderr)
+                self.assertFalse((self.folder / "shot.png").exists())
+
     def test_bad_arguments_give_message_and_failure(self):
         for arguments in (["nowhere"], ["missing.tmj"], ["--bogus"], ["--frames"],
                           ["--frames", "-1"], ["--frames", "1x"], ["--size", "800"],
                           ["--size", "1x1"], ["--quality", "perfect"], ["--detection", "magic"],
                           ["--detection"], ["--broadphase", "tree"], ["--overlay", "shadows"], ["--look", "mass"],
                           ["--rate", "0"], ["--rate", "1001"], ["--top-speed", "fast"], ["--top-speed"],
-                          ["--workers", "0"], ["--workers", "65"],
+                          ["--workers", "0"], ["--workers", "65"], ["--replay"], ["pyramid", "--replay", "x.rec"],
                           ["--screenshot", "picture.jpg"], ["pyramid", "gas"],
                           ["--screenshot", self.folder / "no" / "folder.png"]):
             with self.subTest(arguments=arguments):
@@ -374,14 +424,14 @@ class Viewer(unittest.TestCase):
         self.assertEqual(result.returncode, 0)
         for option in ("--list", "--size", "--quality", "--overlay", "--detection",
                        "--broadphase", "--frames", "--screenshot", "--look", "--rate", "--top-speed",
-                       "--workers", "--paused", "--bare"):
+                       "--workers", "--paused", "--bare", "--replay", "--calls"):
             self.assertIn(option, result.stdout)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 2:
+    if len(sys.argv) < 3:
         sys.exit(__doc__)
-    PLAY = str(pathlib.Path(sys.argv.pop(1)).resolve())
+    PLAY, RUN = (str(pathlib.Path(sys.argv.pop(1)).resolve()) for _ in range(2))
     if SHORT:
         sys.argv.remove("short")
     unittest.main()

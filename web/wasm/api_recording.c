@@ -48,11 +48,14 @@ int api_recorder_chunk(thud_recorder *recorder, const char *name, const char *by
 /* ---- playing ---- */
 
 /* A player, the bytes that it plays, and the chunks of what it played last: for each the lengths of
- * its name and its bytes, 4 bytes each, and then both. */
+ * its name and its bytes, 4 bytes each, and then both. Of the last step, not of a seek, also the
+ * calls, if they are wanted: for each the length of its name, its result, what it returned and the
+ * number of its values, 4 bytes each, then the name, and for each value a double and a byte. */
 typedef struct playback {
     thud_player *player;
     char *bytes;
-    api_buffer chunks;
+    api_buffer chunks, calls;
+    bool steps; /* a step is being played */
 } playback;
 
 static void keep_chunk(const char *name, thud_bytes bytes, void *context) {
@@ -63,19 +66,34 @@ static void keep_chunk(const char *name, thud_bytes bytes, void *context) {
     api_buffer_push(&p->chunks, bytes.data, bytes.count);
 }
 
+static void keep_call(const thud_played_call *call, void *context) {
+    playback *p = context;
+    uint32_t head[] = {(uint32_t)strlen(call->name), (uint32_t)call->result, call->returned,
+                       (uint32_t)call->value_count};
+    if (!p->steps)
+        return;
+    api_buffer_push(&p->calls, head, sizeof head);
+    api_buffer_push(&p->calls, call->name, head[0]);
+    for (int i = 0; i < call->value_count; i++) {
+        api_buffer_push(&p->calls, &call->values[i].number, sizeof call->values[i].number);
+        api_buffer_push(&p->calls, &call->values[i].handle, 1);
+    }
+}
+
 /* Frees a player with its world and its bytes. */
 void api_player_destroy(playback *p) {
     if (p == NULL)
         return;
     thud_player_destroy(p->player);
     free(p->chunks.data);
+    free(p->calls.data);
     free(p->bytes);
     free(p);
 }
 
-/* Opens a recording; the bytes, from malloc, belong to the player from now on. Slots out: list,
- * whose address is that of the player. */
-int api_player_create(char *bytes, uint32_t count) {
+/* Opens a recording; the bytes, from malloc, belong to the player from now on. `calls`: they are
+ * wanted. Slots out: list, whose address is that of the player. */
+int api_player_create(char *bytes, uint32_t count, int calls) {
     playback *p = calloc(1, sizeof *p);
     api_slots.list.address = (double)(uintptr_t)p;
     if (p == NULL) {
@@ -83,7 +101,10 @@ int api_player_create(char *bytes, uint32_t count) {
         return THUD_ERROR_MEMORY;
     }
     p->bytes = bytes;
-    thud_player_options options = {.log = api_world_def().log, .chunk = keep_chunk, .context = p};
+    thud_player_options options = {.log = api_world_def().log,
+                                   .chunk = keep_chunk,
+                                   .call = calls != 0 ? keep_call : NULL,
+                                   .context = p};
     thud_result result = thud_player_create((thud_bytes){bytes, count}, &options, &p->player);
     if (result != THUD_OK)
         api_player_destroy(p);
@@ -94,15 +115,28 @@ int api_player_create(char *bytes, uint32_t count) {
 int api_player_step(playback *p) {
     bool stepped = false;
     api_buffer_clear(&p->chunks);
+    api_buffer_clear(&p->calls);
+    p->steps = true;
     thud_result result = thud_player_step(p->player, &stepped);
+    p->steps = false;
     api_slots.list.count = stepped;
-    return result == THUD_OK ? api_buffer_result(&p->chunks) : result;
+    result = result == THUD_OK ? api_buffer_result(&p->chunks) : result;
+    return result == THUD_OK ? api_buffer_result(&p->calls) : result;
 }
 
 int api_player_seek(playback *p, double step) {
     api_buffer_clear(&p->chunks);
+    api_buffer_clear(&p->calls);
     thud_result result = thud_player_seek(p->player, api_to_int(step));
     return result == THUD_OK ? api_buffer_result(&p->chunks) : result;
+}
+
+/* Slots out: list, whose count is the step of the last keyframe at or before a step. */
+int api_player_keyframe(const playback *p, double step) {
+    int64_t keyframe = 0;
+    thud_result result = thud_player_get_keyframe(p->player, api_to_int(step), &keyframe);
+    api_slots.list.count = (double)keyframe;
+    return result;
 }
 
 thud_world *api_player_world(const playback *p) {
@@ -115,6 +149,12 @@ thud_world *api_player_world(const playback *p) {
 void api_player_chunks(const playback *p) {
     api_slots.list.address = (double)(uintptr_t)p->chunks.data;
     api_slots.list.count = (double)p->chunks.bytes;
+}
+
+/* Slots out: list of bytes, the calls of the last step. */
+void api_player_calls(const playback *p) {
+    api_slots.list.address = (double)(uintptr_t)p->calls.data;
+    api_slots.list.count = (double)p->calls.bytes;
 }
 
 /* The fields of thud_player_progress, in their order, the body as two numbers; valid until the next

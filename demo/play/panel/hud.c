@@ -3,13 +3,19 @@
 
 #include "draw/draw_world.h"
 #include "draw/palette.h"
+#include "panel/timeline.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-float hud_footer(const canvas *c) {
+/* Height of the help at the lower edge. */
+static float help_height(const canvas *c) {
     return 30 * c->unit;
+}
+
+float hud_footer(const viewer *v) {
+    return help_height(&v->canvas) + timeline_height(v);
 }
 
 static void draw_title(viewer *v) {
@@ -71,8 +77,10 @@ static void draw_numbers(viewer *v) {
     bool narrow = x < left + 220 * u;
     canvas_text(c, narrow ? left : x, narrow ? 65 * u : 25 * u, COLOR_TEXT, text);
     float y = (narrow ? 85 : 65) * u;
+    float after = left;
     if (v->session.paused)
-        canvas_text(c, left, y, COLOR_TIMINGS, "Paused");
+        after += canvas_text(c, left, y, COLOR_TIMINGS, "Paused") + 16 * u;
+    timeline_tell_step(v, after, y);
     draw_missed(v, y + 20 * u);
 }
 
@@ -83,12 +91,16 @@ static const char HELP_CHARACTER[] =
     "Arrows or A D walk; Space jumps; Down drops through planks; P pauses; N steps; the wheel "
     "zooms; Tab hides all this";
 
+static const char HELP_RECORDING[] =
+    "Left, Right step; Shift: 60 steps; Home, End; Space plays; , . speed; H forks: goes on by hand; "
+    "I lists calls; Tab hides all this";
+
 /* The bar at the lower edge: the length of a grid cell drawn to scale, and help for pointer and
  * keys. */
 static void draw_footer(viewer *v) {
     canvas *c = &v->canvas;
     float u = c->unit, x = v->camera.view.x + 16 * u, y = (float)c->height - 10 * u;
-    float height = hud_footer(c);
+    float height = help_height(c);
     SDL_FRect bar = {v->camera.view.x, (float)c->height - height, v->camera.view.w, height};
     canvas_rect(c, bar, COLOR_SHADE, COLOR_SHADE);
     double step = draw_grid_step(c, &v->camera);
@@ -100,14 +112,16 @@ static void draw_footer(viewer *v) {
     snprintf(text, sizeof text, "%g m", step);
     x = right.x + 10 * u;
     x += canvas_text(c, x, y, COLOR_TEXT, text) + 24 * u;
-    const char *keys = v->character.present ? HELP_CHARACTER : HELP;
+    const char *keys = v->character.present ? HELP_CHARACTER
+                       : v->session.played  ? HELP_RECORDING
+                                            : HELP;
     canvas_text_fit(c, x, y, (float)c->width - 16 * u - x, COLOR_TEXT_DIM, keys);
 }
 
 /* The session's message, in a box above the footer. */
 static void draw_message(viewer *v) {
     canvas *c = &v->canvas;
-    float u = c->unit, x = v->camera.view.x + 16 * u, y = (float)c->height - 52 * u;
+    float u = c->unit, x = v->camera.view.x + 16 * u, y = (float)c->height - hud_footer(v) - 22 * u;
     SDL_FRect box = {x - 6 * u, y - 20 * u, v->camera.view.w - 20 * u, 30 * u};
     canvas_round_rect(c, box, 5 * u, (canvas_style){COLOR_SHADE, COLOR_ERROR, 1.2f * u});
     canvas_text_fit(c, x + 4 * u, y, box.w - 16 * u, COLOR_ERROR, v->session.message);
@@ -119,9 +133,10 @@ void hud_draw(viewer *v) {
         draw_title(v);
         draw_numbers(v);
         draw_footer(v);
+        timeline_draw(v);
     }
     if (overlays_have(v->overlays, OVERLAY_TIMINGS))
-        timings_draw(&v->timings, c);
+        timings_draw(&v->timings, c, hud_footer(v));
     if (v->session.message[0])
         draw_message(v);
 }

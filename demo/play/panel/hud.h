@@ -4,7 +4,8 @@
 
 #include "viewer.h"
 
-float hud_footer(const canvas *c); /* height in pixels of the bar at the lower edge */
+/* Height in pixels of the bars at the lower edge: help, and above it the steps of a recording. */
+float hud_footer(const viewer *v);
 void hud_draw(viewer *v);
 
 #endif

@@ -67,7 +67,7 @@ static float draw_quality(viewer *v, float y) {
     y = label(v, y, "Quality");
     for (int i = 0; i < QUALITY_CHOICES; i++)
         if (ui_button(&v->ui, &v->canvas, cell(v, y, i, QUALITY_CHOICES), QUALITIES[i]->name,
-                      v->session.quality == i))
+                      session_quality(&v->session) == i))
             session_set_quality(&v->session, i);
     return y + (ROW + GAP) * v->canvas.unit;
 }

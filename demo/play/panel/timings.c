@@ -75,12 +75,12 @@ static void draw_legend(const timings *t, canvas *c, SDL_FRect area, float row) 
     }
 }
 
-void timings_draw(const timings *t, canvas *c) {
+void timings_draw(const timings *t, canvas *c, float footer) {
     float u = c->unit;
     float pad = 12 * u, row = 17 * u, graph = 84 * u;
     float legend = row * (float)((THUD_STAGE_COUNT + 1) / 2) + 6 * u;
-    SDL_FRect box = {(float)c->width - 312 * u, (float)c->height - graph - legend - 92 * u, 300 * u,
-                     graph + legend + 50 * u};
+    SDL_FRect box = {(float)c->width - 312 * u, (float)c->height - footer - graph - legend - 62 * u,
+                     300 * u, graph + legend + 50 * u};
     canvas_round_rect(c, box, 6 * u, (canvas_style){COLOR_SHADE, COLOR_SHADE, 0});
     float scale = full_scale(t);
     char title[64];

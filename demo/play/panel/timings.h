@@ -16,6 +16,6 @@ typedef struct timings {
 
 void timings_clear(timings *t);
 void timings_add(timings *t, const thud_stats *stats);
-void timings_draw(const timings *t, canvas *c); /* in the lower right corner */
+void timings_draw(const timings *t, canvas *c, float footer); /* in the lower right corner */
 
 #endif

@@ -42,7 +42,7 @@ typedef void thud_task_fn(void *argument);
 /* Must call task(argument) `workers` times, each on a thread of its own if possible, one of them
  * the calling thread, and return when all calls have returned. The calls divide the work among
  * themselves and never wait for a call that has not begun: with fewer threads a step is slower, but
- * the same. The engine calls it at most five times in a step, from inside thud_world_step, and
+ * the same. The engine calls it at most six times in a step, from inside thud_world_step, and
  * once in each call for many casts (thud_casts.h), but never before an earlier call has returned.
  */
 typedef void thud_parallel_fn(thud_task_fn *task, void *argument, int workers, void *context);
@@ -51,8 +51,9 @@ typedef void thud_parallel_fn(thud_task_fn *task, void *argument, int workers, v
  * share. A program links the code that shares a stage only where it names a choice that has it. */
 typedef struct thud_shared_stages thud_shared_stages;
 /* Every stage that can be shared: the search for pairs of awake shapes whose bounds overlap, the
- * test which of these pairs touch, and the end of the step, which moves bodies and bounds and adds
- * up energies. Results are the same, bit for bit, as without it. */
+ * test which of these pairs touch, the end of the step, which moves bodies and bounds and adds up
+ * energies, and the search for static shapes in the way of fast bodies (thud_detection_continuous).
+ * Results are the same, bit for bit, as without it. */
 extern THUD_API const thud_shared_stages thud_shared_stages_all;
 
 typedef struct thud_job_system {

@@ -24,7 +24,8 @@
  *
  * Listeners and filters of the world are recorded by their answers, and by the calls that they
  * make, and are not needed to play the recording. Not recorded: the log, the clock, the allocator,
- * the job system, which change no results; queries, which change nothing. A world with a
+ * the job system, which change no results; queries, which change nothing; the names of qualities
+ * that are not the engine's, which are "recorded" in the world that is played. A world with a
  * time_budget cannot be recorded, since it depends on the clock.
  *
  * A recording is bytes with a version and checksums, the same on every platform for the same calls,
@@ -101,6 +102,30 @@ typedef struct thud_player thud_player;
 /* Receives a chunk of the recording as it is played. `name` is valid during the call. */
 typedef void thud_chunk_fn(const char *name, thud_bytes bytes, void *context);
 
+/* A value among the arguments of a call. */
+typedef struct thud_call_value {
+    double number; /* of a handle its index1; of a bool 0 or 1; integers of 64 bits are rounded */
+    bool handle;   /* it is the handle of a body, shape or joint */
+} thud_call_value;
+
+/* A call of a recording. */
+typedef struct thud_played_call {
+    const char *name;              /* of the function; "thud_world_restore" also for what was not
+                                      recorded, and whose result is in the recording as a snapshot */
+    thud_result result;            /* that it had when it was recorded */
+    const thud_call_value *values; /* the numbers and handles of its arguments, without the world,
+                                      those in structs and arrays included, in the order of the
+                                      headers. Names, pointers to functions and what the call
+                                      returns are left out. Empty for a refused call */
+    int value_count;
+    uint32_t returned; /* index1 of the handle that it returned; else 0 */
+} thud_played_call;
+
+/* Is told of a call that has been played. A call made by a callback comes before the call in which
+ * the callback was. What `call` points to is valid during the call. The function must not change
+ * the world, nor use the player. */
+typedef void thud_played_call_fn(const thud_played_call *call, void *context);
+
 /* All zero selects the defaults. */
 typedef struct thud_player_options {
     thud_allocator allocator;   /* of the player and its world */
@@ -108,7 +133,10 @@ typedef struct thud_player_options {
     void *log_context;          /* passed to log */
     thud_job_system job_system; /* of its world */
     thud_chunk_fn *chunk;       /* default null: chunks are passed over */
-    void *context;              /* passed to chunk */
+    thud_played_call_fn *call;  /* default null: no call is told, and that costs nothing */
+    void *context;              /* passed to chunk and call */
+    thud_clock_fn *clock;       /* of its world; default null: thud_stats has no times */
+    void *clock_context;        /* passed to clock */
 } thud_player_options;
 
 /* Opens a recording, at its first step. All of its checksums are tested. The bytes are not copied,
@@ -132,6 +160,12 @@ THUD_API thud_result thud_player_step(thud_player *player, bool *out_stepped);
 /* Goes to a step, [first, end] of thud_player_progress: forwards by playing, backwards from the
  * last keyframe before it. Errors as for thud_player_step; THUD_ERROR_INVALID for another step. */
 THUD_API thud_result thud_player_seek(thud_player *player, int64_t step);
+
+/* The last keyframe at or before a step: there a seek that goes back begins to play. A program that
+ * must not wait for long seeks to it, and then steps. THUD_ERROR_NULL; THUD_ERROR_INVALID for a
+ * step outside of [first, end]. */
+THUD_API thud_result thud_player_get_keyframe(const thud_player *player, int64_t step,
+                                              int64_t *out_step);
 
 /* The world of the player: for reads, queries and drawing; handles are those of the world that was
  * recorded. It belongs to the player; a change of it makes the recording differ, until a seek goes

@@ -5,4 +5,5 @@ const thud_shared_stages thud_shared_stages_all = {
     .finalize = td_shared_finalize,
     .sweep = td_shared_sweep,
     .waiting = td_shared_waiting,
+    .sift_fast = td_shared_sift_fast,
 };

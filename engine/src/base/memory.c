@@ -33,6 +33,19 @@ td_memory td_memory_make(thud_allocator hooks) {
     return memory;
 }
 
+static void *refuse(size_t bytes, void *context) {
+    (void)bytes, (void)context;
+    return NULL;
+}
+
+static void release_nothing(void *block, size_t bytes, void *context) {
+    (void)block, (void)bytes, (void)context;
+}
+
+td_memory td_memory_none(void) {
+    return (td_memory){{refuse, release_nothing, NULL}, 0, 0};
+}
+
 /* A size in whole cache lines. */
 static size_t rounded(size_t bytes) {
     return (bytes + 63) & ~(size_t)63;

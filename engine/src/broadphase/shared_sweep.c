@@ -60,16 +60,6 @@ static bool sweep_part(const thud_world *w, td_memory *memory, int index, td_arr
 
 /* ---- a worker ---- */
 
-/* An allocator that has no memory: what a worker has to do without more than its room fails. */
-static void *refuse(size_t bytes, void *context) {
-    (void)bytes, (void)context;
-    return NULL;
-}
-
-static void release_nothing(void *block, size_t bytes, void *context) {
-    (void)block, (void)bytes, (void)context;
-}
-
 /* Keeps the new ones of the pairs that are not tested yet. False where bounds tell nothing. */
 static bool keep_new_pairs(const sweeper *s) {
     const thud_world *w = s->w;
@@ -113,7 +103,7 @@ static void sweep_share(void *work, int index) {
     sweeper s = {shared->w, share_at(shared->w, index)};
     int room[HITS_OF_SHAPE];
     td_array hits = {.data = room, .capacity = HITS_OF_SHAPE, .stride = sizeof(int)};
-    td_memory none = td_memory_make((thud_allocator){refuse, release_nothing, NULL});
+    td_memory none = td_memory_none();
     td_sweep_share *share = s.share;
     share->count = share->new_count = 0;
     share->overlaps = share->tested = 0;

@@ -23,6 +23,7 @@
 #include "geometry/shape_instance.h"
 #include "base/rotation.h"
 #include "state/shape.h"
+#include "state/shared_stages.h"
 #include "state/surface.h"
 
 /* A time of impact of one of the body's shapes with a static shape. */
@@ -42,6 +43,8 @@ typedef struct sweep {
     sweep_hit last;         /* the latest hit that the prologue refused; time -1: none */
     sweep_hit next;         /* the first hit after `last` found so far; time 1: none */
     const td_array *shapes; /* int: static shapes near the path, and others */
+    td_array *hits;         /* int: what a query finds, with memory for more */
+    td_memory *memory;
 } sweep;
 
 /* The contact that the prologue is given: the shape at `time`, in its full size, against a static
@@ -199,11 +202,11 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
 }
 
 /* Sets `shapes` to the shapes at rest that the bounds of the path overlap. False where neither
- * they nor a terrain are near. A path longer than 2^15 length scales, an eighth of the period at
- * which bounds wrap around, is tested against all shapes at rest. */
+ * they nor a terrain are near; true where memory is short. A path longer than 2^15 length scales,
+ * an eighth of the period at which bounds wrap around, is tested against all shapes at rest. */
 static bool find_obstacles(sweep *s) {
-    thud_world *w = s->w;
-    td_array *hits = &w->scratch.ahead;
+    const thud_world *w = s->w;
+    td_array *hits = s->hits;
     const float *delta = td_row(&w->delta, s->slot);
     float distance_max = 0x1p15f * w->length_scale;
     if (delta[0] * delta[0] + delta[1] * delta[1] > distance_max * distance_max) {
@@ -215,7 +218,7 @@ static bool find_obstacles(sweep *s) {
     hits->count = 0;
     td_find_fn *find = w->def.broadphase->find[w->wide];
     bool near_any =
-        find(&w->rest_shapes, &w->memory, &s->swept.bounds, s->swept.start, hits, NULL) &&
+        !find(&w->rest_shapes, s->memory, &s->swept.bounds, s->swept.start, hits, NULL) ||
         hits->count > 0;
     for (int t = 0; t < w->terrains.count && !near_any; t++) {
         const td_terrain_record *record = td_terrain_record_at(w, t);
@@ -284,24 +287,47 @@ void td_hold_at(thud_world *w, td_awake_slot slot, double time) {
     td_body_place_shapes(w, body);
 }
 
+/* Begins the sweep of a body, whose pose at the start of the step is `start`. Returns whether
+ * something is near it. */
+static inline bool begin_sweep(sweep *s, const td_pose *start) {
+    s->body = td_body_of(s->w, s->slot);
+    s->swept.start = start->center;
+    s->swept.bounds = swept_bounds(s, td_pose_at(s->w, s->body)->center);
+    return find_obstacles(s);
+}
+
+bool td_fast_meets(thud_world *w, td_awake_slot slot, td_array *hits, td_memory *memory) {
+    td_pose start = start_pose(w, slot);
+    sweep s = {.w = w, .slot = slot, .hits = hits, .memory = memory};
+    const td_body *body = td_body_at(w, td_body_of(w, slot));
+    return body->detection->rank == TD_RANK_CONTINUOUS && begin_sweep(&s, &start);
+}
+
+void td_fast_fetch(const thud_world *w, int i) {
+    if (td_fetches(w) && i + 8 < w->scratch.fast.count) { /* chosen */
+        td_body_index ahead = td_body_of(w, td_slot_in(&w->scratch.fast, i + 8));
+        __builtin_prefetch(td_body_at(w, ahead));
+        __builtin_prefetch(&td_body_at(w, ahead)->detection);
+        __builtin_prefetch(td_pose_at(w, ahead));
+    }
+}
+
 /* Stops a body at its first hit that the prologue does not refuse. The prologue is called in the
  * order of time, whatever the order of the broadphase, and not for hits after the one that stops
  * the body. Bodies that joints tie to it go back to the same time. */
 static void stop_at_first_hit(thud_world *w, td_awake_slot slot) {
-    td_body_index index = td_body_of(w, slot);
     td_pose start = start_pose(w, slot);
     sweep s = {.w = w,
                .slot = slot,
-               .body = index,
-               .swept = {.start = start.center},
-               .next = {.time = -1.0}};
-    s.swept.bounds = swept_bounds(&s, td_pose_at(w, index)->center);
-    if (!find_obstacles(&s)) {
+               .next = {.time = -1.0},
+               .hits = &w->scratch.ahead,
+               .memory = &w->memory};
+    if (!begin_sweep(&s, &start)) {
         return;
     }
     float c, sine;
     td_angle_turn(start.angle, &c, &sine);
-    int first = td_body_at(w, index)->first_shape;
+    int first = td_body_at(w, s.body)->first_shape;
     do {
         s.last = s.next;
         find_next_hit(&s, first, c, sine);
@@ -344,13 +370,12 @@ static bool reserve(thud_world *w) {
 /* Stops the fast bodies of this detection; see td_detection_stage. */
 static void run(thud_world *w) {
     bool anything = w->rest_shapes.ids.count > 0 || w->terrains.live > 0;
+    const thud_shared_stages *shared = TD_HAS_THREADS ? w->def.job_system.stages : NULL;
+    if (shared && anything) {
+        shared->sift_fast(w);
+    }
     for (int i = 0; i < w->scratch.fast.count && anything; i++) {
-        if (td_fetches(w) && i + 8 < w->scratch.fast.count) { /* chosen */
-            td_body_index ahead = td_body_of(w, td_slot_in(&w->scratch.fast, i + 8));
-            __builtin_prefetch(td_body_at(w, ahead));
-            __builtin_prefetch(&td_body_at(w, ahead)->detection);
-            __builtin_prefetch(td_pose_at(w, ahead));
-        }
+        td_fast_fetch(w, i);
         td_awake_slot slot = td_slot_in(&w->scratch.fast, i);
         const td_body *body = td_body_at(w, td_body_of(w, slot));
         if (body->detection->rank == TD_RANK_CONTINUOUS) {

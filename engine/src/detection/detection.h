@@ -7,6 +7,7 @@
 #define TD_DETECTION_H
 
 #include "base/indices.h"
+#include "base/memory.h"
 #include "geometry/shape_instance.h"
 #include "thud/thud_detection.h"
 
@@ -58,6 +59,13 @@ extern const td_detection_stage td_stage_impacts;
  * in [0, 1], of its motion in the step. The velocity that gravity and forces gave it in the rest
  * of the step is removed, since it does not move in the rest. */
 void td_hold_at(struct thud_world *w, td_awake_slot slot, double time);
+
+/* continuous.c: whether td_stage_continuous has to sweep a fast body: something that may be in its
+ * way is near. `hits` (int) and `memory` are for what a query finds; without enough of both it is
+ * true. Threads may ask at the same time. */
+bool td_fast_meets(struct thud_world *w, td_awake_slot slot, td_array *hits, td_memory *memory);
+/* Prefetches what td_fast_meets reads of bodies after the one at index i of scratch.fast. */
+void td_fast_fetch(const struct thud_world *w, int i);
 
 struct td_sensing;
 

@@ -174,18 +174,14 @@ static bool is_array(const td_codec_field *f) {
     return f->code == TD_CODE_ARRAY || f->code == TD_CODE_POINTS;
 }
 
-/* The size of one element of a field that is an array in place. */
-static size_t element_bytes(const td_codec_field *f) {
-    return f->codec ? f->codec->bytes : sizeof(thud_body_id);
-}
-
 static void write_fields(const thud_world *w, td_writer *to, const td_codec *codec,
                          const char *struct_at) {
     for (int i = 0; i < codec->count; i++) {
         const td_codec_field *f = &codec->fields[i];
         const char *count_at = struct_at + f->count_at;
         for (int k = 0; k < f->repeat && !is_array(f); k++) {
-            write_value(w, to, f, struct_at + f->at + (size_t)k * element_bytes(f), count_at);
+            write_value(w, to, f, struct_at + f->at + (size_t)k * td_codec_element_bytes(f),
+                        count_at);
         }
     }
     /* Arrays come last, when a reader knows what counts them. */
@@ -287,14 +283,20 @@ static char *read_elements(const thud_world *w, td_reader *from, const td_codec 
     return elements;
 }
 
-static char *read_name(td_reader *from, td_decoded *d) {
+/* The name of a quality, which the world keeps: that of one of the engine's. What others were
+ * called is not kept, since nothing would hold their text as long as the world. */
+static const char *read_name(td_reader *from) {
+    static const thud_quality *const known[] = {&thud_quality_draft, &thud_quality_default,
+                                                &thud_quality_high, &thud_quality_exact};
     uint64_t length = td_read_count(from);
     const uint8_t *text = td_read_bytes(from, length);
-    char *name = text ? take_block(d, (size_t)length + 1) : NULL;
-    if (name && length > 0) {
-        memcpy(name, text, (size_t)length);
+    for (size_t i = 0; text && i < sizeof known / sizeof *known; i++) {
+        const char *name = known[i]->name;
+        if (length == strlen(name) && memcmp(text, name, (size_t)length) == 0) {
+            return name;
+        }
     }
-    return name;
+    return "recorded";
 }
 
 static void put_pointer(char *at, const void *pointer) {
@@ -358,7 +360,7 @@ static void read_value(const thud_world *w, td_reader *from, const td_codec_fiel
         put_pointer(at, read_elements(w, from, f->codec, 1, d));
         break;
     case TD_CODE_NAME:
-        put_pointer(at, read_name(from, d));
+        put_pointer(at, read_name(from));
         break;
     case TD_CODE_DETECTION:
         put_pointer(at, detection_of(td_read_byte(from)));
@@ -404,7 +406,7 @@ static bool read_fields(const thud_world *w, td_reader *from, const td_codec *co
     for (int i = 0; i < codec->count; i++) {
         const td_codec_field *f = &codec->fields[i];
         for (int k = 0; k < f->repeat; k++) {
-            read_value(w, from, f, struct_at + f->at + (size_t)k * element_bytes(f), d);
+            read_value(w, from, f, struct_at + f->at + (size_t)k * td_codec_element_bytes(f), d);
         }
     }
     for (int i = 0; i < codec->count; i++) {

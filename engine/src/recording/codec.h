@@ -7,6 +7,7 @@
 #include "recording/stream.h"
 #include "state/world.h"
 #include "thud/thud_mover.h"
+#include "thud/thud_recording.h"
 
 /* What a field or an argument is. */
 typedef enum td_code {
@@ -54,6 +55,11 @@ struct td_codec_field {
     uint16_t count_at;     /* offset of the int, or index of the argument, that counts elements */
     const td_codec *codec; /* of structs, and of what is pointed to */
 };
+
+/* The size of one element of a field that is an array in place. */
+static inline size_t td_codec_element_bytes(const td_codec_field *f) {
+    return f->codec ? f->codec->bytes : sizeof(thud_body_id);
+}
 
 /* A function of the API. */
 typedef struct td_recorded_call {
@@ -112,5 +118,13 @@ bool td_codec_read(const thud_world *w, td_reader *from, const td_recorded_call 
 bool td_codec_same_outs(const thud_world *w, td_reader *from, const td_recorded_call *call,
                         const td_decoded *decoded);
 void td_decoded_free(td_decoded *decoded);
+
+/* ---- call_values.c ---- */
+
+/* Writes the numbers and handles of decoded arguments (thud_played_call.values) to `out`, unless it
+ * is null. Returns how many there are. */
+int td_call_values(const td_recorded_call *call, const td_decoded *decoded, thud_call_value *out);
+/* The handle that the call has returned, the first one if there are more: its index1, else 0. */
+uint32_t td_call_returned(const td_recorded_call *call, const td_decoded *decoded);
 
 #endif

@@ -163,6 +163,33 @@ static thud_result go_to(thud_player *p, const td_keyframe *keyframe) {
 
 /* ---- calls ---- */
 
+/* Tells the caller of a call; `decoded` null: without arguments. */
+static void tell_call(td_play *p, const char *name, thud_result recorded,
+                      const td_recorded_call *call, const td_decoded *decoded) {
+    thud_player *player = (thud_player *)p; /* its first member */
+    const thud_player_options *o = &player->options;
+    if (!o->call) {
+        return;
+    }
+    thud_played_call told = {.name = name, .result = recorded};
+    thud_call_value *values = NULL;
+    if (decoded) {
+        told.value_count = td_call_values(call, decoded, NULL);
+        told.returned = td_call_returned(call, decoded);
+        values = td_memory_get(&player->memory, ((size_t)told.value_count + 1) * sizeof *values);
+        if (!values) {
+            p->short_of_memory = true;
+            return;
+        }
+        td_call_values(call, decoded, values);
+        told.values = values;
+    }
+    o->call(&told, o->context);
+    if (values) {
+        td_memory_put(&player->memory, values, ((size_t)told.value_count + 1) * sizeof *values);
+    }
+}
+
 /* Makes a call, whose arguments come next. `opened`: records of its callbacks follow them. */
 static void play_call(td_play *p, uint64_t number, bool opened) {
     if (number >= TD_CALL_COUNT) {
@@ -184,6 +211,7 @@ static void play_call(td_play *p, uint64_t number, bool opened) {
     p->frame = &frame;
     thud_result result = td_play_call(p, p->world, (int)number, &decoded);
     p->frame = frame.outer;
+    tell_call(p, call->name, THUD_OK, call, &decoded);
     if (td_play_goes_on(p)) {
         p->short_of_memory = result == THUD_ERROR_MEMORY;
         p->differs = !p->short_of_memory &&
@@ -235,6 +263,8 @@ static thud_result make_world(thud_player *p) {
     def.log = o->log;
     def.log_context = o->log_context;
     def.job_system = o->job_system;
+    def.clock = o->clock;
+    def.clock_context = o->clock_context;
     thud_result result = thud_world_create(&def, &p->play.world);
     result = result == THUD_OK ? thud_world_use_joints(p->play.world) : result;
     result = result == THUD_OK ? thud_world_use_rules(p->play.world) : result;
@@ -350,6 +380,7 @@ static void play_record(thud_player *p) {
         thud_result result = read_state(p, from);
         play->short_of_memory |= result == THUD_ERROR_MEMORY;
         from->broken |= result == THUD_ERROR_INVALID;
+        tell_call(play, "thud_world_restore", result, NULL, NULL);
         break;
     }
     case TD_RECORD_LISTENERS: {
@@ -360,10 +391,14 @@ static void play_record(thud_player *p) {
     case TD_RECORD_CHUNK:
         play_chunk(p, from);
         break;
-    case TD_RECORD_REFUSED:
-        td_read_count(from);
-        td_read_byte(from);
+    case TD_RECORD_REFUSED: {
+        uint64_t number = td_read_count(from);
+        thud_result result = (thud_result)td_read_byte(from);
+        if (number < TD_CALL_COUNT && !from->broken) {
+            tell_call(play, td_recorded_calls[number].name, result, NULL, NULL);
+        }
         break;
+    }
     default:
         play_nested(play, record);
         p->steps += play->world->steps - before;
@@ -450,17 +485,39 @@ thud_result thud_player_step(thud_player *p, bool *out_stepped) {
     return result_of(p);
 }
 
-thud_result thud_player_seek(thud_player *p, int64_t step) {
-    if (!p) {
-        return THUD_ERROR_NULL;
-    }
+/* The last keyframe at or before a step; null, which the log is told, for another step. */
+static const td_keyframe *keyframe_before(const thud_player *p, int64_t step) {
     if (step < (int64_t)p->first || step > (int64_t)p->end) {
-        return td_refuse(p->play.world, THUD_ERROR_INVALID, "player: there is no such step");
+        td_refuse(p->play.world, THUD_ERROR_INVALID, "player: there is no such step");
+        return NULL;
     }
     const td_keyframe *from = NULL;
     for (int i = 0; i < p->keyframes.count; i++) {
         const td_keyframe *k = TD_AT(td_keyframe, &p->keyframes, i);
         from = k->steps <= (uint64_t)step ? k : from;
+    }
+    return from;
+}
+
+thud_result thud_player_get_keyframe(const thud_player *p, int64_t step, int64_t *out_step) {
+    if (!p || !out_step) {
+        return THUD_ERROR_NULL;
+    }
+    const td_keyframe *from = keyframe_before(p, step);
+    if (!from) {
+        return THUD_ERROR_INVALID;
+    }
+    *out_step = (int64_t)from->steps;
+    return THUD_OK;
+}
+
+thud_result thud_player_seek(thud_player *p, int64_t step) {
+    if (!p) {
+        return THUD_ERROR_NULL;
+    }
+    const td_keyframe *from = keyframe_before(p, step);
+    if (!from) {
+        return THUD_ERROR_INVALID;
     }
     bool back = (uint64_t)step < p->steps || !td_play_goes_on(&p->play);
     thud_result result = back || from->steps > p->steps ? go_to(p, from) : THUD_OK;

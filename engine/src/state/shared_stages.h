@@ -10,6 +10,8 @@
 
 #include <string.h>
 
+typedef void td_sift_fast_fn(thud_world *w);
+
 struct thud_shared_stages {
     /* As td_finalize_bodies for `all` bodies, with the same results to the bit. */
     td_finalize_bodies_fn *finalize;
@@ -17,6 +19,8 @@ struct thud_shared_stages {
     td_sweep_fn *sweep;
     /* As td_waiting_test_all, with the same lists in the same order. */
     td_waiting_fn *waiting;
+    /* Takes those bodies out of scratch.fast that td_stage_continuous would leave as they are. */
+    td_sift_fast_fn *sift_fast;
 };
 
 /* Bodies that a worker takes at once: a multiple of TD_LANES. Chosen. */
@@ -52,11 +56,21 @@ typedef struct td_waiting_share {
     int room[2][TD_SHARE_WAITING]; /* data of these two */
 } td_waiting_share;
 
+/* Fast bodies that a worker looks at at once. Chosen. */
+enum { TD_SHARE_FAST = 256 };
+
+/* Those of a part of the fast bodies that may meet something. */
+typedef struct td_fast_share {
+    int count;
+    td_awake_slot slots[TD_SHARE_FAST];
+} td_fast_share;
+
 /* An element of td_scratch.shares. */
 typedef union td_share {
     td_finalize_share finalize;
     td_sweep_share sweep;
     td_waiting_share waiting;
+    td_fast_share fast;
 } td_share;
 
 /* An empty list in the room that a share has for it. */
@@ -72,9 +86,10 @@ static inline void td_share_append(td_array *all, const td_array *found) {
     }
 }
 
-/* shared_finalize.c, shared_sweep.c, shared_waiting.c: see above. */
+/* shared_finalize.c, shared_sweep.c, shared_waiting.c, shared_fast.c: see above. */
 td_finalize_bodies_fn td_shared_finalize;
 td_sweep_fn td_shared_sweep;
 td_waiting_fn td_shared_waiting;
+td_sift_fast_fn td_shared_sift_fast;
 
 #endif

@@ -92,6 +92,43 @@ static void the_most_workers_share_more_stages_to_the_same_bits(void **state) {
     assert_true(more_calls >= calls + STEPS);
 }
 
+/* The hash after a step in which circles fall faster than their size, a third of them through
+ * plates that are thinner than their way. *held is how many were stopped. */
+static uint64_t hash_of_shots(thud_job_system job_system, int *held) {
+    enum { SHOTS = 3000 };
+    thud_world_def def = weightless();
+    def.job_system = job_system;
+    thud_world *world = make_world(def);
+    for (int i = 0; i < SHOTS; i++) {
+        thud_body_id body = add_body(world, THUD_BODY_DYNAMIC, i, 0, 0);
+        add_shape(world, body, 0.2f, 0, false, NULL);
+        OK(thud_body_set_velocity(world, body, (thud_vec2){0, -90}, 0));
+        if (i % 3 == 0) {
+            body = add_body(world, THUD_BODY_STATIC, i, -0.75, 0);
+            add_shape(world, body, 0.4f, 0.05f, false, NULL);
+        }
+    }
+    OK(thud_world_step(world));
+    *held = thud_stats_of(world).held_bodies;
+    uint64_t hash = thud_hash_of(world);
+    thud_world_destroy(world);
+    return hash;
+}
+
+static void fast_bodies_are_stopped_by_any_number_of_workers(void **state) {
+    (void)state;
+    int alone = 0, shared = 0;
+    uint64_t hash = hash_of_shots((thud_job_system){0}, &alone);
+    assert_int_equal(alone, 1000);
+    for (int workers = 2; workers <= 4; workers += 2) {
+        thud_threads *p = some_threads(workers);
+        assert_non_null(p);
+        assert_true(hash_of_shots(thud_job_system_of(p), &shared) == hash);
+        assert_int_equal(shared, alone);
+        thud_threads_destroy(p);
+    }
+}
+
 /* The hash of a step's result, and of the work of its broadphase. */
 static uint64_t hash_of_step(thud_world *world) {
     OK(thud_world_step(world));
@@ -197,6 +234,7 @@ int main(void) {
         cmocka_unit_test(any_number_of_workers_gives_the_same_bits),
         cmocka_unit_test(workers_one_after_the_other_give_the_same_bits),
         cmocka_unit_test(the_most_workers_share_more_stages_to_the_same_bits),
+        cmocka_unit_test(fast_bodies_are_stopped_by_any_number_of_workers),
         cmocka_unit_test(pairs_that_workers_leave_are_found),
         cmocka_unit_test(workers_allocate_nothing_in_a_settled_world),
         cmocka_unit_test(small_worlds_ask_nobody),

@@ -264,6 +264,149 @@ static void chunks_are_kept(void **state) {
     thud_world_destroy(g.world);
 }
 
+/* ---- calls that are told ---- */
+
+typedef struct told_calls {
+    int count;
+    char names[8][40];
+    thud_result results[8];
+    int value_counts[8];
+    thud_call_value values[8][4]; /* the first ones */
+    uint32_t returned[8];
+} told_calls;
+
+static void note_call(const thud_played_call *call, void *context) {
+    told_calls *t = context;
+    assert_true(t->count < 8);
+    strcpy(t->names[t->count], call->name);
+    t->results[t->count] = call->result;
+    t->value_counts[t->count] = call->value_count;
+    for (int i = 0; i < 4 && i < call->value_count; i++) {
+        t->values[t->count][i] = call->values[i];
+    }
+    t->returned[t->count++] = call->returned;
+}
+
+/* A body that is made, moved in vain and in earnest; ground of three points; a restore. */
+static void calls_are_told_with_their_arguments(void **state) {
+    (void)state;
+    thud_world *w = thud_world_make((thud_vec2){0, -10}, &thud_quality_draft);
+    thud_body_def still = thud_default_body_def();
+    thud_body_id ground;
+    OK(thud_body_create(w, &still, &ground));
+    thud_recorder *recorder = begin(w, (thud_recorder_options){0});
+    thud_body_options fast = {.kind = THUD_BODY_DYNAMIC, .velocity = {3, 4}};
+    thud_body_id ball = thud_body_make(w, thud_circle_at(1, 2, 0.5), &fast);
+    OK(thud_body_set_velocity(w, ball, (thud_vec2){-7, 0.25f}, 2));
+    assert_int_equal(thud_body_set_velocity(w, ball, (thud_vec2){NAN, 0}, 0), THUD_ERROR_INVALID);
+    thud_pos points[] = {{0, 0}, {1, 0.5}, {3, 0}};
+    thud_terrain hill = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 3};
+    thud_shape_def def = thud_default_shape_def();
+    OK(thud_shape_create_terrain(w, ground, &def, &hill, NULL));
+    OK(thud_world_step(w));
+    OK(thud_world_step(w));
+    told_calls t = {0};
+    thud_player_options options = {.call = note_call, .context = &t};
+    thud_player *player;
+    OK(thud_player_create(bytes_of(recorder), &options, &player));
+    OK(thud_player_step(player, NULL));
+    const char *names[] = {"thud_body_make", "thud_body_set_velocity", "thud_body_set_velocity",
+                           "thud_shape_create_terrain", "thud_world_step"};
+    assert_int_equal(t.count, 5);
+    for (int i = 0; i < 5; i++) {
+        assert_string_equal(t.names[i], names[i]);
+        assert_int_equal(t.results[i], i == 2 ? THUD_ERROR_INVALID : THUD_OK);
+        assert_int_equal(t.returned[i], i == 0 ? ball.index1 : i == 3 ? 2 : 0); /* 2: the hill */
+    }
+    assert_true(t.values[1][0].handle && t.values[1][0].number == ball.index1);
+    assert_true(!t.values[1][1].handle && t.values[1][1].number == -7);
+    assert_true(t.values[1][2].number == 0.25 && t.values[1][3].number == 2);
+    assert_int_equal(t.value_counts[1], 4);
+    assert_int_equal(t.value_counts[2], 0);
+    assert_true(t.value_counts[3] >= 6);
+    assert_int_equal(t.value_counts[4], 0);
+    t.count = 0;
+    OK(thud_player_step(player, NULL));
+    assert_int_equal(t.count, 1);
+    thud_player_destroy(player);
+    thud_recorder_end(recorder);
+    thud_world_destroy(w);
+}
+
+static double tick(void *context) {
+    return *(double *)context += 0.5;
+}
+
+/* Times of stages come from the clock of the options, and change no state. */
+static void clock_of_the_player_times_its_steps(void **state) {
+    (void)state;
+    game g = make_game(thud_default_world_def());
+    thud_recorder *recorder = begin(g.world, (thud_recorder_options){0});
+    play(&g, 0);
+    double now = 0;
+    thud_player_options options = {.clock = tick, .clock_context = &now};
+    thud_player *player;
+    thud_world *world;
+    OK(thud_player_create(bytes_of(recorder), &options, &player));
+    OK(thud_player_step(player, NULL));
+    OK(thud_player_get_world(player, &world));
+    assert_true(thud_stats_of(world).step_seconds > 0);
+    assert_true(thud_hash_of(world) == thud_hash_of(g.world));
+    thud_player_destroy(player);
+    thud_recorder_end(recorder);
+    thud_world_destroy(g.world);
+}
+
+/* The world keeps a pointer to the name, when the call that brought it is long over. */
+static void names_of_qualities_are_kept(void **state) {
+    (void)state;
+    thud_quality own = thud_quality_draft;
+    own.name = "my own";
+    thud_world *w = thud_world_make((thud_vec2){0, -10}, &thud_quality_draft), *played;
+    thud_recorder *recorder = begin(w, (thud_recorder_options){0});
+    OK(thud_world_set_quality(w, &thud_quality_high));
+    OK(thud_world_step(w));
+    OK(thud_world_set_quality(w, &own));
+    OK(thud_world_step(w));
+    thud_player *player;
+    thud_step_settings settings;
+    OK(thud_player_create(bytes_of(recorder), NULL, &player));
+    OK(thud_player_get_world(player, &played));
+    OK(thud_player_step(player, NULL));
+    OK(thud_world_get_step_settings(played, &settings));
+    assert_ptr_equal(settings.quality.name, thud_quality_high.name);
+    OK(thud_player_step(player, NULL));
+    OK(thud_world_get_step_settings(played, &settings));
+    assert_string_equal(settings.quality.name, "recorded");
+    thud_player_destroy(player);
+    thud_recorder_end(recorder);
+    thud_world_destroy(w);
+}
+
+static void keyframes_are_found(void **state) {
+    (void)state;
+    game g = make_game(thud_default_world_def());
+    thud_recorder *recorder = begin(g.world, (thud_recorder_options){.keyframe_steps = 10});
+    for (int i = 0; i < 25; i++) {
+        play(&g, i);
+    }
+    thud_player *player;
+    int64_t at = -1;
+    OK(thud_player_create(bytes_of(recorder), NULL, &player));
+    for (int64_t step = 0; step <= 25; step++) {
+        OK(thud_player_get_keyframe(player, step, &at));
+        assert_int_equal(at, step / 10 * 10);
+    }
+    assert_int_equal(thud_player_get_keyframe(player, 26, &at), THUD_ERROR_INVALID);
+    assert_int_equal(thud_player_get_keyframe(player, -1, &at), THUD_ERROR_INVALID);
+    assert_int_equal(thud_player_get_keyframe(player, 0, NULL), THUD_ERROR_NULL);
+    assert_int_equal(thud_player_get_keyframe(NULL, 0, &at), THUD_ERROR_NULL);
+    assert_int_equal(at, 20);
+    thud_player_destroy(player);
+    thud_recorder_end(recorder);
+    thud_world_destroy(g.world);
+}
+
 /* ---- callbacks ---- */
 
 /* Vetoes, changes and decides, by the number of the call. */
@@ -693,6 +836,10 @@ int main(void) {
         cmocka_unit_test(a_ring_keeps_the_last_steps),
         cmocka_unit_test(a_sink_gets_all),
         cmocka_unit_test(chunks_are_kept),
+        cmocka_unit_test(calls_are_told_with_their_arguments),
+        cmocka_unit_test(clock_of_the_player_times_its_steps),
+        cmocka_unit_test(names_of_qualities_are_kept),
+        cmocka_unit_test(keyframes_are_found),
         cmocka_unit_test(callbacks_are_not_needed),
         cmocka_unit_test(other_callbacks_are_recorded),
         cmocka_unit_test(unseen_steps_and_restores_are_noticed),

@@ -104,6 +104,44 @@ test("chunks_come_with_their_steps", () => {
   world.close();
 });
 
+test("calls_of_a_step_are_told_and_keyframes_found", () => {
+  const game = heap();
+  const recorder = new Recorder(game.world, { keyframeSteps: 10 });
+  play(game, 25);
+  assert.throws(() => game.world.setVelocity(game.ball, [Number.MAX_VALUE, 0]));
+  game.world.step();
+  const bytes = recorder.bytes();
+  const player = new Player(engine, bytes, { calls: true });
+  player.step();
+  const [impulse, step] = player.calls;
+  assert.deepEqual(impulse, {
+    name: "thud_body_apply_center_impulse",
+    refused: null,
+    values: [
+      { number: game.ball.index, handle: true },
+      { number: Math.fround(-0.1), handle: false },
+      { number: 0.5, handle: false },
+    ],
+    returned: null,
+  });
+  assert.equal(step.name, "thud_world_step");
+  player.seek(4);
+  assert.deepEqual(player.calls, []);
+  player.step();
+  const made = player.calls.find(({ returned }) => returned !== null);
+  assert.equal(made.returned, player.world.bodies().at(-1).index);
+  assert.deepEqual([0, 9, 10, 26].map((at) => player.keyframeBefore(at)), [0, 0, 10, 20]);
+  refusedWith("invalid", /no such step/, () => player.keyframeBefore(27));
+  player.close();
+  const quiet = new Player(engine, bytes);
+  quiet.step();
+  assert.deepEqual(quiet.calls, []);
+  quiet.close();
+  refusedWith("invalid", /call/, () => new Player(engine, bytes, { call: true }));
+  recorder.end();
+  game.world.close();
+});
+
 test("difference_is_named_and_damage_refused", () => {
   const game = heap();
   const recorder = new Recorder(game.world, { hashSteps: 5, bodyHashes: true });

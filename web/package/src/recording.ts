@@ -13,7 +13,7 @@
  */
 import { checkOptions } from "./checks/names.js";
 import type { Engine } from "./engine.js";
-import { ThudError } from "./error.js";
+import { type ErrorCode, RESULT_CODES, ThudError } from "./error.js";
 import { ListAt } from "./generated/slots.js";
 import { bodyId } from "./numbers.js";
 import type { BodyId } from "./types.js";
@@ -127,6 +127,26 @@ export interface Chunk {
   bytes: Uint8Array;
 }
 
+export interface PlayerOptions {
+  /** `calls` has the calls of each step; without it they cost nothing. */
+  calls?: boolean;
+}
+
+/** A call of a recording: a function of C, in which those of JavaScript end. */
+export interface PlayedCall {
+  /** As `thud_body_set_velocity`; `thud_world_restore` also for what was not recorded. */
+  name: string;
+  /** Why it was refused when it was recorded; null: it was not. Values are then not recorded. */
+  refused: ErrorCode | null;
+  /**
+   * The numbers and handles of its arguments, those in structs and arrays included, in C's order. A
+   * handle is told by its `index`, the null handle by -1.
+   */
+  values: { number: number; handle: boolean }[];
+  /** The `index` of the handle that it returned, if any. */
+  returned: number | null;
+}
+
 /** What a player has played, by steps since the recording began. */
 export interface PlayerProgress {
   /** The first step that a ring has kept, else 0. */
@@ -156,10 +176,11 @@ export class Player {
    * @throws {ThudError} "invalid" for bytes that are damaged, cut short or of another version, and
    * where the engine is not that of thud-recorded.wasm; "memory".
    */
-  constructor(engine: Engine, bytes: Uint8Array) {
+  constructor(engine: Engine, bytes: Uint8Array, options: PlayerOptions = {}) {
     this.#engine = demand(engine);
+    checkOptions("player", options, ["calls"]);
     if (!(bytes instanceof Uint8Array)) throw new ThudError("invalid", "player: a recording is a Uint8Array");
-    engine.check(engine.exports.api_player_create(lend(engine, bytes), bytes.length));
+    engine.check(engine.exports.api_player_create(lend(engine, bytes), bytes.length, +(options.calls ?? false)));
     this.#address = engine.slots[ListAt.address];
     this.world = new World(engine, {}, engine.exports.api_player_world(this.#address));
   }
@@ -191,6 +212,41 @@ export class Player {
     );
     const body = index1 === 0 ? null : bodyId(index1, generation);
     return { first, end, steps, hashes, difference: differs ? { after, at, body } : null };
+  }
+
+  /**
+   * The last keyframe at or before a step: there a seek that goes back begins to play.
+   * @throws {ThudError} "invalid" for a step that the recording does not have.
+   */
+  keyframeBefore(step: number): number {
+    this.#engine.check(this.#engine.exports.api_player_keyframe(this.#open(), step));
+    return this.#engine.slots[ListAt.count];
+  }
+
+  /** The calls of the last `step`, and the step itself; none after a `seek`, nor without `calls`. */
+  get calls(): PlayedCall[] {
+    this.#engine.exports.api_player_calls(this.#open());
+    const bytes = listedBytes(this.#engine);
+    const numbers = new DataView(bytes.buffer);
+    const calls: PlayedCall[] = [];
+    for (let at = 0; at < bytes.length; ) {
+      const [length, result, returned, count] = [0, 4, 8, 12].map((from) => numbers.getUint32(at + from, true));
+      const code = RESULT_CODES[result];
+      const first = at + 16 + length;
+      const name = new TextDecoder().decode(bytes.subarray(at + 16, first));
+      const values = Array.from({ length: count }, (_, i) => {
+        const handle = bytes[first + 9 * i + 8] !== 0;
+        return { number: numbers.getFloat64(first + 9 * i, true) - +handle, handle };
+      });
+      calls.push({
+        name,
+        refused: code === "ok" ? null : code,
+        values,
+        returned: returned === 0 ? null : returned - 1,
+      });
+      at = first + 9 * count;
+    }
+    return calls;
   }
 
   /** The chunks that the last `step` or `seek` came upon. */

@@ -196,6 +196,7 @@ pub type thud_object_epilogue_fn = unsafe extern "C" fn(*mut thud_world, *const 
 pub type thud_mover_pass_fn = unsafe extern "C" fn(*const thud_mover, *const thud_mover_hit, thud_vec2, *mut c_void) -> bool;
 pub type thud_recording_sink_fn = unsafe extern "C" fn(*const c_void, usize, *mut c_void) -> bool;
 pub type thud_chunk_fn = unsafe extern "C" fn(*const c_char, thud_bytes, *mut c_void);
+pub type thud_played_call_fn = unsafe extern "C" fn(*const thud_played_call, *mut c_void);
 pub type thud_rollback_step_fn = unsafe extern "C" fn(*mut thud_world, *const u64, *mut c_void) -> thud_result;
 pub type thud_filter_fn = unsafe extern "C" fn(*const thud_world, thud_shape_id, thud_shape_id, *mut c_void) -> bool;
 pub type thud_volume = thud_geometry;
@@ -1078,6 +1079,23 @@ pub struct thud_player {
 }
 
 #[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct thud_call_value {
+    pub number: f64,
+    pub handle: bool,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct thud_played_call {
+    pub name: *const c_char,
+    pub result: thud_result,
+    pub values: *const thud_call_value,
+    pub value_count: c_int,
+    pub returned: u32,
+}
+
+#[repr(C)]
 #[derive(Clone, Copy)]
 pub struct thud_player_options {
     pub allocator: thud_allocator,
@@ -1085,7 +1103,10 @@ pub struct thud_player_options {
     pub log_context: *mut c_void,
     pub job_system: thud_job_system,
     pub chunk: Option<thud_chunk_fn>,
+    pub call: Option<thud_played_call_fn>,
     pub context: *mut c_void,
+    pub clock: Option<thud_clock_fn>,
+    pub clock_context: *mut c_void,
 }
 
 #[repr(C)]
@@ -1468,6 +1489,7 @@ extern "C" {
     pub fn thud_player_destroy(player: *mut thud_player);
     pub fn thud_player_step(player: *mut thud_player, out_stepped: *mut bool) -> thud_result;
     pub fn thud_player_seek(player: *mut thud_player, step: i64) -> thud_result;
+    pub fn thud_player_get_keyframe(player: *const thud_player, step: i64, out_step: *mut i64) -> thud_result;
     pub fn thud_player_get_world(player: *mut thud_player, out: *mut *mut thud_world) -> thud_result;
     pub fn thud_player_get_progress(player: *const thud_player, out: *mut thud_player_progress) -> thud_result;
     pub fn thud_rollback_create(world: *mut thud_world, options: *const thud_rollback_options, out: *mut *mut thud_rollback) -> thud_result;

@@ -17,6 +17,7 @@ pub use sys::thud_body_seen as BodySeen;
 pub use sys::thud_body_state as BodyState;
 pub use sys::thud_broadphase as Broadphase;
 pub use sys::thud_broadphase_counts as BroadphaseCounts;
+pub use sys::thud_call_value as CallValue;
 pub use sys::thud_capsule as Capsule;
 pub use sys::thud_closest as Closest;
 pub use sys::thud_closest_hit as ClosestHit;

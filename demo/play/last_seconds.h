@@ -1,0 +1,28 @@
+/* last_seconds.h: the last seconds of a scene, which are recorded all the time, and saved when a
+ * user has seen something worth to be reported. */
+#ifndef THUD_PLAY_LAST_SECONDS_H
+#define THUD_PLAY_LAST_SECONDS_H
+
+#include <scene.h>
+#include <thud/thud_recording.h>
+
+enum { LAST_SECONDS = 30 };
+
+typedef struct last_seconds {
+    thud_recorder *recorder; /* null: nothing is recorded, since memory was short */
+    int keyframe_steps;      /* from one keyframe to the next */
+    int steps;               /* since the last one */
+} last_seconds;
+
+/* Begins to record a world. */
+void last_seconds_begin(last_seconds *l, thud_world *world, double time_step, const scene *s);
+/* Has to be called after each step. */
+void last_seconds_stepped(last_seconds *l, const scene *s);
+/* Has to be called before the world is destroyed. */
+void last_seconds_end(last_seconds *l);
+
+/* Saves the last seconds as a file in the present folder, NAME-1.rec or the next number that is
+ * free, where NAME is the scene's. False if that fails. Either way `message` says so. */
+bool last_seconds_save(last_seconds *l, const scene *s, char *message, size_t message_size);
+
+#endif

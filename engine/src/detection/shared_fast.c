@@ -1,0 +1,72 @@
+/* shared_fast.c: the search for what fast bodies may meet, by workers, each of which takes
+ * TD_SHARE_FAST bodies at a time. Most bodies meet nothing. The others are swept by the calling
+ * thread, in their order, since a body that is stopped changes others that joints tie to it. Such a
+ * change only shortens motions, so that what meets nothing without it meets nothing with it. */
+#include "detection/detection.h"
+#include "state/jobs.h"
+#include "state/shared_stages.h"
+
+/* Fast bodies from which on workers share the search: for fewer it ends before another thread has
+ * woken. Chosen; not tuned. */
+enum { SHARED_FAST_MIN = 1024 };
+
+/* Shapes that a query of one body may find: as many ints of a worker's stack. Chosen. */
+enum { HITS_OF_BODY = 256 };
+
+/* What the workers share. */
+typedef struct sifting {
+    thud_world *w;
+    td_job job;
+} sifting;
+
+static int share_count(const thud_world *w) {
+    return (w->scratch.fast.count + TD_SHARE_FAST - 1) / TD_SHARE_FAST;
+}
+
+static td_fast_share *share_at(const thud_world *w, int index) {
+    return &TD_AT(td_share, &w->scratch.shares, index)->fast;
+}
+
+/* Looks at one share of the bodies (a td_chunk_fn). */
+static void sift_share(void *work, int index) {
+    thud_world *w = ((const sifting *)work)->w;
+    td_fast_share *share = share_at(w, index);
+    int room[HITS_OF_BODY];
+    td_array hits = td_share_list(room, HITS_OF_BODY);
+    td_memory none = td_memory_none();
+    int first = index * TD_SHARE_FAST;
+    int end = td_min_int(first + TD_SHARE_FAST, w->scratch.fast.count);
+    share->count = 0;
+    for (int i = first; i < end; i++) {
+        td_fast_fetch(w, i);
+        td_awake_slot slot = td_slot_in(&w->scratch.fast, i);
+        if (td_fast_meets(w, slot, &hits, &none)) {
+            share->slots[share->count++] = slot;
+        }
+    }
+}
+
+static void sift_as_worker(void *argument) {
+    sifting *s = argument;
+    td_worker worker = td_worker_arrive(&s->job);
+    td_worker_walk(&worker, share_count(s->w), sift_share, s);
+}
+
+/* Without memory for what is found all bodies stay listed. */
+void td_shared_sift_fast(thud_world *w) {
+    int shares = share_count(w);
+    if (w->def.job_system.workers <= 1 || w->scratch.fast.count < SHARED_FAST_MIN ||
+        !td_array_reserve(&w->memory, &w->scratch.shares, shares)) {
+        return;
+    }
+    sifting s = {.w = w};
+    td_job_begin(&s.job, w->def.job_system.workers);
+    td_job_run(w, &s.job, sift_as_worker, &s);
+    w->scratch.fast.count = 0;
+    for (int i = 0; i < shares; i++) {
+        const td_fast_share *share = share_at(w, i);
+        for (int k = 0; k < share->count; k++) {
+            td_push_slot(&w->scratch.fast, share->slots[k]);
+        }
+    }
+}
