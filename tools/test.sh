@@ -109,13 +109,15 @@ test_threads() {
     test_under threads $THREADS_TESTS
 }
 
-# All cases of the guarantees, a million random cases of each pair of shapes, the one file without each
-# of its parts, and packages that other tools than CMake build. Takes half an hour on two processors.
+# All cases of the guarantees, a million random cases of each pair of shapes, a hundred thousand steps
+# over the worst network by each number of players, the one file without each of its parts, and packages
+# that other tools than CMake build. Takes 40 minutes on two processors.
 test_all_cases() {
     THUD_GUARANTEES=full ctest --preset release --label-regex '^guarantees$' --timeout 3600 \
         --parallel "$jobs"
     THUD_CASES=1000000 ctest --preset release --label-regex '^pairs$' --timeout 7200 \
         --parallel "$jobs"
+    THUD_NETWORK_STEPS=100000 ctest --preset release --tests-regex '^test_play$' --timeout 3600
     THUD_PARTS=full ctest --preset release --tests-regex '^test_parts$' --timeout 3600
     pip_packages build/conan packaging/conan/requirements.txt "Conan"
     THUD_PACKAGES=full ctest --preset release --label-regex '^packages$' --timeout 3600
