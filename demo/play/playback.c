@@ -3,6 +3,7 @@
 
 #include <cjson/cJSON.h>
 #include <scene.h>
+#include <whole_file.h>
 
 #include <inttypes.h>
 #include <math.h>
@@ -27,21 +28,6 @@ bool playback_is_recording(const char *path) {
     if (file)
         fclose(file);
     return is;
-}
-
-/* Reads a file whole, into memory from malloc. Null if that fails. */
-static char *read_file(const char *path, size_t *bytes) {
-    FILE *file = fopen(path, "rb");
-    long length = file && fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
-    char *text = length >= 0 && fseek(file, 0, SEEK_SET) == 0 ? malloc((size_t)length + 1) : NULL;
-    if (text && fread(text, 1, (size_t)length, file) != (size_t)length) {
-        free(text);
-        text = NULL;
-    }
-    if (file)
-        fclose(file);
-    *bytes = (size_t)length;
-    return text;
 }
 
 /* "reports/fall.rec" becomes "fall", in memory from malloc. Null if that runs out. */
@@ -168,7 +154,7 @@ playback *playback_open(const char *path, thud_threads *threads, thud_clock_fn *
     }
     *p = (playback){.clock = clock, .target = -1, .changed = true};
     p->name = name_of(path);
-    p->bytes = p->name ? read_file(path, &count) : NULL;
+    p->bytes = p->name ? whole_file_read(path, SIZE_MAX - 1, &count) : NULL;
     thud_player_options options = {.log = hear_log,
                                    .log_context = p,
                                    .job_system = thud_job_system_of(threads),

@@ -6,6 +6,7 @@
 
 #include <thud/thud_recording.h>
 #include <thud/thud_threads.h>
+#include <whole_file.h>
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -82,18 +83,9 @@ bool record_scene(const run_options *options, const scene *s, run_outcome *out) 
 
 /* Reads a file whole. Null after a message. */
 static char *read_file(const char *path, size_t *bytes) {
-    FILE *file = fopen(path, "rb");
-    long length = file && fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
-    char *text = length >= 0 && fseek(file, 0, SEEK_SET) == 0 ? malloc((size_t)length + 1) : NULL;
-    if (text && fread(text, 1, (size_t)length, file) != (size_t)length) {
-        free(text);
-        text = NULL;
-    }
-    if (file)
-        fclose(file);
+    char *text = whole_file_read(path, SIZE_MAX - 1, bytes);
     if (!text)
         fprintf(stderr, "thud-run: cannot read %s\n", path);
-    *bytes = (size_t)length;
     return text;
 }
 
