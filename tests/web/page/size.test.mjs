@@ -41,7 +41,8 @@ test(`first_picture_loads_less_than_${BOUND}_kB`, async (t) => {
   await untilRunning(page);
   assert.equal(await page.evaluate(pictures), 1);
   await until(() => picturesBefore, ({ length }) => length > 0, "the rest is asked for");
-  assert.deepEqual(picturesBefore, [1], "and not before the first picture");
+  // A browser that gets no answer may ask once more.
+  assert.ok(picturesBefore.every((count) => count === 1), "and not before the first picture");
   const paths = [...requests].filter((one) => !held.has(one)).map((one) => new URL(one).pathname);
   const sizeOf = (file) => gzipSync(readFileSync(join(folder, file)), { level: 9 }).length;
   const sizes = paths.map((path) => {
