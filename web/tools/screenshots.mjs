@@ -79,7 +79,7 @@ async function showSum(page) {
 
 /** Runs the measurement of all settings in the trade panel, and scrolls to its result. */
 async function measure(page) {
-  await page.getByRole("button", { name: /^Measure/ }).click();
+  await page.getByRole("button", { name: "Measure this scene" }).click();
   await page.getByText("Copy as text").waitFor({ timeout: 600_000 });
   const result = page.getByRole("heading", { name: "powers of ten" });
   await result.evaluate((heading) => heading.scrollIntoView());
