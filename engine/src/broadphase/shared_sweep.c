@@ -102,7 +102,7 @@ static void sweep_share(void *work, int index) {
     const sweeping *shared = work;
     sweeper s = {shared->w, share_at(shared->w, index)};
     int room[HITS_OF_SHAPE];
-    td_array hits = {.data = room, .capacity = HITS_OF_SHAPE, .stride = sizeof(int)};
+    td_array hits = td_share_list(room, HITS_OF_SHAPE);
     td_memory none = td_memory_none();
     td_sweep_share *share = s.share;
     share->count = share->new_count = 0;

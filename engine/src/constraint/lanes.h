@@ -37,9 +37,9 @@ typedef struct td_chunk {
     int32_t separated;         /* number of blocks with a lane that no longer touches */
 } td_chunk;
 
-/* Chunks between two barriers of the workers: from `first` to the one before `end`, in as many
- * parts for workers. It has one chunk a part, or is a single part, whose chunks are run one after
- * the other. */
+/* The chunks between two barriers, at which workers wait for each other: from `first` to the one
+ * before `end`. They are divided into `parts`, each of which one worker runs: one chunk a part, or
+ * all chunks in a single part, one after the other. */
 typedef struct td_phase {
     int first, end, parts;
 } td_phase;

@@ -36,12 +36,12 @@ static void sift_share(void *work, int index) {
     td_memory none = td_memory_none();
     int first = index * TD_SHARE_FAST;
     int end = td_min_int(first + TD_SHARE_FAST, w->scratch.fast.count);
-    share->count = 0;
+    share->meeting = td_share_list(share->room, TD_SHARE_FAST);
     for (int i = first; i < end; i++) {
         td_fast_fetch(w, i);
         td_awake_slot slot = td_slot_in(&w->scratch.fast, i);
         if (td_fast_meets(w, slot, &hits, &none)) {
-            share->slots[share->count++] = slot;
+            td_push_slot(&share->meeting, slot);
         }
     }
 }
@@ -64,9 +64,6 @@ void td_shared_sift_fast(thud_world *w) {
     td_job_run(w, &s.job, sift_as_worker, &s);
     w->scratch.fast.count = 0;
     for (int i = 0; i < shares; i++) {
-        const td_fast_share *share = share_at(w, i);
-        for (int k = 0; k < share->count; k++) {
-            td_push_slot(&w->scratch.fast, share->slots[k]);
-        }
+        td_share_append(&w->scratch.fast, &share_at(w, i)->meeting);
     }
 }

@@ -438,6 +438,15 @@ thud_result thud_rollback_settle(thud_rollback *r) {
     return result == THUD_OK ? settle(r, INT64_MAX) : result;
 }
 
+thud_result td_rollback_settle_for(thud_rollback *r, const void *buffer, size_t capacity,
+                                   const size_t *out_bytes) {
+    thud_result result = thud_rollback_settle(r);
+    if (result == THUD_OK && (!out_bytes || (!buffer && capacity > 0))) {
+        result = td_refuse(r->world, THUD_ERROR_NULL, "rollback: buffer or out_bytes is null");
+    }
+    return result;
+}
+
 thud_result thud_rollback_advance(thud_rollback *r, bool *out_made) {
     thud_result result = td_rollback_check(r);
     if (result == THUD_OK) {

@@ -49,6 +49,11 @@ struct thud_rollback {
 /* Refuses calls from inside a step or callback. */
 thud_result td_rollback_check(const thud_rollback *r);
 
+/* Settles (thud_rollback_settle) before bytes are written to a buffer of the caller's, and refuses
+ * one that is null but said to have room, and a null out_bytes. */
+thud_result td_rollback_settle_for(thud_rollback *r, const void *buffer, size_t capacity,
+                                   const size_t *out_bytes);
+
 /* The place of a step >= -1 in the ring. */
 td_saved_step *td_rollback_saved(const thud_rollback *r, int64_t step);
 

@@ -41,12 +41,9 @@ static void write_players(const thud_rollback *r, int64_t step, char *to) {
 
 thud_result thud_rollback_snapshot(thud_rollback *r, void *buffer, size_t capacity,
                                    size_t *out_bytes) {
-    thud_result result = thud_rollback_settle(r);
+    thud_result result = td_rollback_settle_for(r, buffer, capacity, out_bytes);
     if (result != THUD_OK) {
         return result;
-    }
-    if (!out_bytes || (!buffer && capacity > 0)) {
-        return td_refuse(r->world, THUD_ERROR_NULL, "rollback: buffer or out_bytes is null");
     }
     int64_t step = thud_progress_of(r).confirmed;
     const td_saved_step *m = step < r->steps ? td_rollback_saved(r, step) : NULL;

@@ -164,12 +164,9 @@ static void write_report(const thud_rollback *r, const report *p, uint64_t prese
 
 thud_result thud_rollback_report(thud_rollback *r, int64_t step, void *buffer, size_t capacity,
                                  size_t *out_bytes) {
-    thud_result result = thud_rollback_settle(r);
+    thud_result result = td_rollback_settle_for(r, buffer, capacity, out_bytes);
     if (result != THUD_OK) {
         return result;
-    }
-    if (!out_bytes || (!buffer && capacity > 0)) {
-        return td_refuse(r->world, THUD_ERROR_NULL, "rollback: buffer or out_bytes is null");
     }
     report p = {.step = step};
     find_steps(r, &p);

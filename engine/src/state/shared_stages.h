@@ -61,8 +61,8 @@ enum { TD_SHARE_FAST = 256 };
 
 /* Those of a part of the fast bodies that may meet something. */
 typedef struct td_fast_share {
-    int count;
-    td_awake_slot slots[TD_SHARE_FAST];
+    td_array meeting; /* td_awake_slot */
+    int room[TD_SHARE_FAST];
 } td_fast_share;
 
 /* An element of td_scratch.shares. */
