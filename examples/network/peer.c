@@ -18,29 +18,21 @@
 
 static const uint32_t MARK = 0x32504e54; /* "TNP2" */
 
-enum { HEAD = 30, SUM = 4, INPUTS_MAX = 255 };
+enum { HEAD = PEER_INPUTS_AT, SUM = 4, INPUTS_MAX = PEER_BYTES_MAX - HEAD - SUM };
 
-static thud_result play(thud_world *world, const uint64_t *inputs, void *state) {
-    peer *p = state; /* the game is its first member */
-    if (p->pushes_at >= 0 && (int64_t)thud_stats_of(world).steps == p->pushes_at) {
-        thud_body_apply_torque(world, p->game.bodies[p->me], 50);
-    }
-    return cars_step(world, inputs, &p->game);
-}
-
-bool peer_open(peer *p, int me, int players, int depth, uint64_t seed, const thud_world_def *def) {
-    *p = (peer){.me = me, .players = players, .seed = seed, .pushes_at = -1, .lies_at = -1};
+bool peer_open(peer *p, const peer_options *o) {
+    *p = (peer){.me = o->me, .players = o->players, .end = o->end};
     for (int i = 0; i < CARS_MAX; i++) {
         p->others[i].told.step = p->others[i].differs_from = -1;
     }
-    thud_rollback_options options = {.players = players,
-                                     .depth = depth,
+    thud_rollback_options options = {.players = o->players,
+                                     .depth = o->depth,
                                      .idle = CARS_IDLE,
-                                     .step = play,
-                                     .state = p,
+                                     .step = o->step ? o->step : cars_step,
+                                     .state = &p->game,
                                      .state_bytes = sizeof p->game};
-    return thud_world_create(def, &p->world) == THUD_OK &&
-           cars_build(p->world, players, &p->game) &&
+    return thud_world_create(o->def, &p->world) == THUD_OK &&
+           cars_build(p->world, o->players, &p->game) &&
            thud_rollback_create(p->world, &options, &p->rollback) == THUD_OK;
 }
 
@@ -50,29 +42,28 @@ void peer_close(peer *p) {
     *p = (peer){.me = p->me};
 }
 
-thud_result peer_press(peer *p) {
+thud_result peer_press(peer *p, uint64_t input) {
     int64_t step = thud_progress_of(p->rollback).steps;
-    if (p->told > step) {
+    if (p->told > step || (p->end && step >= p->end)) {
         return THUD_OK;
     }
-    uint64_t input = cars_input(p->seed, p->me, step);
     thud_result result = thud_rollback_input(p->rollback, p->me, step, input);
     if (result == THUD_OK) {
-        p->inputs[step % PEER_INPUTS] = (unsigned char)input;
+        p->others[p->me].inputs[step % PEER_INPUTS] = (unsigned char)input;
         p->told = step + 1;
     }
     return result;
 }
 
-/* ---- messages ---- */
+/* ---- bytes ---- */
 
-static void put_number(unsigned char *at, uint64_t value, int bytes) {
+void peer_put_number(unsigned char *at, uint64_t value, int bytes) {
     for (int i = 0; i < bytes; i++) {
         at[i] = (unsigned char)(value >> (8 * i));
     }
 }
 
-static uint64_t number_at(const unsigned char *at, int bytes) {
+uint64_t peer_number_at(const unsigned char *at, int bytes) {
     uint64_t value = 0;
     for (int i = 0; i < bytes; i++) {
         value |= (uint64_t)at[i] << (8 * i);
@@ -88,6 +79,17 @@ static uint32_t checksum(const unsigned char *bytes, int count) {
     return sum;
 }
 
+int peer_seal(unsigned char *bytes, int count) {
+    peer_put_number(bytes + count, checksum(bytes, count), SUM);
+    return count + SUM;
+}
+
+bool peer_is_sealed(const unsigned char *bytes, int count) {
+    return count >= SUM && peer_number_at(bytes + count - SUM, SUM) == checksum(bytes, count - SUM);
+}
+
+/* ---- messages ---- */
+
 /* The newest own hash. */
 static peer_hash newest_hash(const peer *p) {
     int64_t step = p->hashed - PEER_HASH_STEPS;
@@ -95,53 +97,40 @@ static peer_hash newest_hash(const peer *p) {
     return step >= 0 && h->step == step ? *h : (peer_hash){.step = -1};
 }
 
-/* The message to a player; returns its length. */
-static int write_message(const peer *p, int other, unsigned char *out) {
-    int64_t first = p->others[other].confirmed, wanted = p->told - first, lead = 0;
-    int count = (int)(wanted < INPUTS_MAX ? wanted : INPUTS_MAX);
-    peer_hash hash = newest_hash(p);
-    thud_rollback_get_lead(p->rollback, other, &lead);
-    put_number(out, MARK, 4);
-    out[4] = (unsigned char)p->me;
-    out[5] = (unsigned char)count;
-    put_number(out + 6, (uint64_t)first, 4);
-    put_number(out + 10, (uint64_t)p->others[other].heard, 4);
-    put_number(out + 14, (uint64_t)lead, 4);
-    put_number(out + 18, (uint64_t)(hash.step + 1), 4);
-    put_number(out + 22, hash.hash, 8);
-    for (int i = 0; i < count; i++) {
-        bool lies = first + i == p->lies_at && other == p->lies_to;
-        unsigned char input = p->inputs[(first + i) % PEER_INPUTS];
-        out[HEAD + i] = lies ? (unsigned char)((input + 1) % CARS_INPUTS) : input;
-    }
-    put_number(out + HEAD + count, checksum(out, HEAD + count), SUM);
-    return HEAD + count + SUM;
+bool peer_tells(const peer *p, int player) {
+    return player != p->me && !p->others[player].is_gone;
 }
 
-bool peer_send(peer *p, wire *w, double now) {
-    for (int other = 0; other < p->players; other++) {
-        if (other == p->me || p->others[other].is_gone) {
-            continue;
-        }
-        unsigned char message[HEAD + INPUTS_MAX + SUM];
-        int bytes = write_message(p, other, message);
-        if (!wire_send(w, p->me, other, now, message, bytes)) {
-            return false;
-        }
-        p->bytes += bytes;
-        p->messages++;
+int peer_write(peer *p, int player, unsigned char *out) {
+    int64_t first = p->others[player].confirmed, wanted = p->told - first, lead = 0;
+    int count = (int)(wanted < INPUTS_MAX ? wanted : INPUTS_MAX);
+    peer_hash hash = newest_hash(p);
+    thud_rollback_get_lead(p->rollback, player, &lead);
+    peer_put_number(out, MARK, 4);
+    out[PEER_SENDER_AT] = (unsigned char)p->me;
+    out[5] = (unsigned char)count;
+    peer_put_number(out + PEER_FIRST_AT, (uint64_t)first, 4);
+    peer_put_number(out + 10, (uint64_t)p->others[player].heard, 4);
+    peer_put_number(out + 14, (uint64_t)lead, 4);
+    peer_put_number(out + 18, (uint64_t)(hash.step + 1), 4);
+    peer_put_number(out + 22, hash.hash, 8);
+    for (int i = 0; i < count; i++) {
+        out[HEAD + i] = p->others[p->me].inputs[(first + i) % PEER_INPUTS];
     }
-    return true;
+    int bytes = peer_seal(out, HEAD + count);
+    p->bytes += bytes;
+    p->messages++;
+    return bytes;
 }
 
 static int64_t lead_in(const unsigned char *bytes) {
-    return (int32_t)(uint32_t)number_at(bytes + 14, 4);
+    return (int32_t)(uint32_t)peer_number_at(bytes + 14, 4);
 }
 
 /* Whether the bytes are a message of another player. */
 static bool is_message(const peer *p, const unsigned char *bytes, int count) {
-    if (count < HEAD + SUM || number_at(bytes, 4) != MARK || count != HEAD + bytes[5] + SUM ||
-        number_at(bytes + count - SUM, SUM) != checksum(bytes, count - SUM)) {
+    if (count < HEAD + SUM || peer_number_at(bytes, 4) != MARK || count != HEAD + bytes[5] + SUM ||
+        !peer_is_sealed(bytes, count)) {
         return false;
     }
     for (int i = 0; i < bytes[5]; i++) {
@@ -149,11 +138,22 @@ static bool is_message(const peer *p, const unsigned char *bytes, int count) {
             return false;
         }
     }
-    int from = bytes[4];
-    int64_t first = (int64_t)number_at(bytes + 6, 4), mine = (int64_t)number_at(bytes + 10, 4);
-    return from < p->players && from != p->me && !p->others[from].is_gone && mine <= p->told &&
+    int from = bytes[PEER_SENDER_AT];
+    int64_t first = (int64_t)peer_number_at(bytes + PEER_FIRST_AT, 4);
+    int64_t mine = (int64_t)peer_number_at(bytes + 10, 4);
+    return from < p->players && peer_tells(p, from) && mine <= p->told &&
            first <= p->others[from].heard && labs(lead_in(bytes)) <= THUD_ROLLBACK_DEPTH_MAX &&
            first + bytes[5] <= thud_progress_of(p->rollback).steps + THUD_ROLLBACK_DEPTH_MAX;
+}
+
+thud_result peer_hear(peer *p, int player, uint64_t input) {
+    peer_other *other = &p->others[player];
+    thud_result result = thud_rollback_input(p->rollback, player, other->heard, input);
+    if (result == THUD_OK) {
+        other->inputs[other->heard % PEER_INPUTS] = (unsigned char)input;
+        other->heard++;
+    }
+    return result;
 }
 
 thud_result peer_read(peer *p, const unsigned char *bytes, int count) {
@@ -161,35 +161,22 @@ thud_result peer_read(peer *p, const unsigned char *bytes, int count) {
         p->refused++;
         return THUD_OK;
     }
-    int from = bytes[4];
+    int from = bytes[PEER_SENDER_AT];
     peer_other *other = &p->others[from];
-    int64_t first = (int64_t)number_at(bytes + 6, 4), mine = (int64_t)number_at(bytes + 10, 4);
+    int64_t first = (int64_t)peer_number_at(bytes + PEER_FIRST_AT, 4);
+    int64_t mine = (int64_t)peer_number_at(bytes + 10, 4);
     other->confirmed = mine > other->confirmed ? mine : other->confirmed;
-    for (int64_t step = other->heard; step < first + bytes[5]; step++) {
-        thud_result result =
-            thud_rollback_input(p->rollback, from, step, bytes[HEAD + (step - first)]);
+    while (other->heard < first + bytes[5]) {
+        thud_result result = peer_hear(p, from, bytes[HEAD + (other->heard - first)]);
         if (result != THUD_OK) {
             return result;
         }
-        other->heard = step + 1;
     }
-    int64_t step = (int64_t)number_at(bytes + 18, 4) - 1;
+    int64_t step = (int64_t)peer_number_at(bytes + 18, 4) - 1;
     if (step > other->told.step) {
-        other->told = (peer_hash){step, number_at(bytes + 22, 8)};
+        other->told = (peer_hash){step, peer_number_at(bytes + 22, 8)};
     }
     return thud_rollback_set_lead(p->rollback, from, lead_in(bytes));
-}
-
-thud_result peer_receive(peer *p, wire *w, double now) {
-    unsigned char bytes[WIRE_BYTES_MAX];
-    int count;
-    while ((count = wire_receive(w, p->me, now, bytes, NULL)) >= 0) {
-        thud_result result = peer_read(p, bytes, count);
-        if (result != THUD_OK) {
-            return result;
-        }
-    }
-    return THUD_OK;
 }
 
 /* ---- playing ---- */
@@ -205,8 +192,9 @@ static void compare_hash(const peer *p, peer_other *other) {
 }
 
 thud_result peer_advance(peer *p) {
-    bool made;
-    thud_result result = thud_rollback_advance(p->rollback, &made);
+    bool made = true, is_over = p->end && thud_progress_of(p->rollback).steps >= p->end;
+    thud_result result =
+        is_over ? thud_rollback_settle(p->rollback) : thud_rollback_advance(p->rollback, &made);
     int64_t sure = thud_progress_of(p->rollback).confirmed;
     p->waits += result == THUD_OK && !made;
     for (; p->hashed <= sure && result == THUD_OK; p->hashed += PEER_HASH_STEPS) {
@@ -220,18 +208,28 @@ thud_result peer_advance(peer *p) {
     return result;
 }
 
+bool peer_has_ended(const peer *p) {
+    thud_rollback_progress now = thud_progress_of(p->rollback);
+    return p->end && now.confirmed >= p->end && now.settled >= p->end;
+}
+
+bool peer_is_done(const peer *p) {
+    bool is_done = peer_has_ended(p);
+    for (int i = 0; i < p->players; i++) {
+        is_done &= !peer_tells(p, i) || p->others[i].confirmed >= p->told;
+    }
+    return is_done;
+}
+
+thud_result peer_hash_of(peer *p, uint64_t *out) {
+    int64_t sure = thud_progress_of(p->rollback).confirmed;
+    return thud_rollback_get_state(p->rollback, sure, out, NULL);
+}
+
 /* ---- players who come and go ---- */
 
 thud_result peer_part(peer *p, int player, int64_t step) {
-    peer_other *other = &p->others[player];
-    for (; other->heard < step; other->heard++) {
-        uint64_t input = cars_input(p->seed, player, other->heard);
-        thud_result result = thud_rollback_input(p->rollback, player, other->heard, input);
-        if (result != THUD_OK) {
-            return result;
-        }
-    }
-    other->is_gone = true;
+    p->others[player].is_gone = true;
     return thud_rollback_leave(p->rollback, player, step);
 }
 
