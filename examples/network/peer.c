@@ -21,7 +21,7 @@ static const uint32_t MARK = 0x32504e54; /* "TNP2" */
 enum { HEAD = PEER_INPUTS_AT, SUM = 4, INPUTS_MAX = PEER_BYTES_MAX - HEAD - SUM };
 
 bool peer_open(peer *p, const peer_options *o) {
-    *p = (peer){.me = o->me, .players = o->players, .end = o->end};
+    *p = (peer){.me = o->me, .players = o->players, .depth = o->depth, .end = o->end};
     for (int i = 0; i < CARS_MAX; i++) {
         p->others[i].told.step = p->others[i].differs_from = -1;
     }
@@ -142,8 +142,7 @@ static bool is_message(const peer *p, const unsigned char *bytes, int count) {
     int64_t first = (int64_t)peer_number_at(bytes + PEER_FIRST_AT, 4);
     int64_t mine = (int64_t)peer_number_at(bytes + 10, 4);
     return from < p->players && peer_tells(p, from) && mine <= p->told &&
-           first <= p->others[from].heard && labs(lead_in(bytes)) <= THUD_ROLLBACK_DEPTH_MAX &&
-           first + bytes[5] <= thud_progress_of(p->rollback).steps + THUD_ROLLBACK_DEPTH_MAX;
+           first <= p->others[from].heard && labs(lead_in(bytes)) <= THUD_ROLLBACK_DEPTH_MAX;
 }
 
 thud_result peer_hear(peer *p, int player, uint64_t input) {
@@ -166,7 +165,10 @@ thud_result peer_read(peer *p, const unsigned char *bytes, int count) {
     int64_t first = (int64_t)peer_number_at(bytes + PEER_FIRST_AT, 4);
     int64_t mine = (int64_t)peer_number_at(bytes + 10, 4);
     other->confirmed = mine > other->confirmed ? mine : other->confirmed;
-    while (other->heard < first + bytes[5]) {
+    /* A player who waits may be sent inputs that it cannot store yet; they are sent again. */
+    int64_t end = thud_progress_of(p->rollback).steps + p->depth + 1;
+    end = first + bytes[5] < end ? first + bytes[5] : end;
+    while (other->heard < end) {
         thud_result result = peer_hear(p, from, bytes[HEAD + (other->heard - first)]);
         if (result != THUD_OK) {
             return result;

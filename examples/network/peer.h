@@ -43,7 +43,7 @@ typedef struct peer {
     cars game; /* the state that is rolled back; the first member */
     thud_world *world;
     thud_rollback *rollback;
-    int me, players;
+    int me, players, depth;
     int64_t end;                   /* the steps of the game; 0: it has no end */
     int64_t told;                  /* own inputs given so far */
     peer_other others[CARS_MAX];   /* of the own number: the own inputs */
