@@ -12,8 +12,10 @@ static void print_help(const char *program, const char *about, const option *opt
         const option *o = &options[i];
         printf("  --%-8s %-10s %s", o->name, o->value, o->help);
         if (o->number) {
-            printf(", %lld to %lld; default %lld", (long long)o->least, (long long)o->most,
-                   (long long)*o->number);
+            printf(", %lld to %lld", (long long)o->least, (long long)o->most);
+        }
+        if (o->number && *o->number >= o->least) {
+            printf("; default %lld", (long long)*o->number);
         }
         printf("\n");
     }

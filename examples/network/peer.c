@@ -13,12 +13,49 @@
  *  30+n  4  checksum of all before it (FNV-1a) */
 #include "peer.h"
 
+#include <thud/thud_snapshot.h>
+
 #include <stdlib.h>
 #include <string.h>
 
 static const uint32_t MARK = 0x32504e54; /* "TNP2" */
 
 enum { HEAD = PEER_INPUTS_AT, SUM = 4, INPUTS_MAX = PEER_BYTES_MAX - HEAD - SUM };
+
+/* Plays before the game, so that the world has the memory that the game needs: from all bodies on
+ * one heap in a corner, which makes more contacts than any game has, players drive at random for so
+ * many steps; chosen. */
+enum { WARM_STEPS = 600 };
+
+static thud_result warm_up(peer *p) {
+    thud_result result = THUD_OK;
+    for (int i = 0; i < p->game.count && result == THUD_OK; i++) {
+        thud_pos place = {11.5 - 0.4 * (i % 4), 7.5 - 0.4 * (i / 4)};
+        result = thud_body_set_transform(p->world, p->game.bodies[i], place, 0.1 * i);
+    }
+    for (int step = 0; step < WARM_STEPS && result == THUD_OK; step++) {
+        uint64_t inputs[CARS_MAX];
+        for (int i = 0; i < p->players; i++) {
+            inputs[i] = cars_input(1, i, step);
+        }
+        result = cars_step(p->world, inputs, &p->game);
+    }
+    return result;
+}
+
+/* Creates the rollback of a world whose game begins now. */
+static bool open_rollback(peer *p, const thud_rollback_options *options) {
+    size_t bytes;
+    cars game = p->game;
+    void *start = thud_world_get_snapshot_size(p->world, &bytes) == THUD_OK ? malloc(bytes) : NULL;
+    bool is_open = start && thud_world_snapshot(p->world, start, bytes, NULL) == THUD_OK &&
+                   warm_up(p) == THUD_OK &&
+                   thud_rollback_create(p->world, options, &p->rollback) == THUD_OK &&
+                   thud_world_restore(p->world, start, bytes) == THUD_OK;
+    p->game = game;
+    free(start);
+    return is_open;
+}
 
 bool peer_open(peer *p, const peer_options *o) {
     *p = (peer){.me = o->me, .players = o->players, .depth = o->depth, .end = o->end};
@@ -32,8 +69,7 @@ bool peer_open(peer *p, const peer_options *o) {
                                      .state = &p->game,
                                      .state_bytes = sizeof p->game};
     return thud_world_create(o->def, &p->world) == THUD_OK &&
-           cars_build(p->world, o->players, &p->game) &&
-           thud_rollback_create(p->world, &options, &p->rollback) == THUD_OK;
+           cars_build(p->world, o->players, &p->game) && open_rollback(p, &options);
 }
 
 void peer_close(peer *p) {

@@ -61,7 +61,8 @@ typedef struct peer_options {
     thud_rollback_step_fn *step; /* null: cars_step; its state is the peer's game */
 } peer_options;
 
-/* Sets up a player's machine. All memory that playing needs is allocated here. False if it cannot
+/* Sets up a player's machine. The memory that playing needs is allocated here; few lists of the
+ * world may grow once more. False if it cannot
  * be made. */
 bool peer_open(peer *p, const peer_options *options);
 void peer_close(peer *p);

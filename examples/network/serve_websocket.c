@@ -16,7 +16,7 @@
 enum { WAITING_WELCOME = 0, WAITING_FROM = 1, WAITING_COUNT = WAITING_FROM + CARS_MAX };
 
 /* After the game the others are told what they lack, for so many seconds at most. */
-static const double LINGER = 10;
+static const double LINGER = 60;
 
 typedef struct client {
     struct lws *socket; /* null: nobody */
@@ -37,6 +37,9 @@ typedef struct server {
     struct lws_context *context;
     lws_sorted_usec_list_t timer;
 } server;
+
+_Static_assert((int)HOST_BYTES_MAX <= (int)PEER_BYTES_MAX,
+               "a message of the host fits where one of a peer does");
 
 /* A signal handler sees nothing else. */
 static server the_server;
@@ -248,13 +251,13 @@ static int on_event(struct lws *socket, enum lws_callback_reasons reason, void *
 
 static const char ABOUT[] =
     "Serves a game of cars: waits until all players have joined by WebSocket, plays player 0 itself,\n"
-    "at random, and prints the hash of the last step. examples/network/join.mjs is a client for Node,\n"
-    "join.html one for browsers.";
+    "at random, and prints the hash of the last step. examples/network/join_node.mjs is a client for\n"
+    "Node, join.html one for browsers.";
 
 int main(int argc, char **argv) {
     server *s = &the_server;
     int64_t port = 8081;
-    const char *address = NULL, *page = NULL;
+    const char *address = NULL, *page = NULL, *package = NULL;
     s->players = 2;
     s->steps = 3600;
     s->rate = CARS_RATE;
@@ -262,7 +265,8 @@ int main(int argc, char **argv) {
     const option options[] = {
         {"port", "N", "where to listen; 0: any free port", &port, 0, 65535, NULL},
         {"address", "A", "listen at this address alone, such as 127.0.0.1", NULL, 0, 0, &address},
-        {"page", "FOLDER", "serve the files of this folder, too", NULL, 0, 0, &page},
+        {"page", "FOLDER", "serve the page of this folder, examples/network", NULL, 0, 0, &page},
+        {"package", "FOLDER", "and the package for it, web/package/dist", NULL, 0, 0, &package},
         {"players", "N", "players, the server among them", &s->players, 2, CARS_MAX, NULL},
         {"steps", "N", "steps of the game", &s->steps, 1, INT32_MAX, NULL},
         {"rate", "N", "steps a second", &s->rate, 1, 10000, NULL},
@@ -275,10 +279,22 @@ int main(int argc, char **argv) {
     }
     const struct lws_protocols protocols[] = {
         {.name = "thud", .callback = on_event, .per_session_data_size = sizeof(int)}, {0}};
-    const struct lws_http_mount files = {.mountpoint = "/",
+    const struct lws_protocol_vhost_options wasm = {.name = ".wasm", .value = "application/wasm"};
+    const struct lws_protocol_vhost_options types = {.next = &wasm,
+                                                     .name = ".mjs",
+                                                     .value = "text/javascript"};
+    const struct lws_http_mount package_files = {.mountpoint = "/thud",
+                                                 .mountpoint_len = 5,
+                                                 .origin = package,
+                                                 .def = "index.js",
+                                                 .extra_mimetypes = &types,
+                                                 .origin_protocol = LWSMPRO_FILE};
+    const struct lws_http_mount files = {.mount_next = package ? &package_files : NULL,
+                                         .mountpoint = "/",
                                          .mountpoint_len = 1,
                                          .origin = page,
                                          .def = "join.html",
+                                         .extra_mimetypes = &types,
                                          .origin_protocol = LWSMPRO_FILE};
     struct lws_context_creation_info info = {.port = (int)port,
                                              .iface = address,
@@ -294,8 +310,12 @@ int main(int argc, char **argv) {
     }
     signal(SIGINT, end_by_signal);
     signal(SIGTERM, end_by_signal);
-    printf("waiting for %d players at ws://%s:%d\n", (int)s->players - 1,
-           address ? address : "localhost", lws_get_vhost_listen_port(vhost));
+    const char *name = address ? address : "localhost";
+    int bound = lws_get_vhost_listen_port(vhost);
+    printf("waiting at ws://%s:%d for players to come: %d\n", name, bound, (int)s->players - 1);
+    if (page) {
+        printf("browsers join at http://%s:%d\n", name, bound);
+    }
     fflush(stdout);
     while (!s->is_over && lws_service(s->context, 0) >= 0) {
     }
