@@ -27,7 +27,7 @@ function readOptions() {
   try {
     return parseArgs({ options }).values;
   } catch (error) {
-    return fail(`${error.message.split(". ")[0]}; --help lists the options`);
+    return fail(`${error.message.split(/[.\n]/)[0]}; --help lists the options`);
   }
 }
 

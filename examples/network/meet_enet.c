@@ -136,12 +136,8 @@ static bool read_address(const char *text, ENetAddress *out) {
     return true;
 }
 
-/* Waits for the other player. */
-static bool meet(meeting *m, const char *join) {
-    ENetAddress address = {.host = ENET_HOST_ANY, .port = (enet_uint16)m->listen};
-    if (join && !read_address(join, &address)) {
-        return false;
-    }
+/* Waits for the other player. `address`: where to listen, or of who is joined. */
+static bool meet(meeting *m, ENetAddress address, const char *join) {
     m->host = enet_host_create(join ? NULL : &address, 1, 1, 0, 0);
     if (!m->host) {
         fprintf(stderr, "thud-meet: cannot listen at port %lld: is it taken?\n",
@@ -194,7 +190,11 @@ int main(int argc, char **argv) {
         fprintf(stderr, "thud-meet: there is no network\n");
         return 1;
     }
-    bool is_well = meet(&m, join) && play(&m);
+    ENetAddress address = {.host = ENET_HOST_ANY, .port = (enet_uint16)m.listen};
+    if (join && !read_address(join, &address)) {
+        return 2;
+    }
+    bool is_well = meet(&m, address, join) && play(&m);
     if (m.is_playing) {
         part(&m);
         is_well = match_print(&m.match) && is_well;
