@@ -1,6 +1,16 @@
 /* over_wire.c: see over_wire.h. */
 #include "over_wire.h"
 
+wire_options worst_wire(double delay, uint64_t seed) {
+    return (wire_options){.delay = delay,
+                          .jitter = 60,
+                          .loss = 0.1,
+                          .duplicates = 0.05,
+                          .held = 0.1,
+                          .held_for = 50,
+                          .seed = seed};
+}
+
 bool open_player(peer *p, int me, int players, int depth, const thud_world_def *def) {
     peer_options options = {.me = me, .players = players, .depth = depth, .def = def};
     return peer_open(p, &options);

@@ -5,6 +5,9 @@
 #include "peer.h"
 #include "wire.h"
 
+/* The worst network on which tests play, but for its delay, ms. */
+wire_options worst_wire(double delay, uint64_t seed);
+
 /* Opens a peer of a game without an end. */
 bool open_player(peer *p, int me, int players, int depth, const thud_world_def *def);
 

@@ -22,9 +22,6 @@ enum { KILL_EVERY = 500, GONE_AFTER = 30, BACK_AFTER = 120, NOTICE = 10, CALM = 
 
 #define FRAME_MS (1000.0 / CARS_RATE)
 
-static const wire_options WORST = {
-    .jitter = 60, .loss = 0.1, .duplicates = 0.05, .held = 0.1, .held_for = 50};
-
 typedef struct table {
     int players;
     thud_world_def def;
@@ -52,9 +49,7 @@ static void begin(table *t, int players, uint64_t seed, double delay) {
                  .def = cars_def(qualities[seed % QUALITIES]),
                  .liar = -1};
     t->def.detection = detections[seed / QUALITIES % DETECTIONS];
-    wire_options o = WORST;
-    o.delay = delay;
-    o.seed = seed;
+    wire_options o = worst_wire(delay, seed);
     t->wire = wire_create(&o);
     assert_non_null(t->wire);
     t->truth = make_world(t->def);

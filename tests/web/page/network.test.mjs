@@ -9,9 +9,11 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
 import { WebSocket } from "../../../web/node_modules/ws/wrapper.mjs";
-import { root } from "../support/package.mjs";
+import { playMixed } from "../support/mixed.mjs";
+import { root, thud } from "../support/package.mjs";
 import { browserOf, PATIENCE } from "../support/page.mjs";
 
+const engine = await thud.load();
 const builds = ["release", "release-clang"].map((name) => `${root}build/${name}/examples/network/`);
 const programOf = (name) => builds.map((folder) => folder + name).find(existsSync) ?? null;
 const skipOf = (program, name) =>
@@ -19,6 +21,8 @@ const skipOf = (program, name) =>
 const [server, meeting] = [programOf("thud-serve"), programOf("thud-meet")];
 const withServer = { skip: skipOf(server, "thud-serve") };
 const withMeeting = { skip: skipOf(meeting, "thud-meet") };
+
+const mixed = programOf("../../tests/network/thud-mixed");
 
 /** The examples as a user has them, with the package and ws. */
 const folder = mkdtempSync(join(tmpdir(), "thud-network-"));
@@ -133,6 +137,26 @@ test("two_players_meet_over_enet", withMeeting, async () => {
   const hash = await hashOf(start(meeting, "--join", `127.0.0.1:${port}`, "--seed", "2"));
   assert.equal(await hashOf(host), hash);
 });
+
+/** THUD_NETWORK_STEPS=100000 plays so many steps, and with each number of players. */
+const stepsWanted = process.env.THUD_NETWORK_STEPS;
+const withMixed = { skip: skipOf(mixed, "thud-mixed") };
+
+for (const players of stepsWanted ? [2, 3, 4, 5, 6, 7, 8] : [2, 3, 8])
+  test(`${players}_native_and_wasm_players_have_one_game_and_one_report`, withMixed, async (t) => {
+    const [steps, seed] = [Number(stepsWanted ?? 150), 10 + players];
+    const game = { program: mixed, examples: folder, thud: engine, players, steps, seed };
+    const { code, hash, report, counts, ends } = await playMixed(game);
+    t.diagnostic(JSON.stringify({ players, steps, ...counts, inWasm: ends.map(({ replayed }) => replayed) }));
+    assert.equal(code, 0);
+    assert.deepEqual([counts.differ, counts.refused], [0, 0]);
+    assert.ok(counts.replayed > 0 && counts.lost > 0 && counts.overtaken > 0);
+    for (const end of ends) {
+      assert.deepEqual([end.hash, end.differs, end.difference.step], [hash, -1, -1]);
+      assert.deepEqual(end.report, report);
+      assert.ok(end.replayed > 0);
+    }
+  });
 
 for (const [program, name, options, wrong] of [
   [server, "thud-serve", withServer, [["--players", "9"], ["--steps", "many"], ["--port"], ["--fast"]]],
