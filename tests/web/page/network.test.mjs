@@ -26,7 +26,7 @@ const mixed = programOf("../../tests/network/thud-mixed");
 
 /** The examples as a user has them, with the package and ws. */
 const folder = mkdtempSync(join(tmpdir(), "thud-network-"));
-cpSync(`${root}examples/network`, folder, { recursive: true });
+cpSync(`${root}examples/network`, folder, { recursive: true, filter: (from) => !from.includes("node_modules") });
 mkdirSync(join(folder, "node_modules"));
 symlinkSync(`${root}web/package`, join(folder, "node_modules", "thud"), "dir");
 symlinkSync(`${root}web/node_modules/ws`, join(folder, "node_modules", "ws"), "dir");
