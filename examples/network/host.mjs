@@ -22,8 +22,9 @@ export function readLeave(peer, bytes) {
   const count = bytes[5];
   if (!isSealed(bytes, LEAVE, LEAVE_HEAD + SUM) || bytes.length !== LEAVE_HEAD + count + SUM) return false;
   const [player, step] = [bytes[4], new DataView(bytes.buffer, bytes.byteOffset).getUint32(6, true)];
-  const other = peer.others[player];
-  while (other.heard < step) peer.hear(player, bytes[LEAVE_HEAD + count - (step - other.heard)]);
-  peer.part(player, step);
+  if (player >= peer.players || !peer.tells(player)) return false;
+  const { heard } = peer.others[player];
+  if (step < heard || step - heard > count) return false;
+  peer.part(player, step, bytes.slice(LEAVE_HEAD, LEAVE_HEAD + count));
   return true;
 }

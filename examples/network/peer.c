@@ -202,7 +202,7 @@ thud_result peer_read(peer *p, const unsigned char *bytes, int count) {
     int64_t mine = (int64_t)peer_number_at(bytes + 10, 4);
     other->confirmed = mine > other->confirmed ? mine : other->confirmed;
     /* A player who waits may be sent inputs that it cannot store yet; they are sent again. */
-    int64_t end = thud_progress_of(p->rollback).steps + p->depth + 1;
+    int64_t end = thud_progress_of(p->rollback).steps + p->depth;
     end = first + bytes[5] < end ? first + bytes[5] : end;
     while (other->heard < end) {
         thud_result result = peer_hear(p, from, bytes[HEAD + (other->heard - first)]);

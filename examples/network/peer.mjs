@@ -37,6 +37,8 @@ export function isSealed(bytes, mark, least) {
 
 export class Peer {
   #hashes = new Map();
+  /** By player who has left and is not parted with yet: the step, and its inputs before that. */
+  #leaving = new Map();
 
   /**
    * `me`: the own number, from 0; `depth`: as in RollbackOptions; `end`: the steps of the game, 0: no
@@ -137,7 +139,7 @@ export class Peer {
     const other = this.others[from];
     other.confirmed = Math.max(other.confirmed, view.getUint32(HEARD_AT, true));
     // A player who waits may be sent inputs that it cannot store yet; they are sent again.
-    const end = Math.min(first + bytes[5], this.steps + this.depth + 1);
+    const end = Math.min(first + bytes[5], this.steps + this.depth);
     while (other.heard < end) this.hear(from, bytes[INPUTS_AT + other.heard - first]);
     const step = view.getUint32(HASH_STEP_AT, true) - 1;
     if (step > other.told.step) other.told = { step, hash: view.getBigUint64(HASH_AT, true) };
@@ -147,6 +149,7 @@ export class Peer {
   /** Runs the next step, unless the rollback waits or the game is at its end, and compares hashes. */
   advance() {
     const { rollback } = this;
+    this.#partWithThoseWhoLeft();
     if (this.#isOver) rollback.settle();
     else if (!rollback.advance()) this.waits++;
     for (; this.hashed <= rollback.confirmed; this.hashed += HASH_STEPS) {
@@ -181,9 +184,23 @@ export class Peer {
     return this.others.findIndex(({ differsFrom }) => differsFrom >= 0);
   }
 
-  /** The player has left before a step. */
-  part(player, step) {
+  /**
+   * The player has left before a step; `inputs`: its inputs of the steps before that one. The rollback
+   * is told when it is near enough to that step.
+   */
+  part(player, step, inputs) {
     this.others[player].isGone = true;
-    this.rollback.leave(player, step);
+    this.#leaving.set(player, { step, inputs });
+  }
+
+  #partWithThoseWhoLeft() {
+    for (const [player, { step, inputs }] of this.#leaving) {
+      const other = this.others[player];
+      const end = Math.min(step, this.steps + this.depth);
+      while (other.heard < end) this.hear(player, inputs[inputs.length - (step - other.heard)]);
+      if (end < step) continue;
+      this.rollback.leave(player, step);
+      this.#leaving.delete(player);
+    }
   }
 }

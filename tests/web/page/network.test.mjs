@@ -119,6 +119,33 @@ test("others_play_on_without_one_who_left", withServer, async () => {
   assert.equal(await hashOf(serving), hash);
 });
 
+test("who_left_far_ahead_is_parted_with_in_time", withServer, async () => {
+  const from = (name) => import(join(folder, name));
+  const [{ Peer, seal }, { readLeave }] = [await from("peer.mjs"), await from("host.mjs")];
+  const { buildCars, carsInput, carsStep, createField, IDLE } = await from("cars.mjs");
+  const [STEPS, LEFT] = [150, 100];
+  const peer = new Peer(engine, { me: 0, players: 2, depth: 60, end: STEPS });
+  const leave = (player, count, step) => {
+    const inputs = Array.from({ length: count }, (_, i) => carsInput(3, player, step - count + i));
+    return seal(Uint8Array.from([0x54, 0x4e, 0x4c, 0x31, player, count, step, 0, 0, 0, ...inputs, 0, 0, 0, 0]));
+  };
+  for (const wrong of [leave(0, LEFT, LEFT), leave(2, LEFT, LEFT), leave(1, LEFT - 1, LEFT), leave(1, 9, 9).fill(0, 12)])
+    assert.equal(readLeave(peer, wrong), false);
+  assert.equal(readLeave(peer, leave(1, LEFT, LEFT)), true);
+  assert.equal(readLeave(peer, leave(1, LEFT, LEFT)), false);
+  const truth = createField(engine);
+  const step = carsStep(truth, buildCars(truth, 2));
+  for (let i = 0; i < STEPS; i++) {
+    peer.press(carsInput(3, 0, i));
+    peer.advance();
+    step([carsInput(3, 0, i), i < LEFT ? carsInput(3, 1, i) : IDLE]);
+  }
+  peer.advance();
+  assert.deepEqual([peer.isDone, peer.waits, peer.hash], [true, 0, truth.hash()]);
+  peer.close();
+  truth.close();
+});
+
 test("who_sends_other_bytes_is_disconnected", withServer, async () => {
   const serving = await serve("--steps", "200", "--players", "3");
   const player = joinFromNode(serving.url, 2);
