@@ -21,6 +21,7 @@ typedef struct td_island_work {
     double correction_speed; /* maximum speed at which a row corrects an overlap or a gap, length/s;
                                 infinite: the result's motions and impulses are not checked */
     int joints;              /* number of constraints that are no contacts */
+    bool closed;             /* a part of the step has closed gaps of joints */
     double unbalanced;       /* greatest unbalanced_speed of island_step_joints.c, length/s */
     double turn_max; /* greatest rotation in the step for which the contacts' lever arms of the
                         start of the step are accurate enough, rad */

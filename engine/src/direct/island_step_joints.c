@@ -287,6 +287,7 @@ static double solve_end_velocity(td_island_work *work, double start, double tole
         set_end_drives(&d->constraints[i]);
     }
     if (closes_gaps(work, tolerance)) {
+        work->closed = true;
         update_joint_rows(work, start, true);
         return solve_rows(work, tolerance);
     }
@@ -413,6 +414,52 @@ static double work_of_forces(const td_island_work *work, double part_time) {
     return 4.0 * sum / part_time;
 }
 
+/* Whether a motor, a spring, or a body outside of the island that moves may add energy. */
+static bool is_driven(const td_island_work *work) {
+    bool driven = false;
+    for (int i = 0; i < work->island->constraints; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_constraint *c = &work->problem.constraints[i];
+            const td_direct_row *r = &c->row[k];
+            bool motor = r->kind == TD_ROW_FRICTION && c->kind >= TD_PAIR_COUNT;
+            driven |= r->used && (r->kind == TD_ROW_SOFT || motor || r->known_speed != 0.0);
+        }
+    }
+    return driven;
+}
+
+/* Whether a constraint joins the island to a body outside of it. */
+static bool is_held(const td_island_work *work) {
+    bool held = false;
+    for (int i = 0; i < work->island->constraints; i++) {
+        const td_direct_constraint *c = &work->problem.constraints[i];
+        held |= c->a == TD_NONE || c->b == TD_NONE;
+    }
+    return held;
+}
+
+/* Takes from the velocities the energy that closing gaps has added: td_share_after_closing.
+ * `allowed` is twice the kinetic energy that the island may have. */
+static void pay_for_closing(td_island_work *work, double allowed) {
+    td_direct *d = &work->problem;
+    double mass = 0.0, mean[2] = {0.0, 0.0};
+    for (int i = 0; i < work->island->bodies && !is_held(work); i++) {
+        double own = 1.0 / d->bodies[i].inverse_mass;
+        mass += own;
+        mean[0] += own * d->bodies[i].velocity[0];
+        mean[1] += own * d->bodies[i].velocity[1];
+    }
+    double whole = mass > 0.0 ? (mean[0] * mean[0] + mean[1] * mean[1]) / mass : 0.0;
+    double share = td_share_after_closing(energy_of(work, false) - whole, allowed - whole);
+    for (int i = 0; i < work->island->bodies; i++) {
+        td_direct_body *b = &d->bodies[i];
+        for (int k = 0; k < 3; k++) {
+            double kept = k < 2 && mass > 0.0 ? mean[k] / mass : 0.0;
+            b->velocity[k] = kept + share * (b->velocity[k] - kept);
+        }
+    }
+}
+
 /* Whether the moments of the step are far from balance and its energy has grown: `there` is twice
  * the kinetic energy at the start, with that of motors and springs. */
 static bool gains_out_of_balance(const td_island_work *work, double tolerance, double there) {
@@ -454,6 +501,9 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
         scale_impulses(work, part + 1 < parts ? 0.5 : (double)parts);
     }
     work->w->islands.effort = work->problem.effort;
+    if (work->closed && td_finite(missing) && !is_driven(work)) {
+        pay_for_closing(work, start + work_of_forces(work, work->time));
+    }
     missing = gains_out_of_balance(work, tolerance, start) ? __builtin_inf() : missing;
     work->time = work->elapsed = whole;
     /* Long lever arms may have made numbers overflow; and a body with contacts must not have turned

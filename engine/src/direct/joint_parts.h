@@ -37,4 +37,15 @@ enum { TD_NEWTON_ITERATIONS_MAX = 12 };
 /* Share of the bodies' speed above which the closing of a gap is not negligible. Chosen. */
 #define TD_CLOSING_SHARE 1e-3
 
+/* Closing gaps moves bodies without giving them velocity. Where it lifts them against gravity, it
+ * adds potential energy, and what is lifted again and again, as a bridge whose joints give way in
+ * the steps that the soft solver solves, would swing higher and higher. So after a step that has
+ * closed gaps, velocities are scaled until the kinetic energy is no larger than that before the
+ * step and the work of gravity and forces together, or zero. (Locks do no work themselves, contacts
+ * and limits take energy out.) This is the factor, from twice these energies; of an island that is
+ * joined to nothing outside, for velocities and energies relative to its centre of mass. */
+static inline double td_share_after_closing(double kinetic, double allowed) {
+    return kinetic <= allowed ? 1.0 : allowed > 0.0 ? __builtin_sqrt(allowed / kinetic) : 0.0;
+}
+
 #endif

@@ -25,6 +25,7 @@ typedef struct tree_step {
     double tolerance;  /* td_island_tolerance, length/s */
     double unbalanced; /* greatest moment out of balance after a part, as a speed: length/s */
     double closing;    /* greatest speed at which a gap may be closed, length/s or rad/s */
+    bool closed;       /* a part has closed gaps */
     int factorings, factorings_max;
 } tree_step;
 
@@ -400,6 +401,7 @@ static void restore_impulses(const tree_step *s) {
  * `elapsed`: time from the start of the step. */
 static bool solve_end_velocity(tree_step *s, double elapsed) {
     bool anew = closes_gaps(s);
+    s->closed |= anew;
     double x = (double)s->w->def.gravity.x, y = (double)s->w->def.gravity.y;
     double enough = TD_END_ERROR_MAX * s->w->def.time_step * __builtin_sqrt(x * x + y * y);
     turn_arms(s, true, elapsed);
@@ -445,19 +447,54 @@ static double free_energy(const tree_step *s) {
     return sum;
 }
 
+/* Twice the work that gravity, forces and damping have done in the step. */
+static double work_of_forces(const tree_step *s) {
+    double work = 0.0;
+    for (int i = 0; i < s->count; i++) {
+        const td_lock_body *t = &s->bodies[i];
+        work += t->mass * (t->gain[0] * t->moved[0] + t->gain[1] * t->moved[1]);
+        work += t->turns ? t->inertia * t->gain[2] * t->moved[2] : 0.0;
+    }
+    return 4.0 * work / s->part; /* a part adds 2 gain to a velocity */
+}
+
+static double energy_now(const tree_step *s) {
+    double sum = 0.0;
+    for (int i = 0; i < s->count; i++) {
+        sum += energy_at(&s->bodies[i], s->bodies[i].velocity);
+    }
+    return sum;
+}
+
+/* Takes from the velocities the energy that closing gaps has added: td_share_after_closing.
+ * `allowed` is twice the kinetic energy that the island may have. */
+static void pay_for_closing(const tree_step *s, double allowed) {
+    double mass = 0.0, mean[2] = {0.0, 0.0};
+    for (int i = 0; i < s->count && !s->bodies[0].joined; i++) {
+        const td_lock_body *t = &s->bodies[i];
+        mass += t->mass;
+        mean[0] += t->mass * t->velocity[0];
+        mean[1] += t->mass * t->velocity[1];
+    }
+    double whole = mass > 0.0 ? (mean[0] * mean[0] + mean[1] * mean[1]) / mass : 0.0;
+    double share = td_share_after_closing(energy_now(s) - whole, allowed - whole);
+    for (int i = 0; i < s->count; i++) {
+        td_lock_body *t = &s->bodies[i];
+        for (int k = 0; k < 3; k++) {
+            double kept = k < 2 && mass > 0.0 ? mean[k] / mass : 0.0;
+            t->velocity[k] = kept + share * (t->velocity[k] - kept);
+        }
+    }
+}
+
 /* Whether the result has more energy than the island may have got: `start` is twice its kinetic
  * energy before the step, `there` free_energy then (gains_energy and gains_out_of_balance of
  * island_step_joints.c). */
 static bool gains_energy(const tree_step *s, double start, double there) {
-    double now = 0.0, work = 0.0, mass = 0.0;
+    double mass = 0.0, now = energy_now(s), gained = work_of_forces(s);
     for (int i = 0; i < s->count; i++) {
-        const td_lock_body *t = &s->bodies[i];
-        now += energy_at(t, t->velocity);
-        mass += t->mass;
-        work += t->mass * (t->gain[0] * t->moved[0] + t->gain[1] * t->moved[1]);
-        work += t->turns ? t->inertia * t->gain[2] * t->moved[2] : 0.0;
+        mass += s->bodies[i].mass;
     }
-    double gained = 4.0 * work / s->part;
     double x = (double)s->w->def.gravity.x, y = (double)s->w->def.gravity.y;
     double pushed = s->closing + s->w->def.time_step * __builtin_sqrt(x * x + y * y);
     double most = td_max_double(there, free_energy(s)) + mass * pushed * pushed * s->count;
@@ -581,7 +618,13 @@ td_tree_outcome td_lock_tree_step(thud_world *w, const td_island *island) {
         start += energy_at(&s.bodies[i], s.bodies[i].before);
     }
     divide(&s, td_max_int(parts, 1));
-    bool solved = parts > 0 && solve_parts(&s, parts) && !gains_energy(&s, start, there);
+    bool solved = parts > 0 && solve_parts(&s, parts);
+    const double *outside = s.bodies[0].outside;
+    bool pushed = outside[0] != 0.0 || outside[1] != 0.0 || outside[2] != 0.0;
+    if (solved && s.closed && !pushed) {
+        pay_for_closing(&s, start + work_of_forces(&s));
+    }
+    solved = solved && !gains_energy(&s, start, there);
     w->stats.factorings += s.factorings;
     w->stats.island_work += (int64_t)s.factorings * TREE_COST * s.count;
     if (!solved) {
