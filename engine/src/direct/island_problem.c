@@ -64,11 +64,12 @@ void td_island_free_velocity(const thud_world *w, const td_island *island, int i
     td_damping linear = td_damping_of(h * body->linear_damping);
     td_damping angular = td_damping_of(h * body->angular_damping);
     for (int k = 0; k < 3; k++) {
+        const td_damping *damping = k < 2 ? &linear : &angular;
+        double kept = 1.0 - (double)damping->lost;
+        double gain = (double)(damping->gained * substep_gain[k]);
         double after = before[k] = (double)start[k];
         for (int n = 0; n < w->substeps; n++) {
-            const td_damping *damping = k < 2 ? &linear : &angular;
-            after =
-                after * (1.0 - (double)damping->lost) + (double)(damping->gained * substep_gain[k]);
+            after = after * kept + gain;
         }
         free[k] = 0.5 * (before[k] + after);
     }

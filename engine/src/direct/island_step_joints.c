@@ -133,7 +133,7 @@ static void remove_geometric_stiffness(td_island_work *work) {
 /* Newton's residual, in tolerances. */
 static double newton_residual(const td_island_work *work) {
     bool everywhere = work->w->quality.overlap_limit == 0.0f;
-    return !td_island_is_joints(work) ? 1.0 : everywhere ? TD_RESIDUAL_EXACT : TD_RESIDUAL_OTHER;
+    return everywhere && td_island_is_joints(work) ? TD_RESIDUAL_EXACT : 1.0;
 }
 
 /* Whether all velocities are finite, and rotations small enough for td_sin. */

@@ -16,11 +16,12 @@ enum { TD_NEWTON_ITERATIONS_MAX = 12 };
 /* Minimum of the geometric stiffness, in multiples of the moment of inertia: a negative one makes
  * the body turn more easily, and at -1 the matrix would not be positive definite. Chosen. */
 #define TD_STIFFNESS_MIN (-0.5)
-/* Newton's method ends when the residual is below this many tolerances: at qualities that solve
- * every island directly, and at others. With contacts, whose active set may change in every
- * iteration, it is 1. Chosen. */
+/* Newton's method ends when the residual is below this many tolerances of speed at qualities that
+ * solve every island directly, and below one at others: gaps then stay open by some micrometres.
+ * With contacts, whose active set may change in every iteration, one is enough at any quality.
+ * Chosen; measured on twenty chains of 50 links that swing at default: at 0.05 in place of 1 the
+ * step takes a third more iterations, and gaps are no smaller, since the budget ends sooner. */
 #define TD_RESIDUAL_EXACT 1e-3
-#define TD_RESIDUAL_OTHER 0.05
 /* Newton's iteration goes on while moments miss their balance by more than TD_BALANCE_ENOUGH
  * tolerances of speed (unbalanced_speed). A result is refused where they miss it by more than
  * TD_BALANCE_MAX, which is g h, and the island gains more than TD_GAIN_MAX of the energy that it

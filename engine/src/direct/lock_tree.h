@@ -32,8 +32,11 @@
  * times are in the caller's units, angles in radians. */
 typedef struct td_lock_body {
     /* ---- the tree: set once ---- */
-    int parent;        /* a smaller index; TD_NONE: the root */
-    int number, link;  /* numbers of the body and of the joint's constraint in their island */
+    int parent;             /* a smaller index; TD_NONE: the root */
+    int number, link;       /* numbers of the body and of the joint's constraint in their island */
+    struct td_block *block; /* the joint's lane (constraint/block.h) ... */
+    int lane;
+    double sign;       /* ... and 1 if the body is its side b, -1 if it is side a */
     bool joined;       /* it has a joint: false for a root that is joined to nothing outside */
     bool weld;         /* the joint locks rotation as well */
     bool turns;        /* false: rotation is locked by the caller; its lever arms are 0 */

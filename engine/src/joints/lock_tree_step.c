@@ -33,13 +33,6 @@ typedef struct tree_step {
  * Measured: an iteration takes as long for a body as that many blocks of sparse.c. */
 enum { TREE_COST = 2 };
 
-/* The lane and the rows of a body's joint. */
-static td_lane lane_of(const tree_step *s, const td_lock_body *t) {
-    int first = s->island->first_constraint;
-    return td_lane_of(s->w, td_constraint_at(s->w, td_int_at(&s->w->islands.constraints,
-                                                             first + t->link)));
-}
-
 /* ---- the tree ---- */
 
 /* The number in the island of a lane's body, or TD_NONE if it does not move. */
@@ -131,7 +124,9 @@ static void arm_of(double x, double y, float cross_u, float cross_v, bool turns,
 
 /* Sets the joint of a body, likewise. False where it welds a body that does not turn. */
 static bool take_joint(const tree_step *s, td_lock_body *t) {
-    td_lane at = lane_of(s, t);
+    td_lane at =
+        td_lane_of(s->w, td_constraint_at(s->w, td_int_at(&s->w->islands.constraints,
+                                                          s->island->first_constraint + t->link)));
     const td_point *p = &at.block->point[0], *q = &at.block->point[1];
     const td_lock_rows *rows = td_lock_rows_at(at.block);
     const float *impulses = td_at(&s->w->islands.impulses, s->island->first_constraint + t->link);
@@ -139,7 +134,9 @@ static bool take_joint(const tree_step *s, td_lock_body *t) {
     bool is_b = number_of(s, at.block->b[lane]) == t->number;
     bool holder_turns = t->parent == TD_NONE || s->bodies[t->parent].turns;
     double x = t->axis[0] = (double)at.block->nx[lane], y = t->axis[1] = (double)at.block->ny[lane];
-    double sign = is_b ? 1.0 : -1.0, half = 0.5;
+    double sign = t->sign = is_b ? 1.0 : -1.0, half = 0.5;
+    t->block = at.block;
+    t->lane = lane;
     double u = sign * (double)p->start_separation[lane],
            v = sign * (double)q->start_separation[lane];
     arm_of(x, y, p->cross_a[lane], q->cross_a[lane], is_b ? holder_turns : t->turns,
@@ -330,7 +327,7 @@ static double unbalanced_speed(const tree_step *s) {
 /* The mean velocities of a part, by Newton's method. False where it does not converge. */
 static bool solve_mean_velocity(tree_step *s) {
     bool everywhere = s->w->quality.overlap_limit == 0.0f;
-    double enough = (everywhere ? TD_RESIDUAL_EXACT : TD_RESIDUAL_OTHER) * s->tolerance;
+    double enough = (everywhere ? TD_RESIDUAL_EXACT : 1.0) * s->tolerance;
     double unbalanced = 0.0;
     set_targets(s, true);
     for (int n = 0;; n++) {
@@ -518,10 +515,9 @@ static bool write_body(const tree_step *s, td_lock_body *t, int parts) {
     if (!t->joined) {
         return false;
     }
-    td_lane at = lane_of(s, t);
+    td_lane at = {t->block, t->lane};
     double gap[2], x = t->axis[0], y = t->axis[1];
-    double sign = number_of(s, at.block->b[at.lane]) == t->number ? 1.0 : -1.0;
-    double turn_sign = sign * (double)td_lock_rows_at(at.block)->turn_sign[at.lane];
+    double sign = t->sign, turn_sign = sign * (double)td_lock_rows_at(at.block)->turn_sign[at.lane];
     gap_of(s, t, t->arm_now, t->holder_now, w->def.time_step, gap);
     const double along[2] = {x * t->impulse[0] + y * t->impulse[1],
                              x * t->impulse[1] - y * t->impulse[0]};
