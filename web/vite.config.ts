@@ -6,9 +6,10 @@ import { defineConfig, type Plugin } from "vite";
 import { box2dLoader } from "./tools/box2d-plugin.mjs";
 import { codeNames } from "./tools/code-names.mjs";
 import { offline } from "./tools/offline-plugin.mjs";
-import { sceneTexts } from "./tools/scene-texts.mjs";
+import { GAME_FILES, sceneTexts } from "./tools/scene-texts.mjs";
 
-/** The files of assets/ that scenes fetch, under the same names. */
+/** The games, which are scenes, and the files of assets/ that scenes fetch, under the same names. */
+const GAMES = [...GAME_FILES].map(([name, path]) => ({ name: `scenes/${name}.js`, path }));
 const ASSETS = [
   { folder: "levels", suffix: ".tmj" },
   { folder: "terrain", suffix: ".csv" },
@@ -17,7 +18,7 @@ const ASSETS = [
   return readdirSync(source)
     .filter((name) => name.endsWith(suffix))
     .map((name) => ({ name: `${folder}/${name}`, path: `${source}/${name}` }));
-});
+}).concat(GAMES);
 
 /** Serves ASSETS in the development server, and copies them to the built page. */
 const sceneAssets: Plugin = {

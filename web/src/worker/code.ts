@@ -1,18 +1,21 @@
 /**
- * Imports the text of a scene that the visitor has edited, in place of the scene's file. This
- * module is loaded only when there is such a text, because most visits run scenes unchanged.
+ * Imports the text of a scene: what the visitor has edited, in place of the scene's file, or a game,
+ * which imports the package by its name as in a project. This module is loaded only when there is
+ * such a text, because most visits run scenes unchanged.
  */
 import type { Position, Program } from "acorn";
 import { raiseFence } from "./fence";
 import { SceneError, troubleOf } from "./trouble";
 
 /**
- * Imports `code` as a module. `base` is the page's address; the relative imports of the text are
- * resolved against `file`. Throws a SceneError that says why and where, if the import fails.
+ * Imports `own`, the visitor's text, or else the text of `file`, as a module. `base` is the page's
+ * address; the relative imports of the text are resolved against `file`. Throws a SceneError that says
+ * why and where, if the import fails.
  */
-export async function importCode(base: string, file: URL, code: string): Promise<unknown> {
-  raiseFence(base);
-  const text = withWholeAddresses(code, file);
+export async function importCode(base: string, file: URL, own: string | undefined): Promise<unknown> {
+  if (own !== undefined) raiseFence(base);
+  const code = own ?? (await textOf(file));
+  const text = withWholeAddresses(code, file, IMPORTS_THUD.test(code) ? await bringPackage() : "");
   const url = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
   try {
     return await import(/* @vite-ignore */ url);
@@ -23,15 +26,37 @@ export async function importCode(base: string, file: URL, code: string): Promise
   }
 }
 
+async function textOf(file: URL): Promise<string> {
+  const response = await fetch(file);
+  if (!response.ok) throw new Error(`${file.pathname} cannot be loaded: ${response.status}`);
+  return response.text();
+}
+
+const IMPORTS_THUD = /\bfrom\s*["']thud["']/;
+
+/** Where modules find what `bringPackage` exports. */
+const PLACE = "thudPackage";
+let packageUrl = "";
+
+/** The address of a module that exports what the package does. */
+async function bringPackage(): Promise<string> {
+  if (packageUrl) return packageUrl;
+  const exported: object = await import("thud");
+  Object.defineProperty(globalThis, PLACE, { value: exported });
+  const text = `export const { ${Object.keys(exported).join(", ")} } = ${PLACE};`;
+  packageUrl = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+  return packageUrl;
+}
+
 /**
- * Replaces relative paths in import statements by absolute URLs: a module that is imported from a
- * blob URL cannot resolve relative paths.
+ * Replaces relative paths in import statements by absolute URLs, and "thud" by `packaged`: a module
+ * that is imported from a blob URL can resolve neither.
  */
-function withWholeAddresses(code: string, file: URL): string {
+function withWholeAddresses(code: string, file: URL, packaged: string): string {
   return code.replace(
-    /(\bfrom\s*|\bimport\s*\(?\s*)(["'])(\.{1,2}\/[^"'\n]+)\2/g,
+    /(\bfrom\s*|\bimport\s*\(?\s*)(["'])(\.{1,2}\/[^"'\n]+|thud)\2/g,
     (_, before: string, quote: string, path: string) =>
-      `${before}${quote}${new URL(path, file).href}${quote}`,
+      `${before}${quote}${path === "thud" ? packaged : new URL(path, file).href}${quote}`,
   );
 }
 
@@ -53,8 +78,12 @@ async function explain(error: unknown, code: string, file: URL): Promise<SceneEr
   for (const node of program.body) {
     if (!("source" in node) || !node.source || !node.loc) continue;
     const path = String(node.source.value);
+    if (path === "thud") {
+      if (trouble.message.includes(packageUrl)) return at(node.loc.start, trouble.message.replaceAll(packageUrl, path));
+      continue;
+    }
     if (!/^\.{1,2}\//.test(path))
-      return at(node.loc.start, `“${path}” is no file of this page: import "./…" from beside it.`);
+      return at(node.loc.start, `“${path}” is no file of this page: import "./…" from beside it, or "thud".`);
     const address = new URL(path, file).href;
     if (!(await isThere(address))) return at(node.loc.start, `There is no file “${path}”.`);
     // The file exists, but does not export a name that the text imports: the browser's message says
