@@ -8,8 +8,13 @@ import { codeNames } from "./tools/code-names.mjs";
 import { offline } from "./tools/offline-plugin.mjs";
 import { GAME_FILES, sceneTexts } from "./tools/scene-texts.mjs";
 
-/** The games, which are scenes, and the files of assets/ that scenes fetch, under the same names. */
-const GAMES = [...GAME_FILES].map(([name, path]) => ({ name: `scenes/${name}.js`, path }));
+/** The games, which are scenes, with the same games in C. */
+const GAMES = [...GAME_FILES].flatMap(([name, path]) => [
+  { name: `scenes/${name}.js`, path },
+  { name: `scenes/${name}.c`, path: path.replace(/mjs$/, "c") },
+]);
+
+/** The files of assets/ that scenes fetch, under the same names, and the games. */
 const ASSETS = [
   { folder: "levels", suffix: ".tmj" },
   { folder: "terrain", suffix: ".csv" },

@@ -117,11 +117,13 @@ test("source_of_a_game_stands_beside_it_and_what_is_changed_runs", async () => {
   await run(page);
   await untilStatus(page, "Your code runs");
   await until(() => figureOf(page, "Balls"), (balls) => balls === "7", "the balls of the changed code");
+  await page.getByRole("tab", { name: "game_brick_breaker.c" }).click();
+  await untilText(page, /brick_breaker\.c: brick breaker/);
   await page.click("#dock .close");
   await page.click("#scenes-button");
-  await page.fill("#scene-search", "bricks balls capsules");
+  await page.fill("#scene-search", "castle bombs");
   await page.press("#scene-search", "Enter");
-  await page.waitForFunction(() => location.search.includes("scene=game_brick_breaker"));
+  await page.waitForFunction(() => location.search.includes("scene=game_save_load"));
   assert.deepEqual(errors, []);
   await close();
 });
