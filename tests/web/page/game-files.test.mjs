@@ -8,7 +8,7 @@ import { test } from "node:test";
 import { GAME_FILES } from "../../../web/tools/scene-texts.mjs";
 import { openCode, run, type, untilStatus, untilText } from "../support/code.mjs";
 import { figureOf, fingers } from "../support/games.mjs";
-import { DESKTOP, openVisitor, PHONE, runAxeInBothThemes, stepBy } from "../support/page.mjs";
+import { BROWSERS, DESKTOP, leftOut, openVisitor, PHONE, runAxeInBothThemes, stepBy } from "../support/page.mjs";
 import { until, untilStill } from "../support/wait.mjs";
 
 const visitor = openVisitor();
@@ -108,25 +108,28 @@ test("brick_breaker_is_played_by_a_pointer_and_by_two_thumbs", async () => {
   await close();
 });
 
-test("source_of_a_game_stands_beside_it_and_what_is_changed_runs", async () => {
-  const { page, errors, close } = await openCode(visitor, "?scene=game_brick_breaker&paused=1&panel=code");
-  const source = readFileSync(GAME_FILES.get("game_brick_breaker"), "utf8");
-  await untilText(page, /import \{ aabb, circle, walls \} from "thud";/);
-  assert.match(source, /\bballs: 3,/);
-  await type(page, source.replace("balls: 3,", "balls: 7,"));
-  await run(page);
-  await untilStatus(page, "Your code runs");
-  await until(() => figureOf(page, "Balls"), (balls) => balls === "7", "the balls of the changed code");
-  await page.getByRole("tab", { name: "game_brick_breaker.c" }).click();
-  await untilText(page, /brick_breaker\.c: brick breaker/);
-  await page.click("#dock .close");
-  await page.click("#scenes-button");
-  await page.fill("#scene-search", "castle bombs");
-  await page.press("#scene-search", "Enter");
-  await page.waitForFunction(() => location.search.includes("scene=game_save_load"));
-  assert.deepEqual(errors, []);
-  await close();
-});
+for (const browser of BROWSERS)
+  test(`source_of_a_game_stands_beside_it_and_what_is_changed_runs_in_${browser}`, async (t) => {
+    if (leftOut(browser)) return t.skip(leftOut(browser));
+    const by = openVisitor({ browser });
+    const { page, errors, close } = await openCode(by, "?scene=game_brick_breaker&paused=1&panel=code");
+    const source = readFileSync(GAME_FILES.get("game_brick_breaker"), "utf8");
+    await untilText(page, /import \{ aabb, circle, walls \} from "thud";/);
+    assert.match(source, /\bballs: 3,/);
+    await type(page, source.replace("balls: 3,", "balls: 7,"));
+    await run(page);
+    await untilStatus(page, "Your code runs");
+    await until(() => figureOf(page, "Balls"), (balls) => balls === "7", "the balls of the changed code");
+    await page.getByRole("tab", { name: "game_brick_breaker.c" }).click();
+    await untilText(page, /brick_breaker\.c: brick breaker/);
+    await page.click("#dock .close");
+    await page.click("#scenes-button");
+    await page.fill("#scene-search", "castle bombs");
+    await page.press("#scene-search", "Enter");
+    await page.waitForFunction(() => location.search.includes("scene=game_save_load"));
+    assert.deepEqual(errors, []);
+    await close();
+  });
 
 test("castle_with_words_on_its_buttons_has_no_violation_of_axe", async () => {
   for (const options of [DESKTOP, PHONE]) {

@@ -15,7 +15,7 @@ import { SceneError, troubleOf } from "./trouble";
 export async function importCode(base: string, file: URL, own: string | undefined): Promise<unknown> {
   if (own !== undefined) raiseFence(base);
   const code = own ?? (await textOf(file));
-  const text = withWholeAddresses(code, file, IMPORTS_THUD.test(code) ? await bringPackage() : "");
+  const text = withWholeAddresses(await withPackage(code), file);
   const url = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
   try {
     return await import(/* @vite-ignore */ url);
@@ -32,31 +32,42 @@ async function textOf(file: URL): Promise<string> {
   return response.text();
 }
 
-const IMPORTS_THUD = /\bfrom\s*["']thud["']/;
-
-/** Where modules find what `bringPackage` exports. */
+/** An import of names, or of all, from the package. */
+const OF_PACKAGE = /^([ \t]*)import\s+(\{[^}]*\}|\*\s+as\s+\w+)\s+from\s*(["'])thud\3/gm;
+/** Where the text finds what the package exports. */
 const PLACE = "thudPackage";
-let packageUrl = "";
 
-/** The address of a module that exports what the package does. */
-async function bringPackage(): Promise<string> {
-  if (packageUrl) return packageUrl;
+/**
+ * Replaces imports from "thud" by constants, on as many lines: a module that is imported from a blob URL
+ * cannot resolve the name, and Firefox lets it import no other blob URL. Throws a SceneError for a name
+ * that the package does not export.
+ */
+async function withPackage(code: string): Promise<string> {
+  if (code.search(OF_PACKAGE) < 0) return code;
   const exported: object = await import("thud");
-  Object.defineProperty(globalThis, PLACE, { value: exported });
-  const text = `export const { ${Object.keys(exported).join(", ")} } = ${PLACE};`;
-  packageUrl = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
-  return packageUrl;
+  if (!(PLACE in globalThis)) Object.defineProperty(globalThis, PLACE, { value: exported });
+  return code.replace(OF_PACKAGE, (_, indent: string, names: string, _quote: string, at: number) => {
+    if (names.startsWith("*")) return `${indent}const ${names.replace(/^\*\s+as\s+/, "")} = ${PLACE}`;
+    for (const one of names.slice(1, -1).split(",")) {
+      const [name] = one.trim().split(/\s/);
+      if (name && !(name in exported)) {
+        const line = code.slice(0, at + indent.length).split("\n").length;
+        throw new SceneError({ message: `“thud” exports no “${name}”.`, line });
+      }
+    }
+    return `${indent}const ${names.replace(/\bas\b/g, ":")} = ${PLACE}`;
+  });
 }
 
 /**
- * Replaces relative paths in import statements by absolute URLs, and "thud" by `packaged`: a module
- * that is imported from a blob URL can resolve neither.
+ * Replaces relative paths in import statements by absolute URLs: a module that is imported from a
+ * blob URL cannot resolve relative paths.
  */
-function withWholeAddresses(code: string, file: URL, packaged: string): string {
+function withWholeAddresses(code: string, file: URL): string {
   return code.replace(
-    /(\bfrom\s*|\bimport\s*\(?\s*)(["'])(\.{1,2}\/[^"'\n]+|thud)\2/g,
+    /(\bfrom\s*|\bimport\s*\(?\s*)(["'])(\.{1,2}\/[^"'\n]+)\2/g,
     (_, before: string, quote: string, path: string) =>
-      `${before}${quote}${path === "thud" ? packaged : new URL(path, file).href}${quote}`,
+      `${before}${quote}${new URL(path, file).href}${quote}`,
   );
 }
 
@@ -78,10 +89,7 @@ async function explain(error: unknown, code: string, file: URL): Promise<SceneEr
   for (const node of program.body) {
     if (!("source" in node) || !node.source || !node.loc) continue;
     const path = String(node.source.value);
-    if (path === "thud") {
-      if (trouble.message.includes(packageUrl)) return at(node.loc.start, trouble.message.replaceAll(packageUrl, path));
-      continue;
-    }
+    if (path === "thud") continue;
     if (!/^\.{1,2}\//.test(path))
       return at(node.loc.start, `“${path}” is no file of this page: import "./…" from beside it, or "thud".`);
     const address = new URL(path, file).href;
