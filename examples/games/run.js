@@ -3,22 +3,8 @@
  * game says at its end.
  */
 import { pathToFileURL } from "node:url";
-import { load, Mover } from "thud";
-
-const NO_KEYS = { left: false, right: false, up: false, down: false, fire: false, restart: false };
-
-/** What a game is given: how it makes its world and its characters. */
-export const settingOf = (thud) => ({
-  createWorld: (options) => thud.createWorld(options),
-  createMover: (world, options) => new Mover(world, options),
-});
-
-/** One step of a game, with what its player holds: `held`, keys, and `pointer`, a place in the world. */
-export function stepOf(game, step, { held = {}, pointer = null } = {}) {
-  game.update({ step, held: { ...NO_KEYS, ...held }, pointer });
-  game.world.step();
-  game.stepped?.();
-}
+import { load } from "thud";
+import { settingOf, stepOf } from "./step.js";
 
 /** Plays a game to its end, or for so many steps. Returns it. */
 export async function play(name, most = 20_000) {

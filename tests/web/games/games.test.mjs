@@ -20,7 +20,9 @@ mkdirSync(join(folder, "node_modules"));
 symlinkSync(`${root}web/package`, join(folder, "node_modules", "thud"), "dir");
 
 const engine = await thud.load();
-const { play, settingOf, stepOf } = await import(pathToFileURL(join(folder, "run.js")).href);
+const bring = (file) => import(pathToFileURL(join(folder, file)).href);
+const { play } = await bring("run.js");
+const { settingOf, stepOf } = await bring("step.js");
 
 /** What each game prints in place of numbers, and a condition for these. */
 const ENDS = {
@@ -66,7 +68,7 @@ test("every_game_is_run", () => {
 
 /** A game of the folder, and what plays a number of its steps by its robot. */
 async function open(name) {
-  const { default: setUp, robot } = await import(pathToFileURL(join(folder, `${name}.mjs`)).href);
+  const { default: setUp, robot } = await bring(`${name}.mjs`);
   const game = await setUp(settingOf(engine));
   let step = 0;
   return { game, play: (steps) => { for (let end = step + steps; step < end; step++) stepOf(game, step, robot(game)); } };
