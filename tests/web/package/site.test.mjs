@@ -26,7 +26,8 @@ const folder = mkdtempSync(join(tmpdir(), "thud-site-"));
 after(() => rmSync(folder, { recursive: true }));
 mkdirSync(join(folder, "node_modules"));
 symlinkSync(`${root}web/package`, join(folder, "node_modules", "thud"), "dir");
-for (const rival of ["planck", "matter-js"])
+mkdirSync(join(folder, "node_modules/@dimforge"));
+for (const rival of ["planck", "matter-js", "@dimforge/rapier2d-compat"])
   symlinkSync(`${root}web/node_modules/${rival}`, join(folder, "node_modules", rival), "dir");
 
 /** The fenced blocks of a page: [{ info, text }]. */
