@@ -23,7 +23,6 @@ export default function ({ createWorld, grid, size }) {
   const scene = {
     world,
     view: { x: 0, y: 1.2, height: 13, width: 2 * arena.half + 6 },
-    panel: "match",
     keys: {
       left: "drive",
       right: "drive",
