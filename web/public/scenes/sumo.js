@@ -19,10 +19,11 @@ export default function ({ createWorld, grid, size }) {
   const world = createWorld({ gravity: [0, -14], timeStep: 1 / 60, sleeping: false });
   const arena = buildArena(world, size);
   const cars = buildCars(world, grid, arena, size);
+  const wide = 2 * arena.half;
   let own = 0; // the car of whoever looks at this screen
   const scene = {
     world,
-    view: { x: 0, y: 1.2, height: 13, width: 2 * arena.half + 6 },
+    view: { x: 0, y: 1.2, height: 12, width: wide + 4, tall: { x: 0, y: -0.5, height: 12, width: wide + 1.5 } },
     keys: {
       left: "drive",
       right: "drive",

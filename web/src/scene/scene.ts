@@ -190,7 +190,7 @@ export interface Scene {
    */
   panel?: ScenePanel;
   /**
-   * What a match over a network needs of a game; the page then has the panel Together.
+   * What a match over a network needs of a game; the page then has the panel Match.
    * @example match: { inputs: 8, input: ({ left }) => Number(left), step(inputs) { … } }
    */
   match?: SceneMatch;

@@ -9,9 +9,11 @@ export const INPUTS = 8;
 
 export const HULL = { halfWidth: 0.85, halfHeight: 0.2 };
 export const CABIN = { halfWidth: 0.42, halfHeight: 0.2, offset: [0, 0.38] };
-export const WEDGE = { halfWidth: 0.34, halfHeight: 0.06 };
+const WEDGE = { halfWidth: 0.34, halfHeight: 0.06 };
 /** Where the wedge at the right end stands, and its angle; the left one is its mirror image. */
-export const WEDGE_AT = { offset: [1.04, -0.16], angle: -0.42 };
+const WEDGE_AT = { offset: [1.04, -0.16], angle: -0.42 };
+/** Its end. */
+export const TIP = [1.36, -0.31];
 export const WHEEL = 0.34;
 
 const SPEED = 8.5; // lengths a second

@@ -1,6 +1,6 @@
 // What is drawn over the bodies: the cars in their players’ colours, and the figures at the top.
 
-import { CABIN, HULL, WEDGE, WEDGE_AT, WHEEL } from "./cars.js";
+import { CABIN, HULL, TIP, WHEEL } from "./cars.js";
 import { GOAL, READY } from "./rules.js";
 
 const INKS = ["player", "rival", "good", "gold"];
@@ -36,7 +36,9 @@ const cars = (i) => (i === 1 ? "Computer" : `Computer ${i}`);
 
 function messageOf(state, own) {
   const { phase, waited, winner } = state;
-  if (phase === "ready") return waited < READY - 90 ? "Push the others off." : String(Math.ceil((READY - waited) / 30));
+  if (phase === "ready" && waited < READY - 90)
+    return state.alone ? "Push the others off." : `Yours is the ${COLOURS[own].toLowerCase()} car: push the others off.`;
+  if (phase === "ready") return String(Math.ceil((READY - waited) / 30));
   if (phase === "fight") return waited < 40 ? "Go!" : "";
   if (winner < 0) return "Nobody stayed: no point.";
   const name = nameOf(state, winner, own);
@@ -47,19 +49,17 @@ function messageOf(state, own) {
 function paintCar(marks, world, car, ink) {
   const [x, y] = world.positionOf(car.hull);
   const { cosine, sine, angle } = world.rotationOf(car.hull);
-  const box = ({ offset = [0, 0], halfWidth, halfHeight }, turn = 0, round = 0) =>
-    marks.push({
-      ...{ kind: "box", halfWidth, halfHeight, round, ink, filled: true },
-      x: x + cosine * offset[0] - sine * offset[1],
-      y: y + sine * offset[0] + cosine * offset[1],
-      angle: angle + turn,
-    });
-  for (const side of [-1, 1]) {
-    const offset = [side * WEDGE_AT.offset[0], WEDGE_AT.offset[1]];
-    box({ ...WEDGE, offset }, side * WEDGE_AT.angle);
-  }
-  box(CABIN, 0, 0.12);
-  box(HULL, 0, 0.08);
+  const { halfWidth: wide, halfHeight: high } = HULL;
+  const place = ([along, up]) => [x + cosine * along - sine * up, y + sine * along + cosine * up];
+  const box = ({ offset, halfWidth, halfHeight }, colour, round) => {
+    const [bx, by] = place(offset);
+    marks.push({ kind: "box", x: bx, y: by, halfWidth, halfHeight, round, angle, ink: colour, filled: true });
+  };
+  const right = [[wide, high], [wide, -0.1 * high], TIP, [wide, -high]];
+  const left = right.map(([along, up]) => [-along, up]).reverse();
+  marks.push({ kind: "line", points: [...right, ...left].map(place), ink, filled: true });
+  box(CABIN, ink, 0.14);
+  box({ ...CABIN, halfWidth: 0.28, halfHeight: 0.1 }, "soft", 0.05);
   for (const wheel of car.wheels) {
     const [wx, wy] = world.positionOf(wheel);
     const turned = world.rotationOf(wheel);

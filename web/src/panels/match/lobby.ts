@@ -119,7 +119,7 @@ export class Lobby {
     this.#match = null;
     this.#port?.close();
     this.#port = null;
-    this.#app.player.speed = this.#app.state.speed;
+    this.#app.player.pace = 1;
   }
 
   #drop(): void {
@@ -182,7 +182,7 @@ export class Lobby {
     if ("news" in message) {
       const { ahead } = message.news;
       const slower = Math.min(SLOWEST, Math.max(-SLOWEST, SLOWER * ahead));
-      this.#app.player.speed = this.#app.state.speed * (1 - slower);
+      this.#app.player.pace = 1 - slower;
       this.#listener.news(message.news);
       return;
     }

@@ -1,5 +1,5 @@
 /**
- * The panel Together: a game that runs is played with others, by a link that is sent to them and an
+ * The panel Match: a game that runs is played with others, by a link that is sent to them and an
  * answer that comes back, over a connection from browser to browser. It shows what the network costs,
  * and makes the network worse if asked.
  */
