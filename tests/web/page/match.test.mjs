@@ -4,7 +4,7 @@
  */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openVisitor } from "../support/page.mjs";
+import { openVisitor, PHONE, runAxeInBothThemes } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
 /** The step up to which a match is played. */
@@ -78,4 +78,51 @@ test("chromium_and_firefox_play_a_match_over_a_bad_line_and_stay_the_same", asyn
     assert.deepEqual(errors, []);
   }
   for (const { close } of both) await close();
+});
+
+test("answer_that_is_opened_as_a_link_reaches_the_tab_that_waits_and_who_leaves_is_missed", async () => {
+  const visitor = openVisitor();
+  const host = await visitor.open("?scene=sumo&panel=match");
+  await host.page.click("#match-invite");
+  await host.page.waitForSelector(".match .qr");
+  assert.deepEqual(await runAxeInBothThemes(host.page, "#dock"), []);
+  const { search, hash } = new URL(await host.page.inputValue("#match-link"));
+  const guest = await visitor.open(search + hash, PHONE);
+  await guest.page.tap("#match-join");
+  const answer = new URL(await guest.page.inputValue("#match-link"));
+  const tab = await host.page.context().newPage();
+  await tab.goto(answer.href);
+  await tab.waitForSelector('#match-offer:has-text("The answer has arrived")');
+  await tab.close();
+  await host.page.click("#match-start");
+  // On a phone the panel makes room for the buttons.
+  await guest.page.waitForSelector("#dock", { state: "hidden" });
+  await guest.page.waitForSelector('#message:has-text("Yours is the blue car")');
+  await until(() => figures(host.page), ({ step }) => step >= 30, "the match runs");
+  assert.deepEqual(await runAxeInBothThemes(host.page, "#dock"), []);
+  await guest.page.tap("[data-panel=match]");
+  await guest.page.tap("#match-leave");
+  await host.page.waitForSelector('#message:has-text("The match is over")');
+  await host.page.click("#match-leave");
+  // Both play alone again.
+  for (const { page, errors, close } of [host, guest]) {
+    await page.waitForSelector("#match-invite:visible");
+    await page.waitForSelector('#figures:has-text("Computer")');
+    assert.deepEqual(errors, []);
+    await close();
+  }
+});
+
+test("damaged_invitation_says_so_and_an_answer_for_nobody_too", async () => {
+  const visitor = openVisitor();
+  const host = await visitor.open("?scene=sumo#invite=AAAA");
+  await host.page.waitForSelector('#match-offer:has-text("damaged")');
+  await host.page.click("#match-invite");
+  await host.page.fill("#match-answer", "Hello");
+  await host.page.waitForSelector('#notice:has-text("no answer")');
+  const link = await host.page.inputValue("#match-link");
+  await host.page.fill("#match-answer", link);
+  await host.page.waitForSelector('#notice:has-text("another invitation")');
+  assert.deepEqual(host.errors, []);
+  await host.close();
 });

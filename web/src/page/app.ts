@@ -424,13 +424,15 @@ export class App {
     this.#keepShapes(frame);
     const { player } = this;
     const made = frame.step - player.newest;
-    if (player.paused) player.jump(frame);
+    // A match that waits for its players, or a recording at its end, makes no step for now.
+    const stands = frame.ended && made === 0;
+    if (player.paused || stands) player.jump(frame);
     else player.take(frame);
     this.#owed = Math.max(0, this.#owed - made);
     if (frame.samples.length > 0) this.#tell((listener) => listener.samples?.(frame.samples));
     this.#tell((listener) => listener.frame?.(frame));
     // A worker that is behind gets its next request now, not with the display's next picture.
-    if (!player.paused) this.requestFrame();
+    if (!player.paused && !stands) this.requestFrame();
   }
 
   #keepShapes(frame: Frame): void {

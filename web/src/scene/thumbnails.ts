@@ -16,6 +16,7 @@ export interface Thumbnail {
 export const THUMBNAILS: Readonly<Record<string, Thumbnail>> = {
   platformer_game: { view: { x: 17.5, y: 9, height: 20 } },
   artillery: { view: { x: -11.5, y: 0.5, height: 12 } },
+  sumo: { steps: 205, view: { x: -2.5, y: 0.6, height: 7 } },
   quarry: { steps: 240 },
   playground: { steps: 150, view: { x: 26, y: 12, height: 22 } },
   platform: { steps: 90, view: { x: 36, y: 13, height: 22 } },

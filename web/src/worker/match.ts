@@ -4,7 +4,7 @@
  * when the first match begins.
  */
 import type { Engine, Rollback } from "thud";
-import { type Input, noKeys, type SceneMatch, type SceneModule } from "../scene/scene";
+import { type Input, noKeys, type Paint, type SceneMatch, type SceneModule } from "../scene/scene";
 import { USUAL } from "../page/url";
 import type { Command } from "./commands";
 import { Peers } from "./match-peers";
@@ -34,7 +34,6 @@ export type FromMatch =
 
 /** How a match goes. */
 export interface MatchNews {
-  step: number;
   /** Milliseconds there and back; null: not known yet. */
   roundTrip: number | null;
   /** How often steps were run again, and how many in all. */
@@ -52,8 +51,6 @@ export interface MatchNews {
   refused: number;
   /** What is wrong: the first step and body that differ; null: nothing. */
   difference: string | null;
-  gone: number[];
-  over: boolean;
 }
 
 /** Starts a match of a scene that says how it is played. */
@@ -115,7 +112,7 @@ class MatchSession extends Session {
     });
     port.onmessage = ({ data }: MessageEvent<ToMatch>) => this.#hear(data);
     this.#timer = setInterval(() => this.#beat(), BEAT);
-    this.paint = scene.paint?.() ?? null;
+    this.paint = this.#painted();
   }
 
   override close(): void {
@@ -145,9 +142,9 @@ class MatchSession extends Session {
     this.#settle();
     this.#waits = !rollback.advance();
     this.#tell();
+    this.paint = this.#painted();
     if (this.#waits) return;
     this.step = rollback.steps;
-    this.paint = this.scene.paint?.() ?? null;
     this.samples.push({
       step: this.step,
       milliseconds: performance.now() - start,
@@ -189,8 +186,17 @@ class MatchSession extends Session {
   #hear(data: ToMatch): void {
     if (this.#over) return;
     this.#waits = false;
-    if ("lost" in data) this.#over = this.#peers.lose(data.lost);
-    else this.#peers.hear(data.from, new Uint8Array(data.bytes));
+    if ("lost" in data) {
+      this.#over = this.#peers.lose(data.lost);
+      this.paint = this.#painted();
+    } else this.#peers.hear(data.from, new Uint8Array(data.bytes));
+  }
+
+  /** What the scene draws; where no step can be made, why. */
+  #painted(): Paint {
+    const paint = this.scene.paint?.() ?? {};
+    if (this.#over) return { ...paint, message: "The match is over: the others have left." };
+    return this.#waits ? { ...paint, message: "Waiting for the others…" } : paint;
   }
 
   /** Also while no picture is due, as in a hidden tab, the others get what they wait for. */
@@ -209,7 +215,6 @@ class MatchSession extends Session {
     const peers = this.#peers;
     const rollback = this.#rollback;
     const news: MatchNews = {
-      step: rollback.steps,
       roundTrip: peers.roundTrip,
       rollbacks: this.#rollbacks,
       replayed: rollback.replayed,
@@ -220,8 +225,6 @@ class MatchSession extends Session {
       final: peers.final,
       refused: peers.refused,
       difference: differenceOf(peers),
-      gone: [...peers.gone],
-      over: this.#over,
     };
     this.#correction = 0;
     this.#post({ news });

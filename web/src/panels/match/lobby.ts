@@ -183,6 +183,8 @@ export class Lobby {
       const { ahead } = message.news;
       const slower = Math.min(SLOWEST, Math.max(-SLOWEST, SLOWER * ahead));
       this.#app.player.pace = 1 - slower;
+      // Who waits for others is not slow.
+      if (message.news.waits) this.#app.player.lag = 0;
       this.#listener.news(message.news);
       return;
     }

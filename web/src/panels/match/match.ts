@@ -255,7 +255,7 @@ class MatchPanel {
   }
 
   #tell(news: MatchNews): void {
-    const { roundTrip, ahead, waits, over, difference, final } = news;
+    const { roundTrip, ahead, difference, final } = news;
     const push = (list: number[], value: number) => {
       list.push(value);
       if (list.length > CORRECTIONS) list.shift();
@@ -276,7 +276,7 @@ class MatchPanel {
     const { dataset } = this.#figures;
     dataset.step = String(final.step);
     dataset.hash = final.hash;
-    const text = difference ?? (over ? "The match is over: the others have left." : waits ? "Waiting for the others…" : "");
+    const text = difference ?? "";
     if (this.#trouble.textContent !== text) this.#trouble.textContent = text;
   }
 }
