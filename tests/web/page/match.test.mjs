@@ -113,6 +113,31 @@ test("answer_that_is_opened_as_a_link_reaches_the_tab_that_waits_and_who_leaves_
   }
 });
 
+test("browsers_meet_in_a_room_of_the_server", async () => {
+  const visitor = openVisitor();
+  const host = await visitor.open("?scene=sumo&panel=match");
+  await host.page.fill("#match-room", "Our room");
+  await host.page.click("#match-meet");
+  await host.page.waitForSelector('#notice:has-text("letters from a to z")');
+  await host.page.fill("#match-room", "our-room");
+  await host.page.click("#match-meet");
+  const { search, hash } = new URL(await host.page.inputValue("#match-link"));
+  assert.equal(hash, "#invite=~our-room");
+  // Who invites has to be in the room before the other comes, who would invite as well.
+  await host.page.waitForResponse((response) => response.url().endsWith("our-room/answer"));
+  const guest = await visitor.open(search + hash);
+  await guest.page.click("#match-join");
+  for (const { page } of [host, guest]) await page.waitForSelector("#match-leave:visible");
+  assert.ok(await host.page.isVisible("#match-start"));
+  assert.ok(await guest.page.isHidden("#match-start"));
+  await guest.page.click("#match-leave");
+  await host.page.waitForSelector("#match-leave", { state: "hidden" });
+  for (const { errors, close } of [host, guest]) {
+    assert.deepEqual(errors, []);
+    await close();
+  }
+});
+
 test("damaged_invitation_says_so_and_an_answer_for_nobody_too", async () => {
   const visitor = openVisitor();
   const host = await visitor.open("?scene=sumo#invite=AAAA");

@@ -14,9 +14,14 @@ import "../../style/values.css";
 import "../../style/match.css";
 import { unpackInvitation } from "./invitation";
 import { Lobby } from "./lobby";
+import { hasRooms, meet, ROOM } from "./meet";
 
+/** What a link has before the name of a room in place of an invitation. */
+const ROOM_MARK = "~";
 /** On it a tab in which an answer was opened hands it to the tab that waits for it. */
 const CHANNEL = "thud-match";
+const INVITED =
+  "You are invited to a match. Joining tells whoever sent the link this device’s address in the network.";
 /** Milliseconds for which it waits to be heard. Chosen. */
 const HEARD = 1500;
 /** The largest correction that is shown is that of so many of the last news. Chosen. */
@@ -41,6 +46,11 @@ class MatchPanel {
   readonly #others = make("div", { class: "section" }, this.#who, this.#start, this.#leave);
   readonly #network = make("div", { class: "section network" });
   readonly #channel = new BroadcastChannel(CHANNEL);
+  readonly #rooms = hasRooms();
+  /** Whether others are looked for in a room. */
+  #meets = false;
+  /** Ends the search for others in a room. */
+  #meeting = new AbortController();
   readonly #corrections: number[] = [];
   readonly #replayed: number[] = [];
 
@@ -53,6 +63,7 @@ class MatchPanel {
     });
     this.#start.addEventListener("click", () => void this.#lobby.start());
     this.#leave.addEventListener("click", () => {
+      this.#meeting.abort();
       if (this.#lobby.playing) void app.restart();
       else this.#lobby.leave();
       this.#beginOffer();
@@ -74,6 +85,11 @@ class MatchPanel {
   /** What the address asks for: to be invited, to hand over an answer, or neither. */
   async #begin(): Promise<void> {
     const { invite } = this.#app.state;
+    if (invite?.startsWith(ROOM_MARK)) {
+      this.#offerToMeet(invite.slice(ROOM_MARK.length));
+      this.#show();
+      return;
+    }
     const invitation = invite === null ? null : await unpackInvitation(invite);
     if (invite === null) this.#beginOffer();
     else if (!invitation) this.#beginOffer("The invitation in this link is damaged.");
@@ -81,12 +97,36 @@ class MatchPanel {
     else {
       const join = make("button", { class: "wide primary", id: "match-join" }, "Join");
       join.addEventListener("click", () => void this.#act(join, () => this.#join(invite)));
-      this.#offer.replaceChildren(
-        make("p", {}, "You are invited to a match. Joining tells whoever sent the link this device’s address in the network."),
-        join,
-      );
+      this.#offer.replaceChildren(make("p", {}, INVITED), join);
     }
     this.#show();
+  }
+
+  /** This tab was opened by the link of a room. */
+  #offerToMeet(name: string): void {
+    if (!ROOM.test(name)) return this.#beginOffer("The invitation in this link is damaged.");
+    const join = make("button", { class: "wide primary", id: "match-join" }, "Join");
+    join.addEventListener("click", () => void this.#act(join, () => this.#meet(name)));
+    this.#offer.replaceChildren(make("p", {}, INVITED), join);
+  }
+
+  /** Goes into a room of the page's server. */
+  async #meet(name: string): Promise<void> {
+    this.#meeting.abort();
+    this.#meeting = new AbortController();
+    const line = make("p", { role: "status" }, `In the room “${name}”. Others come by this link, or by the room’s name.`);
+    this.#offer.replaceChildren(
+      line,
+      await this.#link(ROOM_MARK + name, "The link as a QR code: scan it with the other devices"),
+    );
+    this.#meets = true;
+    try {
+      await meet(name, this.#lobby, this.#meeting.signal);
+    } catch (error) {
+      this.#beginOffer(`The room cannot be used: ${messageOf(error)}`);
+    } finally {
+      this.#meets = false;
+    }
   }
 
   /** Shows how others are invited. */
@@ -101,9 +141,32 @@ class MatchPanel {
       spellcheck: "false",
     });
     server.addEventListener("change", () => (this.#lobby.server = server.value.trim()));
+    const name = make("input", {
+      type: "text",
+      id: "match-room",
+      placeholder: "any name",
+      maxlength: 40,
+      autocomplete: "off",
+      autocapitalize: "none",
+      spellcheck: "false",
+    });
+    const enter = make("button", { class: "plain", id: "match-meet" }, "Meet there");
+    enter.addEventListener("click", () => {
+      const wanted = name.value.trim().toLowerCase();
+      if (ROOM.test(wanted)) void this.#act(enter, () => this.#meet(wanted));
+      else notice("A room’s name has letters from a to z, digits and hyphens.");
+    });
+    const room = make(
+      "div",
+      { hidden: true },
+      make("label", { for: "match-room" }, "Or meet in a room of this page’s server"),
+      make("div", { class: "row" }, name, enter),
+    );
+    void this.#rooms.then((has) => (room.hidden = !has));
     this.#offer.replaceChildren(
       make("p", text ? { class: "bad" } : {}, text || "Up to three others join from their own browsers. What you play goes from device to device."),
       invite,
+      room,
       make(
         "details",
         {},
@@ -234,7 +297,7 @@ class MatchPanel {
     const lobby = this.#lobby;
     const { connected, playing, invited } = lobby;
     this.#others.hidden = this.#network.hidden = connected === 0 && !playing;
-    this.#offer.hidden = playing || (invited && connected > 0);
+    this.#offer.hidden = playing || lobby.isFull || (invited && connected > 0);
     this.#start.hidden = playing || invited;
     this.#leave.textContent = playing ? "Leave the match" : "Disconnect";
     const count = connected === 1 ? "One other" : `${connected} others`;
@@ -244,7 +307,8 @@ class MatchPanel {
       : invited
         ? "Connected. The other starts the match."
         : `${count} connected.`;
-    if (connected > 0 && !invited && !playing && this.#who.textContent !== before) this.#beginOffer();
+    const changed = this.#who.textContent !== before;
+    if (connected > 0 && !invited && !playing && !this.#meets && changed) this.#beginOffer();
     const main = document.querySelector("main")!;
     // On a phone the panel stands over the game's buttons.
     if (playing && !main.hasAttribute("data-match") && matchMedia("(width < 40em)").matches)
