@@ -14,6 +14,15 @@ const GATHERING = 2500;
 /** Bytes that wait in the channel beyond which packets are dropped: newer ones have it all. Chosen. */
 const FULL = 16_384;
 
+/**
+ * An address in a net for documentation (RFC 5737), which nobody has, and milliseconds from one that is
+ * named to the next. Firefox gives up seconds after it has tried all addresses that it knows of, and an
+ * answer that somebody sends takes longer to arrive: while it waits, it is given one more to try, at
+ * another port each time.
+ */
+const NOBODY = "198.51.100.1";
+const TRY_ON = 4000;
+
 /** What is done to packets on their way, besides what the network does. */
 export interface Line {
   /** Milliseconds that each packet is held back. */
@@ -35,6 +44,9 @@ export class Connection {
   readonly #sure: RTCDataChannel;
   readonly #line: Line;
   readonly #calls: Calls;
+  #tries: ReturnType<typeof setInterval> | undefined;
+  /** How many addresses were named to it. */
+  #tried = 0;
   #open = false;
   #closed = false;
 
@@ -68,6 +80,7 @@ export class Connection {
   /** The text of the answer to an invitation. */
   async answer(offer: Invitation): Promise<string> {
     await this.#peer.setRemoteDescription(descriptionOf(offer));
+    this.#tries = setInterval(() => this.#tryOn(), TRY_ON);
     return packInvitation(await this.#describe(offer.name));
   }
 
@@ -95,6 +108,7 @@ export class Connection {
   close(): void {
     if (this.#closed) return;
     this.#closed = true;
+    clearInterval(this.#tries);
     this.#peer.close();
     this.#calls.closed();
   }
@@ -102,7 +116,15 @@ export class Connection {
   #tellOpen(): void {
     if (this.#open || this.#fast.readyState !== "open" || this.#sure.readyState !== "open") return;
     this.#open = true;
+    clearInterval(this.#tries);
     this.#calls.opened();
+  }
+
+  /** Keeps the browser waiting for one that does not have the answer yet. */
+  #tryOn(): void {
+    const number = ++this.#tried;
+    const candidate = `candidate:${number} 1 udp 1 ${NOBODY} ${1024 + number} typ host`;
+    this.#peer.addIceCandidate({ candidate, sdpMid: "0" }).catch(() => {});
   }
 
   /** The own description, once the own addresses are known. */
