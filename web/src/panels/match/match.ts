@@ -74,7 +74,7 @@ class MatchPanel {
       this.#trouble,
       this.#slider("delay", "Delay, ms", 400, 10, (value) => (this.#lobby.line.delay = value)),
       this.#slider("loss", "Loss, %", 50, 1, (value) => (this.#lobby.line.loss = value / 100)),
-      make("p", { class: "quiet" }, "Both are added to what this browser sends, each way by its own."),
+      make("p", { class: "quiet" }, "Both are added to what this browser sends; the others have sliders of their own."),
     );
     this.element.append(this.#offer, this.#others, this.#network);
     this.#channel.addEventListener("message", ({ data }) => void this.#hearTab(data));
@@ -131,7 +131,7 @@ class MatchPanel {
 
   /** Shows how others are invited. */
   #beginOffer(text = ""): void {
-    const invite = make("button", { class: "wide", id: "match-invite" }, "Invite by a link");
+    const invite = make("button", { class: "wide primary", id: "match-invite" }, "Invite by a link");
     invite.addEventListener("click", () => void this.#act(invite, () => this.#invite()));
     const server = make("input", {
       type: "text",
@@ -333,7 +333,7 @@ class MatchPanel {
       ["Rollbacks", String(news.rollbacks)],
       ["Steps run again", `${again.toFixed(0)} a second`],
       ["Largest correction", `${Math.max(...this.#corrections).toFixed(2)} lengths`],
-      ["Ahead of the others", `${ahead.toFixed(1)} steps`],
+      ["Ahead of the others", `${ahead.toFixed(1).replace("-0.0", "0.0")} steps`],
       ["Equal states", String(news.equal)],
       ["Refused packets", String(news.refused)],
     ]);
