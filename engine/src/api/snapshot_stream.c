@@ -4,6 +4,7 @@
 #include "api/snapshot.h"
 
 #include "constraint/joint_hooks.h"
+#include "state/body.h"
 #include "state/kinds.h"
 
 #include <string.h>
@@ -388,6 +389,8 @@ static void plug_in(thud_world *w, const td_snapshot_head *head) {
     memset(w->kinds, 0,
            TD_PAIR_COUNT *
                sizeof *w->kinds); /* those of joints stay: snapshot.c has checked them */
+    w->instances = NULL;
+    w->edit_apply = td_edit_apply; /* for edits that wait in the snapshot */
     w->internal_edges = NULL;
     w->ground = NULL;
     for (int kind = 0; kind < THUD_SHAPE_KIND_COUNT; kind++) {

@@ -105,7 +105,7 @@ static bool first_overlap(const thud_world *w, const shape_pair *c, double from,
         w->ground->time_of_impact(w, c->a, &b.at, b.motion, &hit, time);
     } else {
         moving_shape a = moving_shape_of(w, c->a, from, to, c->origin);
-        thud_geometry_time_of_impact(&a.at, a.motion, &b.at, b.motion, 0.0, &hit, time);
+        w->instances->time_of_impact(&a.at, a.motion, &b.at, b.motion, 0.0, &hit, time);
     }
     return hit;
 }
