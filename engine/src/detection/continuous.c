@@ -15,9 +15,9 @@
 #include "constraint/joint_hooks.h"
 #include "state/body.h"
 #include "contact/contact.h"
+#include "contact/sensors.h"
 #include "solver/error.h"
 #include "detection/detection.h"
-#include "detection/sensing.h"
 #include "detection/trajectory.h"
 #include "state/kinds.h"
 #include "geometry/shape_instance.h"
@@ -206,20 +206,10 @@ static void find_next_hit(sweep *s, int first, float c, float sine) {
     }
 }
 
-/* The pose at the start of the step, from that at the end and the motion. */
-static td_pose start_pose(const thud_world *w, td_awake_slot slot) {
-    td_pose pose = *td_pose_at(w, td_body_of(w, slot));
-    const float *delta = td_row(&w->delta, slot);
-    pose.center.x -= td_length_from(w, delta[0]);
-    pose.center.y -= td_length_from(w, delta[1]);
-    pose.angle -= td_angle_between((double)delta[2]);
-    return pose;
-}
-
 void td_hold_at(thud_world *w, td_awake_slot slot, double time) {
     double remaining = 1.0 - time;
     td_body_index body = td_body_of(w, slot);
-    td_pose pose = start_pose(w, slot);
+    td_pose pose = td_start_pose(w, slot);
     float *delta = td_row(&w->delta, slot), *velocity = td_row(&w->velocity, slot);
     const float *substep_gain = td_row(&w->substep_gain, slot);
     float x = (float)remaining * delta[0], y = (float)remaining * delta[1];
@@ -249,7 +239,7 @@ static inline bool begin_sweep(sweep *s, const td_pose *start) {
 }
 
 bool td_fast_meets(thud_world *w, td_awake_slot slot, td_array *hits, td_memory *memory) {
-    td_pose start = start_pose(w, slot);
+    td_pose start = td_start_pose(w, slot);
     sweep s = {.w = w, .slot = slot, .hits = hits, .memory = memory};
     const td_body *body = td_body_at(w, td_body_of(w, slot));
     return body->detection->rank == TD_RANK_CONTINUOUS && begin_sweep(&s, &start);
@@ -268,7 +258,7 @@ void td_fast_fetch(const thud_world *w, int i) {
  * order of time, whatever the order of the broadphase, and not for hits after the one that stops
  * the body. Bodies that joints tie to it go back to the same time. */
 static void stop_at_first_hit(thud_world *w, td_awake_slot slot) {
-    td_pose start = start_pose(w, slot);
+    td_pose start = td_start_pose(w, slot);
     sweep s = {.w = w,
                .slot = slot,
                .next = {.time = -1.0},
@@ -289,26 +279,6 @@ static void stop_at_first_hit(thud_world *w, td_awake_slot slot) {
         td_hold_at(w, slot, s.next.time);
         if (w->joint_hooks) {
             w->joint_hooks->hold_back(w, slot, s.next.time);
-        }
-    }
-}
-
-/* Appends a leg for sensors (sensing.c) for each body that was held: at the velocity that it had,
- * from the start of the step to the time at which it stopped, as all holds of the body together
- * leave it. */
-static void append_held_legs(thud_world *w) {
-    for (td_awake_slot slot = {1}; slot.at < w->scratch.held_at.count; slot.at++) {
-        double end = *TD_AT(double, &w->scratch.held_at, slot.at);
-        if (end < 1.0 && end > 0.0) {
-            td_pose start = start_pose(w, slot);
-            const float *delta = td_row(&w->delta, slot);
-            td_trajectory trajectory = {.place = start.center,
-                                        .angle = start.angle,
-                                        .body = td_body_of(w, slot)};
-            for (int k = 0; k < 3; k++) {
-                trajectory.motion[k] = (double)delta[k] / end;
-            }
-            td_leg_note(w, &trajectory, end);
         }
     }
 }
@@ -338,7 +308,7 @@ static void run(thud_world *w) {
     if (w->stats.held_bodies) {
         td_errors_resum_kinetic(w);
         if (w->scratch.sensed_room > 0) {
-            append_held_legs(w);
+            w->sensor_hooks->note_held(w);
         }
     }
 }
@@ -349,4 +319,4 @@ const td_detection_stage td_stage_continuous = {.reserve = reserve,
 const thud_detection thud_detection_continuous = {.name = "continuous",
                                                   .rank = TD_RANK_CONTINUOUS,
                                                   .stage = &td_stage_continuous,
-                                                  .sensing = &td_sensing_at_rest};
+                                                  .senses = true};

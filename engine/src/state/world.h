@@ -19,6 +19,11 @@
 
 struct td_swept; /* shape.h */
 
+/* What a world has from the start, of what it may do without: thud_world_def.parts. */
+struct thud_parts {
+    const struct td_sensor_hooks *sensors; /* contact/sensors.h */
+};
+
 /* Copies of the proxies that pending edits will give to shapes: preview.h. */
 typedef struct td_preview {
     td_array shape; /* int: the shapes that have a copy */
@@ -43,6 +48,7 @@ struct thud_world {
     struct td_rules *rules;                       /* null as rule_hooks; in snapshots */
     const struct td_texture_hooks *texture_hooks; /* null: the world never had a texture */
     struct td_textures *textures;                 /* null as texture_hooks; in snapshots */
+    const struct td_sensor_hooks *sensor_hooks;   /* null: no shape can be a sensor yet */
     bool adds_impulses; /* a rule has a bound of the impulse: add up those of contacts */
     const struct td_listener_hooks *listener_hooks; /* null: the world never had a listener */
     struct td_listeners *listeners;                 /* null as listener_hooks */
