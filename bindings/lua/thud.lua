@@ -77,6 +77,7 @@ typedef struct thud_uv thud_uv;
 typedef struct thud_foot thud_foot;
 typedef struct thud_contact thud_contact;
 typedef struct thud_contact_settings thud_contact_settings;
+typedef struct thud_parts thud_parts;
 typedef struct thud_world_def thud_world_def;
 typedef struct thud_step_calls thud_step_calls;
 typedef struct thud_body_def thud_body_def;
@@ -183,7 +184,7 @@ struct thud_uv { double u; double v; };
 struct thud_foot { double height; double x; double nx; double ny; };
 struct thud_contact { thud_shape_id shape_a; thud_shape_id shape_b; thud_body_id body_a; thud_body_id body_b; thud_vec2 normal; thud_pos point; float separation; float normal_impulse; float tangent_impulse; int point_count; };
 struct thud_contact_settings { float friction; float restitution; float surface_speed; };
-struct thud_world_def { thud_vec2 gravity; double time_step; float length_scale; const thud_quality * quality; int substeps; float contact_stiffness; float contact_damping; float push_speed; float restitution_threshold; float hit_speed; float maximum_speed; _Bool sleeping; _Bool contact_events; thud_allocator allocator; thud_log_fn * log; void * log_context; thud_clock_fn * clock; void * clock_context; double max_error; double time_budget; const thud_detection * detection; const thud_broadphase * broadphase; float cell_size; thud_job_system job_system; uint32_t cookie; };
+struct thud_world_def { thud_vec2 gravity; double time_step; float length_scale; const thud_quality * quality; int substeps; float contact_stiffness; float contact_damping; float push_speed; float restitution_threshold; float hit_speed; float maximum_speed; _Bool sleeping; _Bool contact_events; thud_allocator allocator; thud_log_fn * log; void * log_context; thud_clock_fn * clock; void * clock_context; double max_error; double time_budget; const thud_detection * detection; const thud_broadphase * broadphase; float cell_size; thud_job_system job_system; const thud_parts * parts; uint32_t cookie; };
 struct thud_step_calls { thud_step_fn * before; thud_step_fn * after; void * context; };
 struct thud_body_def { thud_body_kind kind; thud_pos position; double angle; thud_vec2 velocity; float angular_velocity; float gravity_scale; float linear_damping; float angular_damping; _Bool fixed_rotation; _Bool may_sleep; const thud_detection * detection; uint64_t user_data; uint32_t cookie; };
 struct thud_body_state { thud_body_kind kind; thud_pos position; thud_pos center; double angle; float cosine; float sine; thud_vec2 velocity; float angular_velocity; float mass; float inertia; float gravity_scale; _Bool awake; _Bool enabled; _Bool quarantined; uint64_t user_data; int shape_count; };
@@ -306,6 +307,7 @@ thud_result thud_shape_raise(thud_world * world, thud_shape_id shape, double x, 
 thud_result thud_shape_replace_range(thud_world * world, thud_shape_id shape, double x0, double x1, const thud_pos * points, int count);
 thud_world_def thud_default_world_def(void);
 thud_world_def thud_default_world_def_of(const thud_quality * quality);
+thud_world_def thud_default_small_world_def(const thud_quality * quality);
 thud_result thud_world_create(const thud_world_def * def, thud_world ** out);
 void thud_world_destroy(thud_world * world);
 thud_result thud_world_step(thud_world * world);
@@ -667,7 +669,7 @@ local FIELDS = {
     thud_foot = { height = "double", x = "double", nx = "double", ny = "double" },
     thud_contact = { shape_a = "thud_shape_id", shape_b = "thud_shape_id", body_a = "thud_body_id", body_b = "thud_body_id", normal = "thud_vec2", point = "thud_pos", separation = "float", normal_impulse = "float", tangent_impulse = "float", point_count = "int" },
     thud_contact_settings = { friction = "float", restitution = "float", surface_speed = "float" },
-    thud_world_def = { gravity = "thud_vec2", time_step = "double", length_scale = "float", quality = "const thud_quality *", substeps = "int", contact_stiffness = "float", contact_damping = "float", push_speed = "float", restitution_threshold = "float", hit_speed = "float", maximum_speed = "float", sleeping = "_Bool", contact_events = "_Bool", allocator = "thud_allocator", log = "thud_log_fn *", log_context = "void *", clock = "thud_clock_fn *", clock_context = "void *", max_error = "double", time_budget = "double", detection = "const thud_detection *", broadphase = "const thud_broadphase *", cell_size = "float", job_system = "thud_job_system", cookie = "uint32_t" },
+    thud_world_def = { gravity = "thud_vec2", time_step = "double", length_scale = "float", quality = "const thud_quality *", substeps = "int", contact_stiffness = "float", contact_damping = "float", push_speed = "float", restitution_threshold = "float", hit_speed = "float", maximum_speed = "float", sleeping = "_Bool", contact_events = "_Bool", allocator = "thud_allocator", log = "thud_log_fn *", log_context = "void *", clock = "thud_clock_fn *", clock_context = "void *", max_error = "double", time_budget = "double", detection = "const thud_detection *", broadphase = "const thud_broadphase *", cell_size = "float", job_system = "thud_job_system", parts = "const thud_parts *", cookie = "uint32_t" },
     thud_step_calls = { before = "thud_step_fn *", after = "thud_step_fn *", context = "void *" },
     thud_body_def = { kind = "thud_body_kind", position = "thud_pos", angle = "double", velocity = "thud_vec2", angular_velocity = "float", gravity_scale = "float", linear_damping = "float", angular_damping = "float", fixed_rotation = "_Bool", may_sleep = "_Bool", detection = "const thud_detection *", user_data = "uint64_t", cookie = "uint32_t" },
     thud_body_state = { kind = "thud_body_kind", position = "thud_pos", center = "thud_pos", angle = "double", cosine = "float", sine = "float", velocity = "thud_vec2", angular_velocity = "float", mass = "float", inertia = "float", gravity_scale = "float", awake = "_Bool", enabled = "_Bool", quarantined = "_Bool", user_data = "uint64_t", shape_count = "int" },
@@ -1447,6 +1449,11 @@ end
 function thud.default_world_def_of(quality)
     local hold = {}
     return C.thud_default_world_def_of(input("thud_quality", quality, hold))
+end
+
+function thud.default_small_world_def(quality)
+    local hold = {}
+    return C.thud_default_small_world_def(input("thud_quality", quality, hold))
 end
 
 function World:step()

@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-enum { AABBS = 1, OBBS = 2, TERRAINS = 4, DIRECT = 8, JOINTS = 16, UNMEASURED = 32 };
+enum { AABBS = 1, OBBS = 2, TERRAINS = 4, DIRECT = 8, JOINTS = 16, SENSORS = 32, UNMEASURED = 64 };
 
 static const struct {
     const char *program;
@@ -23,12 +23,13 @@ static const struct {
     {"boxes", AABBS},
     {"islands", DIRECT},
     {"joints", JOINTS | DIRECT},
-    {"everything", AABBS | OBBS | TERRAINS | DIRECT},
+    {"everything", AABBS | OBBS | TERRAINS | DIRECT | SENSORS},
 };
 
 static unsigned needs_of(const run_options *how, const scene *s) {
     unsigned needs = s->joint_count > 0 ? JOINTS : 0;
-    for (int i = 0; i < s->shape_count; i++)
+    for (int i = 0; i < s->shape_count; i++) {
+        needs |= s->shapes[i].sensor ? SENSORS : 0;
         switch (s->shapes[i].kind) {
         case SCENE_CIRCLE:
             break;
@@ -44,6 +45,7 @@ static unsigned needs_of(const run_options *how, const scene *s) {
             needs |= TERRAINS;
             break;
         }
+    }
     if (QUALITIES[how->quality]->islands && !(how->without & WITHOUT_DIRECT))
         needs |= DIRECT;
     const thud_detection *detection = DETECTIONS[how->detection].detection;

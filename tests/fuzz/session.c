@@ -85,7 +85,9 @@ static thud_job_system job_system(unsigned byte) {
 static void take_settings(fuzz_session *s) {
     fuzz_bytes *b = &s->bytes;
     unsigned choices = next_byte(b), scales = next_byte(b), flags = next_byte(b);
-    thud_world_def def = thud_default_world_def_of(pick_quality(s, choices));
+    const thud_quality *quality = pick_quality(s, choices);
+    thud_world_def def =
+        scales < 240 ? thud_default_world_def_of(quality) : thud_default_small_world_def(quality);
     def.detection = pick_detection(s, choices / 4);
     def.sleeping = flags & 1;
     def.contact_events = (flags & 6) != 6;

@@ -81,6 +81,9 @@ typedef struct thud_contact_settings {
                             -normal.x), which is +x if b lies on top of a */
 } thud_contact_settings;
 
+/* What a world has from the start, of what it may do without; see thud_default_small_world_def. */
+typedef struct thud_parts thud_parts;
+
 typedef struct thud_world_def {
     thud_vec2 gravity;  /* length/s^2; default (0, -10) */
     double time_step;   /* s, (0, THUD_TIME_STEP_MAX]; default 1/60 */
@@ -132,7 +135,9 @@ typedef struct thud_world_def {
                         get larger cells. Default 0: chosen by the sizes of the shapes, which is
                         faster in nearly all worlds. Results are the same, bit for bit */
     thud_job_system job_system; /* default (all zero): the calling thread alone */
-    uint32_t cookie;            /* set by thud_default_world_def */
+    const thud_parts
+        *parts;      /* set by thud_default_world_def; null in thud_default_small_world_def */
+    uint32_t cookie; /* set by thud_default_world_def */
 } thud_world_def;
 
 /* The defaults, with quality thud_quality_default. */
@@ -140,6 +145,11 @@ THUD_API thud_world_def thud_default_world_def(void);
 /* The defaults with another quality. A program that only uses qualities without an island solver,
  * such as thud_quality_draft, and this call, does not link the island solver. */
 THUD_API thud_world_def thud_default_world_def_of(const thud_quality *quality);
+/* The same for small programs: what a world may do without is linked only where a call needs it.
+ * That is sensors. A thud_shape_def whose `sensor` is true is refused (THUD_ERROR_INVALID) until
+ * thud_shape_set_sensor has been called in the world, or a snapshot of one with sensors restored
+ * into it; both link sensors. All else is the same, bit for bit. */
+THUD_API thud_world_def thud_default_small_world_def(const thud_quality *quality);
 
 /* Creates a world, *out. THUD_ERROR_NULL for a null def or out, THUD_ERROR_INVALID for a def
  * without cookie or with a field out of range, THUD_ERROR_MEMORY; *out is then not written. */

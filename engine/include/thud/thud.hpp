@@ -102,6 +102,7 @@ using uv = thud_uv;
 using foot = thud_foot;
 using contact = thud_contact;
 using contact_settings = thud_contact_settings;
+using parts = thud_parts;
 using world_def = thud_world_def;
 using step_calls = thud_step_calls;
 using body_def = thud_body_def;
@@ -1473,6 +1474,10 @@ inline thud_world_def default_world_def() {
 
 inline thud_world_def default_world_def_of(in<thud_quality> quality) {
     return thud_default_world_def_of(quality.get());
+}
+
+inline thud_world_def default_small_world_def(in<thud_quality> quality) {
+    return thud_default_small_world_def(quality.get());
 }
 
 inline result<> world_ref::step() {

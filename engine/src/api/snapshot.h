@@ -93,7 +93,9 @@ enum {
     /* shifted by (constraint kind - TD_PAIR_COUNT): kinds of joint constraints */
     TD_SNAPSHOT_JOINT_KINDS = TD_SNAPSHOT_DETECTIONS << TD_RANK_COUNT,
     TD_SNAPSHOT_ALL_JOINTS =
-        TD_SNAPSHOT_JOINT_KINDS * ((1 << (TD_CONSTRAINT_KINDS - TD_PAIR_COUNT)) - 1)
+        TD_SNAPSHOT_JOINT_KINDS * ((1 << (TD_CONSTRAINT_KINDS - TD_PAIR_COUNT)) - 1),
+    /* no shape can be a sensor yet: thud_default_small_world_def */
+    TD_SNAPSHOT_NO_SENSORS = TD_SNAPSHOT_ALL_JOINTS + TD_SNAPSHOT_JOINT_KINDS
 };
 
 typedef struct td_snapshot_slots {

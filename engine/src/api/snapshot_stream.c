@@ -4,6 +4,8 @@
 #include "api/snapshot.h"
 
 #include "constraint/joint_hooks.h"
+#include "contact/sensors.h"
+#include "state/body.h"
 #include "state/kinds.h"
 
 #include <string.h>
@@ -133,6 +135,7 @@ static uint32_t layout_of_build(void) {
 /* td_snapshot_head.plugged of the world. */
 static uint32_t plugged_into(const thud_world *w) {
     uint32_t plugged = w->quality.islands ? TD_SNAPSHOT_ISLANDS : 0u;
+    plugged |= w->sensor_hooks ? 0u : TD_SNAPSHOT_NO_SENSORS;
     for (int kind = 0; kind < THUD_SHAPE_KIND_COUNT; kind++) {
         plugged |= w->kinds[KINDS[kind].own] ? 1u << kind : 0u;
     }
@@ -388,6 +391,8 @@ static void plug_in(thud_world *w, const td_snapshot_head *head) {
     memset(w->kinds, 0,
            TD_PAIR_COUNT *
                sizeof *w->kinds); /* those of joints stay: snapshot.c has checked them */
+    w->instances = NULL;
+    w->edit_apply = td_edit_apply; /* for edits that wait in the snapshot */
     w->internal_edges = NULL;
     w->ground = NULL;
     for (int kind = 0; kind < THUD_SHAPE_KIND_COUNT; kind++) {
@@ -467,4 +472,6 @@ void td_snapshot_read(thud_world *w, const td_snapshot_head *head, const char *f
     take_counts(w, head);
     serialize_all(&t, w, head);
     assert((uint64_t)(t.from - from) == td_snapshot_ruled_at(head));
+    bool none = head->plugged & TD_SNAPSHOT_NO_SENSORS && w->sensors == 0 && !w->def.parts;
+    w->sensor_hooks = none ? NULL : &td_sensor_stages;
 }

@@ -2,10 +2,11 @@
  * them one by one.
  *
  * Everything that can fail for want of memory comes first, and leaves every body as it was. From
- * ask_listeners on a step cannot fail. Textures, rules, listeners, joints, direct islands and
- * detection are plugged in by tables of functions that are null in worlds that do not use them. */
+ * ask_listeners on a step cannot fail. Textures, rules, listeners, joints, direct islands, sensors
+ * and detection are plugged in by tables of functions that are null in worlds that do not use them.
+ */
 #include "constraint/joint_hooks.h"
-#include "detection/sensing.h"
+#include "contact/sensors.h"
 #include "listeners/listener_hooks.h"
 #include "rules/rule_hooks.h"
 #include "solver/budget.h"
@@ -78,28 +79,10 @@ static void clear_detection(thud_world *w) {
     w->scratch.legs.count = w->scratch.first_legs.count = 0;
 }
 
-/* Reserves memory for sensors; sensed_room stays 0 in a world without them, so that sensors which a
- * callback makes in this step wait for the next one. False when memory is short. */
+/* Reserves memory for sensors. False when it is short. */
 static bool reserve_sensing(thud_world *w) {
-    const td_sensing *sensing = td_sensing_of(w);
     w->scratch.sensed_room = 0;
-    return w->sensors == 0 ||
-           (td_sensed_reserve(w) && td_sensors_reserve(w) && (!sensing || sensing->reserve(w)));
-}
-
-/* Makes the events of sensors: first for shapes that passed through a sensor within the step, then
- * for the poses at the end of the step. */
-static void test_sensors(thud_world *w) {
-    if (w->scratch.sensed_room == 0) {
-        return;
-    }
-    td_sensed_list(w);
-    const td_sensing *sensing = td_sensing_of(w);
-    if (sensing) {
-        sensing->pass(w);
-    }
-    td_sensed_pairs(w);
-    td_sensors_test(w);
+    return w->sensors == 0 || w->sensor_hooks->reserve(w);
 }
 
 /* Finds the islands that are solved directly. False when memory is short. */
@@ -192,7 +175,9 @@ static thud_result run_stages(thud_world *w) {
     clear_detection(w);
     detect(w, TD_AFTER_MOVING);
     record_time(w, THUD_STAGE_CONTINUOUS, &last);
-    test_sensors(w);
+    if (w->scratch.sensed_room > 0) {
+        w->sensor_hooks->test(w);
+    }
     tell_listeners(w);
     if (w->joint_hooks) {
         w->joint_hooks->break_up(w);

@@ -21,7 +21,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
-thud_world_def thud_default_world_def_of(const thud_quality *quality) {
+thud_world_def thud_default_small_world_def(const thud_quality *quality) {
     return (thud_world_def) {
         .gravity = {0.0f, -10.0f}, .time_step = 1.0 / 60.0, .length_scale = 1.0f,
         .quality = quality, .push_speed = 3.0f, .restitution_threshold = 1.0f, .hit_speed = 1.0f,
@@ -231,6 +231,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
     }
     w->def = *def;
     w->memory = memory;
+    w->sensor_hooks = def->parts ? def->parts->sensors : NULL;
     w->number = atomic_fetch_add(&made, 1u) + 1u;
     w->wide = has_avx2(def->cookie == TD_COOKIE_BASELINE);
     w->def.broadphase = def->broadphase ? def->broadphase : &thud_broadphase_grid;

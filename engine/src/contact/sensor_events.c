@@ -17,8 +17,7 @@ static void set_times(td_array *times, int first, float time) {
 /* The time within the step, 0 to 1, at which the pair began or ended to overlap: 1 unless a
  * detection that follows motions knows it. */
 static float time_of(const thud_world *w, const td_contact *contact, bool begins) {
-    const td_sensing *sensing = td_sensing_of(w);
-    return sensing ? sensing->when(w, contact->shape_a, contact->shape_b, begins) : 1.0f;
+    return td_sensing_of(w) ? td_sensing_time(w, contact->shape_a, contact->shape_b, begins) : 1.0f;
 }
 
 /* Begins a contact, and sets the time of the events that this adds: none, one or two. */

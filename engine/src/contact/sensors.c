@@ -13,7 +13,7 @@ bool td_sensor_overlaps(const thud_world *w, int shape_a, int shape_b) {
         return w->ground->overlap(w, a, &placed_b);
     }
     thud_geometry placed_a = td_shape_instance(w, a, origin);
-    return thud_geometry_overlap(&placed_a, &placed_b);
+    return w->instances->overlap(&placed_a, &placed_b);
 }
 
 /* Bounds of td_sensors_expect. EXPECTED_PAIRS_MIN is reserved in any world with sensors;

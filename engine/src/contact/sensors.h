@@ -9,6 +9,23 @@
 
 #include "contact/contact.h"
 
+/* The part of a step that only worlds with sensors need. A world has it by its def
+ * (thud_parts), or is given it by thud_shape_set_sensor or a snapshot, so that a program without
+ * sensors does not link it. */
+typedef struct td_sensor_hooks {
+    /* Reserves memory for a step of a world that has sensors, and sets scratch.sensed_room, which
+     * else is 0, so that sensors which a callback makes in a step wait for the next one. False when
+     * memory is short. */
+    bool (*reserve)(thud_world *w);
+    void (*note_held)(thud_world *w); /* td_sensing_note_held */
+    /* Makes the events of sensors: first for shapes that passed through a sensor within the step,
+     * then for the poses at the end of the step. */
+    void (*test)(thud_world *w);
+} td_sensor_hooks;
+
+/* api/sensor_stages.c */
+extern const td_sensor_hooks td_sensor_stages;
+
 /* Whether the two share a point at their present poses. One of them may be a terrain. */
 bool td_sensor_overlaps(const thud_world *w, int shape_a, int shape_b);
 

@@ -15,9 +15,9 @@
 #include "constraint/joint_hooks.h"
 #include "state/body.h"
 #include "contact/contact.h"
+#include "contact/sensors.h"
 #include "solver/error.h"
 #include "detection/detection.h"
-#include "detection/sensing.h"
 #include "detection/trajectory.h"
 #include "state/kinds.h"
 #include "geometry/shape_instance.h"
@@ -39,61 +39,12 @@ typedef struct sweep {
     td_body_index body;
     int shape;              /* of the body: the one that is set in `swept` */
     td_swept swept;         /* `placed` is the smaller shape, `core` the circle in its middle */
-    double shrink;          /* length by which the half extents of `placed` are smaller */
     sweep_hit last;         /* the latest hit that the prologue refused; time -1: none */
     sweep_hit next;         /* the first hit after `last` found so far; time 1: none */
     const td_array *shapes; /* int: static shapes near the path, and others */
     td_array *hits;         /* int: what a query finds, with memory for more */
     td_memory *memory;
 } sweep;
-
-/* The contact that the prologue is given: the shape at `time`, in its full size, against a static
- * one. */
-static thud_contact contact_view(const sweep *s, int other, double time) {
-    const thud_world *w = s->w;
-    bool ground = td_kind_is_line(td_shape_at(w, other)->kind);
-    td_position origin = ground ? td_shape_proxy_at(w, other)->center : s->swept.start;
-    thud_geometry shape = td_placed_at(&s->swept.placed, &s->swept.motion, time);
-    shape.x += (double)(s->swept.start.x - origin.x) / w->to_fixed;
-    shape.y += (double)(s->swept.start.y - origin.y) / w->to_fixed;
-    shape.hx += s->shrink;
-    shape.hy = td_kind_grown_hy(shape.kind, shape.hy, s->shrink);
-    thud_closest c;
-    if (ground) {
-        c = w->ground->below(w, other, &shape);
-    } else {
-        thud_geometry b = td_shape_instance(w, other, origin);
-        td_closest(&b, &shape, &c);
-    }
-    td_position at = {origin.x + td_round64(0.5 * (c.ax + c.bx) * w->to_fixed),
-                      origin.y + td_round64(0.5 * (c.ay + c.by) * w->to_fixed)};
-    return td_contact_between(w, other, s->shape, at, (thud_vec2){(float)c.nx, (float)c.ny},
-                              c.distance);
-}
-
-/* Whether the prologue refuses the contact, so that the body passes through the static shape. For
- * pairs that touched at the start of the step it has been called already; the flag of their
- * contacts tells. A callback may create bodies and make queries, so that pointers into arrays of
- * the world are invalid afterwards. */
-static bool is_vetoed(const sweep *s, int other, double time) {
-    thud_world *w = s->w;
-    bool asked = false, vetoed = true;
-    int e = td_surface_asks(w) ? td_body_at(w, s->body)->first_constraint : TD_NONE;
-    for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *contact = td_constraint_at(w, td_edge_constraint(e));
-        if (contact->state == TD_TOUCHING && contact->shape_a == other &&
-            contact->shape_b == s->shape) {
-            asked = true;
-            vetoed &= contact->vetoed;
-        }
-    }
-    if (asked || !td_surface_asks(w)) {
-        return asked && vetoed;
-    }
-    thud_contact seen = contact_view(s, other, time);
-    thud_contact_settings settings = td_surface_of_impact(w, &seen);
-    return !td_surface_meet(w, &seen, &settings);
-}
 
 /* Whether hit a comes before hit b: by time, then by shapes. */
 static bool is_sooner(const sweep_hit *a, const sweep_hit *b) {
@@ -108,7 +59,7 @@ static void record_hit(sweep *s, int other, const td_swept_hit *hit) {
     const thud_motion *m = &s->swept.motion;
     double time = hit->time;
     if (!hit->inside) {
-        time -= s->shrink / __builtin_sqrt(m->dx * m->dx + m->dy * m->dy);
+        time -= s->swept.shrink / __builtin_sqrt(m->dx * m->dx + m->dy * m->dy);
         time = time > 0.0 ? time : 0.0;
     }
     sweep_hit met = {time, (int64_t)s->shape << 32 | other};
@@ -135,12 +86,13 @@ static void sweep_against_shape(sweep *s, int other) {
         return;
     }
     const td_swept *swept = &s->swept;
+    const td_instance_ops *instances = s->w->instances;
     thud_motion motion = swept->motion, still = {0.0, 0.0, 0.0};
     thud_geometry b = td_shape_instance(s->w, other, swept->start);
-    td_swept_hit hit = {thud_geometry_overlap(&swept->placed, &b), false, 1.0};
+    td_swept_hit hit = {instances->overlap(&swept->placed, &b), false, 1.0};
     motion.turn = hit.inside ? 0.0 : motion.turn;
-    thud_geometry_time_of_impact(hit.inside ? &swept->core : &swept->placed, motion, &b, still, 0.0,
-                                 &hit.hit, &hit.time);
+    instances->time_of_impact(hit.inside ? &swept->core : &swept->placed, motion, &b, still, 0.0,
+                              &hit.hit, &hit.time);
     record_hit(s, other, &hit);
 }
 
@@ -177,7 +129,7 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
     float shrink = td_min_float(2.0f * TD_SLOP * w->length_scale, 0.25f * half_thickness);
     bool turns = td_kind_turns(shape->kind);
     s->shape = index;
-    s->shrink = (double)shrink;
+    s->swept.shrink = (double)shrink;
     s->swept.placed =
         (thud_geometry){.kind = (thud_shape_kind)shape->kind,
                         .x = (double)(c * arm_x - sine * arm_y),
@@ -254,20 +206,10 @@ static void find_next_hit(sweep *s, int first, float c, float sine) {
     }
 }
 
-/* The pose at the start of the step, from that at the end and the motion. */
-static td_pose start_pose(const thud_world *w, td_awake_slot slot) {
-    td_pose pose = *td_pose_at(w, td_body_of(w, slot));
-    const float *delta = td_row(&w->delta, slot);
-    pose.center.x -= td_length_from(w, delta[0]);
-    pose.center.y -= td_length_from(w, delta[1]);
-    pose.angle -= td_angle_between((double)delta[2]);
-    return pose;
-}
-
 void td_hold_at(thud_world *w, td_awake_slot slot, double time) {
     double remaining = 1.0 - time;
     td_body_index body = td_body_of(w, slot);
-    td_pose pose = start_pose(w, slot);
+    td_pose pose = td_start_pose(w, slot);
     float *delta = td_row(&w->delta, slot), *velocity = td_row(&w->velocity, slot);
     const float *substep_gain = td_row(&w->substep_gain, slot);
     float x = (float)remaining * delta[0], y = (float)remaining * delta[1];
@@ -297,7 +239,7 @@ static inline bool begin_sweep(sweep *s, const td_pose *start) {
 }
 
 bool td_fast_meets(thud_world *w, td_awake_slot slot, td_array *hits, td_memory *memory) {
-    td_pose start = start_pose(w, slot);
+    td_pose start = td_start_pose(w, slot);
     sweep s = {.w = w, .slot = slot, .hits = hits, .memory = memory};
     const td_body *body = td_body_at(w, td_body_of(w, slot));
     return body->detection->rank == TD_RANK_CONTINUOUS && begin_sweep(&s, &start);
@@ -316,7 +258,7 @@ void td_fast_fetch(const thud_world *w, int i) {
  * order of time, whatever the order of the broadphase, and not for hits after the one that stops
  * the body. Bodies that joints tie to it go back to the same time. */
 static void stop_at_first_hit(thud_world *w, td_awake_slot slot) {
-    td_pose start = start_pose(w, slot);
+    td_pose start = td_start_pose(w, slot);
     sweep s = {.w = w,
                .slot = slot,
                .next = {.time = -1.0},
@@ -331,31 +273,12 @@ static void stop_at_first_hit(thud_world *w, td_awake_slot slot) {
     do {
         s.last = s.next;
         find_next_hit(&s, first, c, sine);
-    } while (s.next.time < 1.0 && is_vetoed(&s, (int)s.next.pair, s.next.time));
+    } while (s.next.time < 1.0 && w->sweep_is_vetoed &&
+             w->sweep_is_vetoed(w, &s.swept, s.shape, (int)s.next.pair, s.next.time));
     if (s.next.time < 1.0) {
         td_hold_at(w, slot, s.next.time);
         if (w->joint_hooks) {
             w->joint_hooks->hold_back(w, slot, s.next.time);
-        }
-    }
-}
-
-/* Appends a leg for sensors (sensing.c) for each body that was held: at the velocity that it had,
- * from the start of the step to the time at which it stopped, as all holds of the body together
- * leave it. */
-static void append_held_legs(thud_world *w) {
-    for (td_awake_slot slot = {1}; slot.at < w->scratch.held_at.count; slot.at++) {
-        double end = *TD_AT(double, &w->scratch.held_at, slot.at);
-        if (end < 1.0 && end > 0.0) {
-            td_pose start = start_pose(w, slot);
-            const float *delta = td_row(&w->delta, slot);
-            td_trajectory trajectory = {.place = start.center,
-                                        .angle = start.angle,
-                                        .body = td_body_of(w, slot)};
-            for (int k = 0; k < 3; k++) {
-                trajectory.motion[k] = (double)delta[k] / end;
-            }
-            td_leg_note(w, &trajectory, end);
         }
     }
 }
@@ -385,7 +308,7 @@ static void run(thud_world *w) {
     if (w->stats.held_bodies) {
         td_errors_resum_kinetic(w);
         if (w->scratch.sensed_room > 0) {
-            append_held_legs(w);
+            w->sensor_hooks->note_held(w);
         }
     }
 }
@@ -396,4 +319,4 @@ const td_detection_stage td_stage_continuous = {.reserve = reserve,
 const thud_detection thud_detection_continuous = {.name = "continuous",
                                                   .rank = TD_RANK_CONTINUOUS,
                                                   .stage = &td_stage_continuous,
-                                                  .sensing = &td_sensing_at_rest};
+                                                  .senses = true};

@@ -46,4 +46,5 @@ const thud_detection thud_detection_bisect = {.name = "bisect",
                                               .stage = &td_stage_impacts,
                                               .time_of_impact = time_of_impact,
                                               .islands = &thud_islands_direct,
-                                              .sensing = &td_sensing_on_ways};
+                                              .senses = true,
+                                              .sense_awake = td_sensing_test_awake};

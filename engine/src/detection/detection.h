@@ -67,8 +67,6 @@ bool td_fast_meets(struct thud_world *w, td_awake_slot slot, td_array *hits, td_
 /* Prefetches what td_fast_meets reads of bodies after the one at index i of scratch.fast. */
 void td_fast_fetch(const struct thud_world *w, int i);
 
-struct td_sensing;
-
 struct thud_detection {
     const char *name;
     int rank; /* TD_RANK_...; in a pair of moving bodies the higher rank decides */
@@ -78,7 +76,10 @@ struct thud_detection {
      * (td_quality_apply). With one, every island without joints is solved directly
      * (direct/direct_islands.c). */
     const struct thud_island_solver *islands;
-    const struct td_sensing *sensing; /* null: sensors go by poses at the end of the step only */
+    bool senses; /* sensors find what passes them within a step (sensing.c); else they go by poses
+                    at the end of the step only */
+    /* The same for a fast body against awake bodies; null: against resting ones only. */
+    void (*sense_awake)(struct thud_world *w, td_awake_slot slot);
 };
 
 #endif

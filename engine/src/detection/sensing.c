@@ -105,7 +105,7 @@ static bool first_overlap(const thud_world *w, const shape_pair *c, double from,
         w->ground->time_of_impact(w, c->a, &b.at, b.motion, &hit, time);
     } else {
         moving_shape a = moving_shape_of(w, c->a, from, to, c->origin);
-        thud_geometry_time_of_impact(&a.at, a.motion, &b.at, b.motion, 0.0, &hit, time);
+        w->instances->time_of_impact(&a.at, a.motion, &b.at, b.motion, 0.0, &hit, time);
     }
     return hit;
 }
@@ -274,18 +274,32 @@ bool td_sensing_reserve(thud_world *w) {
                             3 * w->rest_shapes.ids.count + 4 * TD_LANES);
 }
 
-void td_sensing_find_passed(thud_world *w) {
-    void (*test_awake)(thud_world *, td_awake_slot) = td_sensing_of(w)->test_awake;
-    link_legs(w);
-    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
-        if (td_sensing_is_fast(w, slot)) {
-            test_all_resting(w, slot);
-            if (test_awake) {
-                test_awake(w, slot);
+void td_sensing_note_held(thud_world *w) {
+    for (td_awake_slot slot = {1}; slot.at < w->scratch.held_at.count; slot.at++) {
+        double end = *TD_AT(double, &w->scratch.held_at, slot.at);
+        if (end < 1.0 && end > 0.0) {
+            td_pose start = td_start_pose(w, slot);
+            const float *delta = td_row(&w->delta, slot);
+            td_trajectory trajectory = {.place = start.center,
+                                        .angle = start.angle,
+                                        .body = td_body_of(w, slot)};
+            for (int k = 0; k < 3; k++) {
+                trajectory.motion[k] = (double)delta[k] / end;
             }
+            td_leg_note(w, &trajectory, end);
         }
     }
 }
 
-const td_sensing td_sensing_at_rest = {td_sensing_reserve, td_sensing_find_passed, td_sensing_time,
-                                       NULL};
+void td_sensing_find_passed(thud_world *w) {
+    void (*sense_awake)(thud_world *, td_awake_slot) = td_sensing_of(w)->sense_awake;
+    link_legs(w);
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
+        if (td_sensing_is_fast(w, slot)) {
+            test_all_resting(w, slot);
+            if (sense_awake) {
+                sense_awake(w, slot);
+            }
+        }
+    }
+}

@@ -1,31 +1,24 @@
 /* sensing.h: overlaps of sensors on the paths of bodies within a step. Detections that test paths
  * provide it; in a world without them sensors report overlap by the poses at the end of the step
- * only. Called by api/step.c after detection, and by contact/sensor_events.c. */
+ * only. Called by api/sensor_stages.c after detection, and by contact/sensor_events.c. */
 #ifndef TD_SENSING_H
 #define TD_SENSING_H
 
 #include "state/world.h"
 
-typedef struct td_sensing {
-    /* Reserves memory for a step; false: out of memory. */
-    bool (*reserve)(thud_world *w);
-    /* Reports pairs that began and ended to overlap within the step, of fast bodies. */
-    void (*pass)(thud_world *w);
-    /* The time in the step, in [0, 1], at which the shapes began to overlap, or ended to; 1 where
-     * the detection of the pair does not test its paths. */
-    float (*when)(const thud_world *w, int shape_a, int shape_b, bool begins);
-    /* Reports the same for a fast body against awake bodies; null: against resting ones only. */
-    void (*test_awake)(thud_world *w, td_awake_slot slot);
-} td_sensing;
-
-/* For detections that test paths against sensors of static bodies only (continuous.c), and against
- * all. */
-extern const td_sensing td_sensing_at_rest, td_sensing_on_ways;
-
-/* see the fields of td_sensing */
+/* Reserves memory for a step; false: out of memory. */
 bool td_sensing_reserve(thud_world *w);
+/* Appends a leg to the path of each body that continuous.c held: at the velocity that it had, from
+ * the start of the step to the time at which it stopped, as all holds of the body together leave
+ * it. */
+void td_sensing_note_held(thud_world *w);
+/* Reports pairs that began and ended to overlap within the step, of fast bodies. */
 void td_sensing_find_passed(thud_world *w);
+/* The time in the step, in [0, 1], at which the shapes began to overlap, or ended to; 1 where the
+ * detection of the pair does not test its paths. */
 float td_sensing_time(const thud_world *w, int shape_a, int shape_b, bool begins);
+/* sensing_awake.c: reports the pairs of a fast body with awake bodies. */
+void td_sensing_test_awake(thud_world *w, td_awake_slot slot);
 /* Reports the pair if one is a sensor and the two overlapped on their paths, but not at the start
  * and the end of the step. */
 void td_sensing_test_pair(thud_world *w, int shape_a, int shape_b);
@@ -35,12 +28,12 @@ bool td_sensing_is_straight(const thud_world *w, td_awake_slot slot);
  */
 bool td_sensing_is_fast(const thud_world *w, td_awake_slot slot);
 
-/* The td_sensing of the highest detection in use, which tests the most pairs; null where no
- * detection has one. */
-static inline const td_sensing *td_sensing_of(const thud_world *w) {
-    const td_sensing *found = NULL;
+/* The highest detection in use that tests paths against sensors, which tests the most pairs; null
+ * where none does. */
+static inline const thud_detection *td_sensing_of(const thud_world *w) {
+    const thud_detection *found = NULL;
     for (int rank = TD_RANK_COUNT - 1; rank >= 0 && !found; rank--) {
-        found = w->detections[rank] ? w->detections[rank]->sensing : NULL;
+        found = w->detections[rank] && w->detections[rank]->senses ? w->detections[rank] : NULL;
     }
     return found;
 }

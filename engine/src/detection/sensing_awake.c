@@ -49,7 +49,7 @@ static bool has_sensor(const thud_world *w, td_awake_slot slot) {
 
 /* Tests a fast body against awake bodies: against all if it has a sensor, else against those with
  * sensors. */
-static void test_awake(thud_world *w, td_awake_slot slot) {
+void td_sensing_test_awake(thud_world *w, td_awake_slot slot) {
     const td_array *sensing = &w->scratch.sensing;
     if (sensing->count > 0 && has_sensor(w, slot)) {
         for (td_awake_slot other = {1}; other.at < w->body_of.count; other.at++) {
@@ -61,6 +61,3 @@ static void test_awake(thud_world *w, td_awake_slot slot) {
         test_bodies(w, slot, td_slot_in(sensing, i));
     }
 }
-
-const td_sensing td_sensing_on_ways = {td_sensing_reserve, td_sensing_find_passed, td_sensing_time,
-                                       test_awake};

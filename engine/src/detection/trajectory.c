@@ -71,6 +71,15 @@ static double path_along(const td_trajectory *f, int axis, double time) {
     return (f->motion[axis] + 0.5 * f->fall[axis] * part) * part;
 }
 
+td_pose td_start_pose(const thud_world *w, td_awake_slot slot) {
+    td_pose pose = *td_pose_at(w, td_body_of(w, slot));
+    const float *delta = td_row(&w->delta, slot);
+    pose.center.x -= td_length_from(w, delta[0]);
+    pose.center.y -= td_length_from(w, delta[1]);
+    pose.angle -= td_angle_between((double)delta[2]);
+    return pose;
+}
+
 void td_leg_note(thud_world *w, const td_trajectory *trajectory, double end) {
     td_array *legs = &w->scratch.legs;
     if (w->scratch.sensed_room > 0 && end > trajectory->since &&

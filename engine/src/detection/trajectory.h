@@ -147,6 +147,9 @@ td_trajectory td_trajectory_of(const thud_world *w, td_body_index body);
  * Where memory is short it is not kept, and sensors take the path as straight. */
 void td_leg_note(thud_world *w, const td_trajectory *trajectory, double end);
 
+/* The pose of an awake body at the start of the step, from that at the end and the motion. */
+td_pose td_start_pose(const thud_world *w, td_awake_slot slot);
+
 /* Reserves memory for td_held_count; false: out of memory. */
 bool td_held_reserve(thud_world *w);
 /* Counts a body that stops at the share `time`, in [0, 1], of the motion that is left to it, in

@@ -3,6 +3,7 @@
 #include "thud/thud_edits.h"
 
 #include "contact/internal_edges.h"
+#include "contact/sensors.h"
 #include "edits/edit.h"
 #include "state/body.h"
 #include "state/handles.h"
@@ -51,6 +52,7 @@ thud_result thud_shape_set_sensor(thud_world *w, thud_shape_id id, bool sensor) 
     td_edit_end_contacts(w, shape->body, index, true);
     int kind = td_body_at(w, shape->body)->kind;
     shape->flags ^= TD_SHAPE_SENSOR;
+    w->sensor_hooks = &td_sensor_stages;
     w->sensors += sensor ? 1 : -1;
     w->mobile_sensors += kind == THUD_BODY_DYNAMIC ? (sensor ? 1 : -1) : 0;
     if (kind != THUD_BODY_STATIC) { /* those of the body's other shapes follow with the change */

@@ -11,25 +11,12 @@ thud_result thud_geometry_check(const thud_geometry *p) {
         return THUD_ERROR_NULL;
     }
     bool circle = td_kind_is_round(p->kind), kind = td_kind_has_instances(p->kind);
-    bool place = td_abs(p->x) <= THUD_COORDINATE_MAX && td_abs(p->y) <= THUD_COORDINATE_MAX;
-    bool size = p->hx > 0.0 && p->hx <= THUD_COORDINATE_MAX &&
-                (circle || (p->hy > 0.0 && p->hy <= THUD_COORDINATE_MAX));
+    bool height = circle || (p->hy > 0.0 && p->hy <= THUD_COORDINATE_MAX);
     bool turned = td_abs(p->c * p->c + p->s * p->s - 1.0) < THUD_UNIT_ERROR;
     bool upright = td_kind_turns(p->kind) || (p->c == 1.0 && p->s == 0.0) || circle;
-    return kind && place && size && (circle || turned) && upright ? THUD_OK : THUD_ERROR_INVALID;
-}
-
-/* Two circles. Where the centres coincide, the normal is (0, 1). */
-static void circle_circle(const thud_geometry *a, const thud_geometry *b, thud_closest *out) {
-    double dx = b->x - a->x, dy = b->y - a->y;
-    double length = __builtin_sqrt(dx * dx + dy * dy);
-    out->nx = length > 0.0 ? dx / length : 0.0;
-    out->ny = length > 0.0 ? dy / length : 1.0;
-    out->distance = length - a->hx - b->hx;
-    out->ax = a->x + out->nx * a->hx;
-    out->ay = a->y + out->ny * a->hx;
-    out->bx = b->x - out->nx * b->hx;
-    out->by = b->y - out->ny * b->hx;
+    return kind && td_circle_valid(p) && height && (circle || turned) && upright
+               ? THUD_OK
+               : THUD_ERROR_INVALID;
 }
 
 /* A box and a circle. If the centre is outside of the box, the closest point is its projection onto
@@ -186,7 +173,7 @@ void td_closest(const thud_geometry *a, const thud_geometry *b, thud_closest *ou
     switch (a->kind) {
     case THUD_SHAPE_CIRCLE:
         if (td_kind_is_round(b->kind)) {
-            circle_circle(a, b, out);
+            td_circles_closest(a, b, out);
         } else {
             box_circle(b, a, out);
             flip(out);

@@ -198,31 +198,6 @@ bool td_minkowski_contains(const thud_minkowski *sum, double x, double y) {
     return td_minkowski_distance(sum, x, y, &nx, &ny) <= 0.0;
 }
 
-/* Finds where a moving point enters the circle about a vertex, from outside. */
-static bool enter_circle(thud_pos centre, double radius, double x, double y, double dx, double dy,
-                         double *fraction, double *nx, double *ny) {
-    double ox = x - centre.x, oy = y - centre.y, length = __builtin_sqrt(dx * dx + dy * dy);
-    if (!(length > 0.0) || ox * ox + oy * oy < radius * radius) {
-        return false;
-    }
-    double ux = dx / length, uy = dy / length;
-    double ahead = -(ox * ux + oy * uy);
-    /* Uses the distance from the centre to the line: the discriminant of a quadratic equation would
-     * suffer cancellation for points that start far away. */
-    double side = ux * oy - uy * ox, root = radius * radius - side * side;
-    if (!(ahead > 0.0 && root >= 0.0)) {
-        return false;
-    }
-    double half_chord = __builtin_sqrt(root), enter = ahead - half_chord;
-    if (enter > length) {
-        return false;
-    }
-    *fraction = enter > 0.0 ? enter / length : 0.0;
-    *nx = -(uy * side + ux * half_chord) / radius;
-    *ny = (ux * side - uy * half_chord) / radius;
-    return true;
-}
-
 /* Clipping of the path against the faces, grown by the radius (Cyrus and Beck, "Generalized two-
  * and three-dimensional clipping", 1978): among the faces of which the point starts outside, it
  * enters through the one that it crosses last, if it is then inside of all other faces. The grown
@@ -231,7 +206,7 @@ static bool enter_circle(thud_pos centre, double radius, double x, double y, dou
 bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx, double dy,
                         double *fraction, double *nx, double *ny) {
     if (sum->count == 1) {
-        return enter_circle(sum->vertices[0], sum->radius, x, y, dx, dy, fraction, nx, ny);
+        return td_circle_enter(sum->vertices[0], sum->radius, x, y, dx, dy, fraction, nx, ny);
     }
     int faces = sum->count / 2, face = TD_NONE;
     double at[THUD_MINKOWSKI_VERTICES_MAX / 2], rate[THUD_MINKOWSKI_VERTICES_MAX / 2], enter = 0.0,
@@ -259,7 +234,7 @@ bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx
             return false;
         }
         thud_pos vertex = sum->vertices[nearest_vertex(sum, x, y)];
-        return enter_circle(vertex, sum->radius, x, y, dx, dy, fraction, nx, ny);
+        return td_circle_enter(vertex, sum->radius, x, y, dx, dy, fraction, nx, ny);
     }
     /* Only faces towards which the point moves are tested: a face that is almost parallel to the
      * one through which it enters must not reject it because of a rounding error. */
@@ -276,8 +251,8 @@ bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx
     double rounding = 1e-15 * (td_abs(px) + td_abs(py) + td_abs(x) + td_abs(y));
     if (corner != 0 && td_minkowski_distance(sum, px, py, &u, &v) > rounding) {
         int vertex = face + (corner > 0) + (side < 0.0 ? faces : 0);
-        return enter_circle(sum->vertices[vertex % sum->count], sum->radius, x, y, dx, dy, fraction,
-                            nx, ny);
+        return td_circle_enter(sum->vertices[vertex % sum->count], sum->radius, x, y, dx, dy,
+                               fraction, nx, ny);
     }
     *fraction = enter;
     *nx = side * sum->normals[face].x;

@@ -82,6 +82,35 @@ static inline bool td_target_valid(double target) {
 /* The instance at a time of its motion, 0 to 1. */
 thud_geometry td_placed_at(const thud_geometry *shape, const thud_motion *motion, double time);
 
+/* Whether a shape's place and first half extent are in range; all that thud_geometry_check tests of
+ * a circle. */
+static inline bool td_circle_valid(const thud_geometry *p) {
+    return td_abs(p->x) <= THUD_COORDINATE_MAX && td_abs(p->y) <= THUD_COORDINATE_MAX &&
+           p->hx > 0.0 && p->hx <= THUD_COORDINATE_MAX;
+}
+
+/* circles.c: the closest points of two circles. Where the centres coincide, the normal is (0, 1).
+ */
+void td_circles_closest(const thud_geometry *a, const thud_geometry *b, thud_closest *out);
+/* circles.c: finds where a point that moves by (dx, dy) enters a circle, from outside: the fraction
+ * of the motion, and the outward normal. False where it does not. */
+bool td_circle_enter(thud_pos centre, double radius, double x, double y, double dx, double dy,
+                     double *fraction, double *nx, double *ny);
+
+/* Geometry of two shapes, which a world gets with its kinds of shapes (state/kinds.h): the table of
+ * circles, and with the first box that of all kinds. Both give circles the same bits. */
+typedef struct td_instance_ops {
+    /* As thud_geometry_overlap, thud_geometry_time_of_impact and td_closest. */
+    bool (*overlap)(const thud_geometry *a, const thud_geometry *b);
+    thud_result (*time_of_impact)(const thud_geometry *a, thud_motion motion_a,
+                                  const thud_geometry *b, thud_motion motion_b, double target,
+                                  bool *hit, double *time);
+    void (*closest)(const thud_geometry *a, const thud_geometry *b, thud_closest *out);
+} td_instance_ops;
+
+extern const td_instance_ops td_circle_instances; /* circles.c */
+extern const td_instance_ops td_all_instances;    /* toi.c */
+
 /* closest.c: as thud_geometry_closest, for valid shapes (not checked again); boxes may have hy =
  * 0. */
 void td_closest(const thud_geometry *a, const thud_geometry *b, thud_closest *out);

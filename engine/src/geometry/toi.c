@@ -227,3 +227,6 @@ thud_result thud_geometry_time_of_impact(const thud_geometry *a, thud_motion mot
     td_time_of_impact(a, motion_a, b, motion_b, target, out_hit, out_time);
     return THUD_OK;
 }
+
+const td_instance_ops td_all_instances = {thud_geometry_overlap, thud_geometry_time_of_impact,
+                                          td_closest};

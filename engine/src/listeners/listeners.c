@@ -13,6 +13,7 @@
 #include "listeners/seen.h"
 #include "state/body.h"
 #include "state/handles.h"
+#include "state/shape.h"
 #include "state/surface.h"
 
 #include <string.h>
@@ -375,6 +376,7 @@ bool td_listeners_make(thud_world *w) {
         w->listeners->contacts.stride = (int)sizeof(thud_contact);
         w->listeners->answers.stride = (int)sizeof(thud_contact_answer);
         w->listener_hooks = &HOOKS;
+        w->sweep_is_vetoed = td_sweep_is_vetoed;
     }
     return true;
 }

@@ -6,6 +6,7 @@
 #include "edits/edit.h"
 #include "state/body.h"
 #include "state/handles.h"
+#include "state/shape.h"
 #include "state/surface.h"
 
 /* NaN: the pair keeps the value of its shapes. */
@@ -99,6 +100,7 @@ static bool make_rules(thud_world *w) {
         if (w->rules) {
             w->rules->impulses.stride = (int)sizeof(thud_impulse_event);
             w->rule_hooks = &HOOKS;
+            w->sweep_is_vetoed = td_sweep_is_vetoed;
         }
     }
     return w->rules != NULL;

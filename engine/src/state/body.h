@@ -63,17 +63,6 @@ static inline float *td_body_velocity(const thud_world *w, const td_body *body) 
 
 /* ---- edits deferred by callbacks ---- */
 
-/* td_deferred_edit.what, and its four values. */
-typedef enum td_deferred_kind {
-    TD_PUT_TRANSFORM, /* x, y, angle */
-    TD_PUT_VELOCITY,  /* x, y, angular */
-    TD_PUT_IMPULSE,   /* x, y; x, y of the point */
-    TD_PUT_FORCE,     /* x, y, torque */
-    TD_PUT_AWAKE,     /* not 0: wakes; 0: sleeps */
-    TD_PUT_ENABLED,   /* not 0: enabled */
-    TD_PUT_SHAPE /* index of a shape made in a callback: from now on it has mass and contacts */
-} td_deferred_kind;
-
 /* Inside a callback, makes room for `count` more deferred edits; outside, does nothing. False when
  * memory is short. */
 bool td_deferred_reserve(thud_world *w, int count);
@@ -84,6 +73,10 @@ void td_deferred_add(thud_world *w, td_body_index body, td_deferred_kind what,
 /* Applies a force at the centre of mass and a torque through the next step, after their checks; the
  * caller is in the world's own floating-point mode. */
 thud_result td_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 force, float torque);
+
+/* Applies an edit but TD_PUT_SHAPE now. A world is given it with its first deferred edit, as
+ * edit_apply, so that a program that never edits a body does not link it. */
+void td_edit_apply(thud_world *w, td_body_index body, td_deferred_kind what, const double value[4]);
 
 /* Applies the deferred edits in the order in which they were made. Those of destroyed bodies are
  * dropped; forces wait until a step has begun. */

@@ -67,22 +67,21 @@ static void set_enabled(thud_world *w, td_body_index index, const double v[4]) {
     }
 }
 
-static void put_shape(thud_world *w, td_body_index index, const double v[4]) {
-    td_shape_at(w, (int)v[0])->flags &= (uint8_t)~TD_SHAPE_WAITS;
-    if (td_body_at(w, index)->kind != THUD_BODY_STATIC) {
-        td_body_weigh(w, index);
+/* A quarantined body gets none. */
+void td_edit_apply(thud_world *w, td_body_index index, td_deferred_kind what, const double v[4]) {
+    static void (*const EDITS[])(thud_world *, td_body_index,
+                                 const double[4]) = {set_transform, set_velocity, add_impulse,
+                                                     add_force,     set_awake,    set_enabled};
+    if (!(td_body_at(w, index)->flags & TD_BODY_QUARANTINED)) {
+        EDITS[what](w, index, v);
     }
 }
 
-/* Applies an edit now. A quarantined body gets none but new shapes. */
-static void apply_edit(thud_world *w, td_body_index index, td_deferred_kind what,
-                       const double v[4]) {
-    static void (*const EDITS[])(thud_world *, td_body_index,
-                                 const double[4]) = {set_transform, set_velocity, add_impulse,
-                                                     add_force,     set_awake,    set_enabled,
-                                                     put_shape};
-    if (what == TD_PUT_SHAPE || !(td_body_at(w, index)->flags & TD_BODY_QUARANTINED)) {
-        EDITS[what](w, index, v);
+/* A shape that a callback has made takes part from now on; of a quarantined body, too. */
+static void put_shape(thud_world *w, td_body_index index, int shape) {
+    td_shape_at(w, shape)->flags &= (uint8_t)~TD_SHAPE_WAITS;
+    if (td_body_at(w, index)->kind != THUD_BODY_STATIC) {
+        td_body_weigh(w, index);
     }
 }
 
@@ -98,11 +97,13 @@ void td_deferred_apply(thud_world *w) {
         /* A force deferred by a callback acts for one whole step. Applied before the step has
          * begun, it would be taken for one made between two calls of thud_world_advance, which acts
          * for the elapsed time; so it stays deferred, and only wakes the body. */
-        if (edit.what == TD_PUT_FORCE && !w->locked) {
-            apply_edit(w, edit.body, TD_PUT_AWAKE, (double[4]){1.0});
+        if (edit.what == TD_PUT_SHAPE) {
+            put_shape(w, edit.body, (int)edit.value[0]);
+        } else if (edit.what == TD_PUT_FORCE && !w->locked) {
+            w->edit_apply(w, edit.body, TD_PUT_AWAKE, (double[4]){1.0});
             *TD_AT(td_deferred_edit, &w->deferred, kept_count++) = edit;
         } else {
-            apply_edit(w, edit.body, (td_deferred_kind)edit.what, edit.value);
+            w->edit_apply(w, edit.body, (td_deferred_kind)edit.what, edit.value);
         }
     }
     w->deferred.count = kept_count;
@@ -135,12 +136,13 @@ bool td_deferred_turns(const thud_world *w, td_body_index index) {
 static thud_result apply_or_defer(thud_world *w, td_body_index index, td_deferred_kind what,
                                   const double v[4]) {
     if (!w->locked) {
-        apply_edit(w, index, what, v);
+        td_edit_apply(w, index, what, v);
         return THUD_OK;
     }
     if (!td_deferred_reserve(w, 1)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "body edit: out of memory");
     }
+    w->edit_apply = td_edit_apply;
     td_deferred_add(w, index, what, v);
     return THUD_OK;
 }

@@ -4,4 +4,5 @@
 
 void td_kind_circle(thud_world *w) {
     TD_CIRCLE_PAIRS(TD_PLUG_PAIR)
+    w->instances = w->instances ? w->instances : &td_circle_instances;
 }

@@ -7,4 +7,5 @@ void td_kind_obb(thud_world *w) {
     TD_OBB_PAIRS(TD_PLUG_PAIR)
     TD_BOX_CIRCLE_PAIRS(TD_PLUG_PAIR)
     w->internal_edges = &td_internal_edges;
+    w->instances = &td_all_instances;
 }

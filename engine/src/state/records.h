@@ -263,11 +263,22 @@ typedef enum td_change_kind {
     TD_CHANGE_ENABLE = 64 /* enabled or disabled */
 } td_change_kind;
 
+/* td_deferred_edit.what, and its four values. */
+typedef enum td_deferred_kind {
+    TD_PUT_TRANSFORM, /* x, y, angle */
+    TD_PUT_VELOCITY,  /* x, y, angular */
+    TD_PUT_IMPULSE,   /* x, y; x, y of the point */
+    TD_PUT_FORCE,     /* x, y, torque */
+    TD_PUT_AWAKE,     /* not 0: wakes; 0: sleeps */
+    TD_PUT_ENABLED,   /* not 0: enabled */
+    TD_PUT_SHAPE /* index of a shape made in a callback: from now on it has mass and contacts */
+} td_deferred_kind;
+
 /* An edit made inside a callback, which takes effect at the start of the next step. */
 typedef struct td_deferred_edit {
     td_body_index body;
     uint32_t generation;
-    int32_t what; /* td_deferred_kind in body.h */
+    int32_t what; /* td_deferred_kind */
     double value[4];
 } td_deferred_edit;
 

@@ -75,10 +75,15 @@ typedef struct td_swept {
     thud_geometry placed;
     thud_geometry core; /* the part that is swept, without rotation, where `placed` overlaps
                                  at the start */
+    double shrink; /* length by which the half extents of `placed` are smaller than the shape's */
     thud_motion motion;
     td_bounds bounds; /* of the whole motion */
     bool far;         /* the motion is too long for bounds: ignore them */
 } td_swept;
+
+/* sweep_veto.c: whether rules or the prologue refuse the contact of a swept shape with a static
+ * one, so that the shape passes through it. A world has it in sweep_is_vetoed. */
+bool td_sweep_is_vetoed(thud_world *w, const td_swept *swept, int shape, int other, double time);
 
 /* The result of a sweep. */
 typedef struct td_swept_hit {

@@ -17,6 +17,13 @@
 #include "state/scratch.h"
 #include "thud/thud.h"
 
+struct td_swept; /* shape.h */
+
+/* What a world has from the start, of what it may do without: thud_world_def.parts. */
+struct thud_parts {
+    const struct td_sensor_hooks *sensors; /* contact/sensors.h */
+};
+
 /* Copies of the proxies that pending edits will give to shapes: preview.h. */
 typedef struct td_preview {
     td_array shape; /* int: the shapes that have a copy */
@@ -33,6 +40,7 @@ struct thud_world {
     uint32_t number;  /* distinguishes the handles of worlds: td_tag in handles.h */
     /* By constraint kind: its operations, plugged in by kinds.h and by the first joint. */
     const td_constraint_ops *kinds[TD_CONSTRAINT_KINDS];
+    const td_instance_ops *instances; /* geometry of two shapes; null: it never had one */
     const struct td_internal_edge_ops *internal_edges; /* null: no shape has faces */
     const struct td_joint_hooks *joint_hooks;          /* null: the world never had a joint */
     const struct td_ground_ops *ground;           /* null: the world never had a terrain line */
@@ -40,9 +48,16 @@ struct thud_world {
     struct td_rules *rules;                       /* null as rule_hooks; in snapshots */
     const struct td_texture_hooks *texture_hooks; /* null: the world never had a texture */
     struct td_textures *textures;                 /* null as texture_hooks; in snapshots */
+    const struct td_sensor_hooks *sensor_hooks;   /* null: no shape can be a sensor yet */
     bool adds_impulses; /* a rule has a bound of the impulse: add up those of contacts */
     const struct td_listener_hooks *listener_hooks; /* null: the world never had a listener */
     struct td_listeners *listeners;                 /* null as listener_hooks */
+    /* td_sweep_is_vetoed of shape.h; null: the world never had a rule or a listener */
+    bool (*sweep_is_vetoed)(struct thud_world *w, const struct td_swept *swept, int shape,
+                            int other, double time);
+    /* td_edit_apply of body.h; null: no callback ever edited a body */
+    void (*edit_apply)(struct thud_world *w, td_body_index body, td_deferred_kind what,
+                       const double v[4]);
     bool asks, tells; /* there is a prologue (pre-solve callback); an epilogue (post-solve) */
     /* listeners/decisions.h; null: no prologue ever decided velocities */
     struct td_decisions *decisions;

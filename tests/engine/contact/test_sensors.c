@@ -4,7 +4,10 @@
 #include "every_choice.h"
 
 #include <thud/thud_detection.h>
+#include <thud/thud_edits.h>
 #include <thud/thud_joint.h>
+#include <thud/thud_lists.h>
+#include <thud/thud_snapshot.h>
 
 static thud_shape_def sensor_def(void) {
     thud_shape_def def = thud_default_shape_def();
@@ -487,6 +490,95 @@ static void what_wakes_as_a_sensor_passes_it_is_told_of_once(void **state) {
     }
 }
 
+/* ---- worlds that get sensors by a call ---- */
+
+/* Whether a circle is made as a sensor; refused, nothing is made. */
+static bool makes_sensor(thud_world *world, thud_body_id body) {
+    thud_shape_def def = sensor_def();
+    thud_shape_id made = {0, 0};
+    int shapes = thud_stats_of(world).shapes;
+    thud_result result = thud_shape_create_circle(world, body, &def, (thud_vec2){0, 9}, 1, &made);
+    assert_true(result == THUD_OK || (result == THUD_ERROR_INVALID && made.index1 == 0));
+    assert_int_equal(thud_stats_of(world).shapes, shapes + (result == THUD_OK));
+    return result == THUD_OK;
+}
+
+static thud_body_id first_body(const thud_world *world) {
+    thud_body_id body = {0, 0};
+    int count = 0;
+    thud_world_get_bodies(world, &body, 1, &count);
+    return body;
+}
+
+static thud_world_def small_def(void) {
+    thud_world_def def = thud_default_small_world_def(&thud_quality_draft);
+    def.log = NULL;
+    return def;
+}
+
+static void small_world_has_sensors_from_the_first_that_is_set(void **state) {
+    (void)state;
+    thud_world_def whole = thud_default_world_def_of(&thud_quality_draft);
+    thud_world *worlds[2] = {make_world(small_def()), make_world(whole)};
+    for (int i = 0; i < 2; i++) {
+        thud_shape_def plain = thud_default_shape_def();
+        thud_body_id gate = add_body(worlds[i], THUD_BODY_STATIC, 0, 0, 0);
+        thud_shape_id shape = add_shape(worlds[i], gate, 1, 0, false, &plain);
+        if (i == 0) {
+            assert_false(makes_sensor(worlds[i], gate));
+        }
+        OK(thud_shape_set_sensor(worlds[i], shape, true));
+        assert_true(makes_sensor(worlds[i], gate));
+        OK(thud_body_set_velocity(worlds[i], add_ball(worlds[i], 0, 5, 0.1f), (thud_vec2){0, -700},
+                                  0));
+    }
+    int told = 0;
+    for (int step = 0; step < 30; step++) {
+        run(worlds[0], 1);
+        run(worlds[1], 1);
+        told += thud_events_of(worlds[0]).sensor_begin_count;
+        assert_int_equal(thud_events_of(worlds[0]).sensor_begin_count,
+                         thud_events_of(worlds[1]).sensor_begin_count);
+        assert_true(thud_hash_of(worlds[0]) == thud_hash_of(worlds[1]));
+    }
+    assert_int_equal(told, 1);
+    thud_world_destroy(worlds[0]);
+    thud_world_destroy(worlds[1]);
+}
+
+/* A snapshot says whether shapes can be sensors; a world of thud_default_world_def keeps them. */
+static void snapshot_brings_sensors_into_a_small_world(void **state) {
+    (void)state;
+    static char bytes[2][1 << 16];
+    size_t sizes[2];
+    thud_body_id body = {0, 0};
+    thud_world *from = make_world(small_def());
+    thud_shape_def plain = thud_default_shape_def();
+    body = add_body(from, THUD_BODY_STATIC, 0, 0, 0);
+    thud_shape_id shape = add_shape(from, body, 1, 0, false, &plain);
+    add_ball(from, 0, 0.5, 0.1f);
+    OK(thud_world_snapshot(from, bytes[0], sizeof bytes[0], &sizes[0]));
+    OK(thud_shape_set_sensor(from, shape, true));
+    OK(thud_world_snapshot(from, bytes[1], sizeof bytes[1], &sizes[1]));
+    thud_world *to = make_world(small_def());
+    thud_world *whole = make_world(thud_default_world_def_of(&thud_quality_draft));
+    for (int i = 0; i < 2; i++) {
+        OK(thud_world_restore(to, bytes[i], sizes[i]));
+        OK(thud_world_restore(whole, bytes[i], sizes[i]));
+        thud_body_id there = first_body(to);
+        assert_int_equal(makes_sensor(to, there), i);
+        assert_true(makes_sensor(whole, first_body(whole)));
+    }
+    OK(thud_world_restore(to, bytes[1], sizes[1]));
+    run(to, 1);
+    assert_int_equal(thud_events_of(to).sensor_begin_count, 1);
+    OK(thud_world_restore(to, bytes[0], sizes[0]));
+    assert_false(makes_sensor(to, first_body(to)));
+    thud_world_destroy(from);
+    thud_world_destroy(to);
+    thud_world_destroy(whole);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sensor_of_each_kind_sees_each_kind_but_static_static),
@@ -503,6 +595,8 @@ int main(void) {
         cmocka_unit_test(gates_are_passed_on_the_way_and_back),
         cmocka_unit_test(body_that_is_held_twice_in_a_step_passes_what_it_did_when_it_did),
         cmocka_unit_test(what_wakes_as_a_sensor_passes_it_is_told_of_once),
+        cmocka_unit_test(small_world_has_sensors_from_the_first_that_is_set),
+        cmocka_unit_test(snapshot_brings_sensors_into_a_small_world),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -57,6 +57,58 @@ static void without_it_a_bullet_passes(void **state) {
     thud_world_destroy(world);
 }
 
+/* A row of pegs and a sensor, all circles, and fast balls among them; with a box far away the world
+ * has the geometry of all kinds in place of that of circles. */
+static thud_world *make_pegs(bool box, thud_body_id balls[24]) {
+    uint64_t seed = 11;
+    thud_world *world = make_world(thud_default_world_def_of(&thud_quality_draft));
+    thud_shape_def zone = thud_default_shape_def();
+    zone.sensor = true;
+    for (int i = 0; i < 12; i++) {
+        thud_body_id peg = add_body(world, THUD_BODY_STATIC, 2 * i, i % 3, 0);
+        add_shape(world, peg, 0.7f, 0, false, i % 4 == 3 ? &zone : NULL);
+    }
+    if (box) {
+        thud_body_id far = add_body(world, THUD_BODY_STATIC, 1e4, 1e4, 0);
+        add_shape(world, far, 1, 1, true, NULL);
+    }
+    for (int i = 0; i < 24; i++) {
+        balls[i] = add_ball(world, i, 5, 0.1f);
+        thud_vec2 v = {(float)random_in(&seed, -60, 60), (float)random_in(&seed, -300, -50)};
+        OK(thud_body_set_velocity(world, balls[i], v, 0));
+    }
+    return world;
+}
+
+static void circles_alone_meet_to_the_same_bits_as_beside_a_box(void **state) {
+    (void)state;
+    thud_body_id balls[2][24];
+    thud_world *worlds[2] = {make_pegs(false, balls[0]), make_pegs(true, balls[1])};
+    int held = 0, sensed = 0;
+    for (int step = 0; step < 40; step++) {
+        thud_events events[2];
+        for (int i = 0; i < 2; i++) {
+            run(worlds[i], 1);
+            OK(thud_world_get_events(worlds[i], &events[i]));
+        }
+        held += thud_stats_of(worlds[0]).held_bodies;
+        sensed += events[0].sensor_begin_count;
+        assert_int_equal(events[0].sensor_begin_count, events[1].sensor_begin_count);
+        for (int k = 0; k < events[0].sensor_begin_count; k++) {
+            assert_true(events[0].sensor_begin_time[k] == events[1].sensor_begin_time[k]);
+        }
+        for (int k = 0; k < 24; k++) {
+            thud_body_state a = state_of(worlds[0], balls[0][k]);
+            thud_body_state b = state_of(worlds[1], balls[1][k]);
+            assert_true(a.position.x == b.position.x && a.position.y == b.position.y);
+            assert_true(a.velocity.x == b.velocity.x && a.velocity.y == b.velocity.y);
+        }
+    }
+    assert_true(held > 5 && sensed > 0);
+    thud_world_destroy(worlds[0]);
+    thud_world_destroy(worlds[1]);
+}
+
 static void fast_sliding_along_a_floor_is_not_stopped(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -104,6 +156,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_passes_a_thin_wall_or_the_ground),
         cmocka_unit_test(without_it_a_bullet_passes),
+        cmocka_unit_test(circles_alone_meet_to_the_same_bits_as_beside_a_box),
         cmocka_unit_test(fast_sliding_along_a_floor_is_not_stopped),
         cmocka_unit_test(held_body_stays_within_maximum_speed),
     };

@@ -11,12 +11,16 @@
 #define EXPORT(name)
 #endif
 
+/* The def that links no more than is used, unless a program takes another one. */
+#ifndef WORLD_DEF_OF
+#define WORLD_DEF_OF thud_default_small_world_def
+#endif
 #ifndef QUALITY
 #define QUALITY thud_quality_draft
 #endif
 
 static thud_world *open_world(void) {
-    thud_world_def def = thud_default_world_def_of(&QUALITY);
+    thud_world_def def = WORLD_DEF_OF(&QUALITY);
     thud_world *world = NULL;
     thud_world_create(&def, &world);
     return world;

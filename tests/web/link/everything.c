@@ -1,6 +1,7 @@
 /* everything.c: a program that uses every kind of shape, queries and debug drawing, to measure its
  * size when linked. */
 #define QUALITY thud_quality_default
+#define WORLD_DEF_OF thud_default_world_def_of
 #include "boxes.c"
 
 EXPORT("oriented_height") double oriented_height(int steps) {

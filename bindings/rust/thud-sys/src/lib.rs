@@ -523,6 +523,12 @@ pub struct thud_contact_settings {
 }
 
 #[repr(C)]
+#[derive(Debug)]
+pub struct thud_parts {
+    _private: [u8; 0],
+}
+
+#[repr(C)]
 #[derive(Clone, Copy)]
 pub struct thud_world_def {
     pub gravity: thud_vec2,
@@ -549,6 +555,7 @@ pub struct thud_world_def {
     pub broadphase: Option<&'static thud_broadphase>,
     pub cell_size: f32,
     pub job_system: thud_job_system,
+    pub parts: *const thud_parts,
     pub cookie: u32,
 }
 
@@ -1325,6 +1332,7 @@ extern "C" {
     pub fn thud_shape_replace_range(world: *mut thud_world, shape: thud_shape_id, x0: f64, x1: f64, points: *const thud_pos, count: c_int) -> thud_result;
     pub fn thud_default_world_def() -> thud_world_def;
     pub fn thud_default_world_def_of(quality: *const thud_quality) -> thud_world_def;
+    pub fn thud_default_small_world_def(quality: *const thud_quality) -> thud_world_def;
     pub fn thud_world_create(def: *const thud_world_def, out: *mut *mut thud_world) -> thud_result;
     pub fn thud_world_destroy(world: *mut thud_world);
     pub fn thud_world_step(world: *mut thud_world) -> thud_result;
