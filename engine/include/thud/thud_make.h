@@ -9,8 +9,10 @@
  *     thud_body_id ball = thud_body_make(world, thud_circle_at(0, 5, 0.5), &bouncy);
  *
  * Both return the created object; null, or the null handle, if they fail, for the reasons of
- * thud_world_create and thud_body_create_with_shapes. Nothing has changed then, and the reason is
- * in the world's log. A null handle may be passed to any call, which then fails. */
+ * thud_world_create and thud_body_create_with_shapes. Nothing has changed then. Why a body was
+ * refused is in the world's log. A world that was refused has no log of its own: the reason goes to
+ * the default log, which release builds do not have (thud_world_def.log). A null handle may be
+ * passed to any call, which then fails. */
 #ifndef THUD_MAKE_H
 #define THUD_MAKE_H
 
