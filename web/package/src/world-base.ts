@@ -63,8 +63,8 @@ export class WorldBase {
     forgotten?.register(this, null, this);
   }
 
-  /** The length scale of the options. */
-  protected get lengthScale(): number {
+  /** The length scale that the world was made with (WorldOptions.lengthScale). */
+  get lengthScale(): number {
     return this.reach / EVERYWHERE;
   }
 
