@@ -58,7 +58,8 @@ DEFAULT = re.compile(r"\bdefault (?:\(0\) )?(-?\d+(?:\.\d+)?(?:/\d+)?|true|false
 
 
 def plain(comment):
-    """The words of a comment, with its line breaks."""
+    """The words of a comment of a header's text, with its line breaks."""
+    comment = comment.encode("latin-1").decode("utf-8")
     lines = comment[2:-2].split("\n")
     return "\n".join(re.sub(r"^[ \t]*(?:\*(?= |$))? ?|[ \\]+$", "", line) if at else line.strip(" \\")
                      for at, line in enumerate(lines)).strip()
@@ -69,7 +70,8 @@ class Header:
 
     def __init__(self, path):
         self.name = path.name
-        self.text = path.read_text(encoding="utf-8")
+        # A character for each byte, since clang counts bytes; `plain` gives the words their letters back.
+        self.text = path.read_bytes().decode("latin-1")
         self.comments = [match.span() for match in COMMENT.finditer(self.text)]
         self.sections = [match for match in SECTION.finditer(self.text)]
         first = self.comments[0]

@@ -82,6 +82,14 @@ class ApiTest(unittest.TestCase):
         joint = {field["name"]: field["comment"] for field in named("structs")["thud_joint_def"]["fields"]}
         self.assertNotIn("breaks", joint["user_data"])
 
+    def test_every_field_that_a_program_sets_has_a_comment(self):
+        names = [name for name in named("structs")
+                 if re.search(r"_(def|options|quality|drive|filter|rule|explosion|water)$", name)]
+        self.assertGreater(len(names), 10)
+        for name in names:
+            for field in named("structs")[name]["fields"]:
+                self.assertTrue(field["comment"], f"{name}.{field['name']}")
+
     def test_fields_are_those_of_the_structs(self):
         for name, entry in named("structs").items():
             body = re.search(rf"struct {name} \{{(.*?)\n\}}", CODE[entry["header"]], re.DOTALL)
