@@ -188,6 +188,26 @@ test("reference_has_every_name_of_the_headers_and_typings", () => {
   for (const { name } of api.enums.find(({ name: one }) => one === "thud_result").values) assert.ok(errors.includes(name), name);
 });
 
+test("reference_has_what_draws_worlds_with_its_constructor_and_options", () => {
+  const canvas = readFileSync(`${docs}js-canvas.html`, "utf8").replace(/<[^>]*>/g, "");
+  for (const said of ["constructor(world: World, canvas: HTMLCanvasElement", "placeOf(pointer", "yDown?: boolean", "get bodies()", "end(): void", "strength?: number"])
+    assert.ok(canvas.includes(said), said);
+  for (const [page, name] of [["pixi", "PixiView"], ["three", "ThreeView"], ["phaser", "PhaserView"], ["recording", "Player"]])
+    assert.ok(readFileSync(`${docs}js-${page}.html`, "utf8").includes(` id="${name}"`), name);
+});
+
+test("files_for_download_have_every_function_and_the_version_of_the_package", () => {
+  const { functions } = JSON.parse(readFileSync(`${root}bindings/api.json`, "utf8"));
+  const [header, source] = ["thud.h", "thud.c"].map((name) => readFileSync(`${docs}files/${name}`, "utf8"));
+  for (const { name, inline } of functions) {
+    assert.ok(header.includes(`${name}(`), name);
+    assert.ok(inline || source.includes(`${name}(`), name);
+  }
+  const { version } = JSON.parse(readFileSync(`${root}web/package/package.json`, "utf8"));
+  const packed = readFileSync(`${docs}files/thud-${version}.tgz`);
+  assert.ok(packed.length > 500_000 && packed[0] === 0x1f && packed[1] === 0x8b, "an archive of gzip");
+});
+
 /** Beginnings of names that pages use in place of one name, and names of files. */
 const PARTS = /^thud_(default_|X_|threads|body_|shape_|joint_|world_)?$|\.h$/;
 
