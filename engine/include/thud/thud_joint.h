@@ -35,7 +35,9 @@
  * world are, and the group has no more contacts with moving bodies than it has bodies. Its contacts
  * then keep the impulses of the soft solver, and the joints may not bring shapes closer together
  * than in the soft solver's result. If joints and contacts cannot both be satisfied so, or the
- * result would gain energy, the soft solver's result is kept.
+ * result would gain energy, the soft solver's result is kept. Where closing gaps lifts bodies,
+ * their kinetic energy pays for it, so that a bridge or a rope that gives way does not swing up by
+ * itself.
  *
  * Detection (thud_detection.h). If detection stops a body within a step, all bodies that locked
  * directions connect to it stop at the same fraction of their motions, and lose the speed that

@@ -46,7 +46,9 @@ typedef struct thud_quality {
     int64_t
         island_work; /* budget of all direct islands in a step, >= 0: operations on 3 x 3 blocks in
                         factorisations, plus, for each factorisation, one for each body and two for
-                        each contact. Islands beyond the budget are left to the soft solver. At rest
+                        each contact. A tree of hinges and welds needs no matrix: two operations a
+                        body and iteration. Islands beyond the budget are left to the soft solver.
+                        At rest
                         a step needs one factorisation, of 6 operations a body in a column and 140
                         in a pyramid of 500 bodies; in motion it needs many, of the same size. Whole
                         steps at quality high (docs/tradeoff.md): at rest a column of boxes takes
