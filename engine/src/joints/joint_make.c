@@ -167,7 +167,12 @@ thud_result thud_joint_create(thud_world *w, const thud_joint_def *def, thud_joi
         *out = td_joint_handle(w, index);
     }
     for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
-        td_joint_warn_of_drive(w, &def->drive[i]);
+        const thud_drive *drive = &def->drive[i];
+        td_joint_warn_of_drive(w, drive);
+        /* Not in thud_joint_set_drive, by which a program turns the limits off and on again. */
+        if (!drive->limited && (drive->lower != 0.0f || drive->upper != 0.0f)) {
+            td_refuse(w, THUD_OK, "joint create: lower and upper without `limited` limit nothing");
+        }
     }
     return THUD_OK;
 }
