@@ -18,12 +18,12 @@ The file has these lists, each in the order of the headers:
   variables   objects that the engine exports
   functions   with what they return, and their parameters; `inline` ones have no symbol
 
-Each item has `name`, `header` and `comment`. An item that follows another without an empty line
-between them, and has no comment of its own, has the comment of that one. `group` is the text that
-applies to several items: a comment that stands above another, or says what all of them do. Fields
-and parameters have their type in C, `comment`, and what their comment says in the form of the
-headers: `unit`, `range`, `default`. `errors` are the results that comment, group or, if
-these name none, the head of the header names.
+Each item has `name`, `header` and `comment`. `group` is the text that applies to several items
+without an empty line between them: a comment that stands above another, or says so in the words of
+OF_ALL. An item without a comment of its own has that of its group; one without either is refused. Fields and parameters have their type in C, `comment`,
+and what their comment says in the form of the headers: `unit`, `range`, `default`. All fields of one
+declaration share its comment. `errors` are the results that comment, group or, if these name none,
+the head of the header names, with THUD_ERROR_NULL for a world and THUD_ERROR_STALE for a handle.
 """
 
 import json
@@ -45,7 +45,10 @@ NAME = re.compile(r"\bTHUD_\w+")
 NUMBER = re.compile(r"(?<=[\d.])f\b")
 ARITHMETIC = re.compile(r"[-+*/() \d.eE]+")
 # Of a whole group, as the headers word it.
-OF_ALL = re.compile(r"\b(?:All|all) (?:return|calls|are|take)\b")
+OF_ALL = re.compile(r"\b(?:All|all) (?:return|calls|are|take)\b|\b(?:Both|All three|All four) calls\b")
+HANDLE = re.compile(r"thud_(?:body|shape|joint)_id")
+# These take handles of objects that may be gone.
+NEVER_STALE = ("thud_world_get_pair",)
 FACTOR = r"(?:1|length scales|lengths?|mass|radians|rad|steps|bodies|Hz|s)(?:\^\d)?"
 UNIT = re.compile(rf"(?:^|, |; |: )(?!1(?!/))({FACTOR}(?: ?[*/] ?{FACTOR})*|length scales a second)(?=$|[,.;:])")
 RANGE = re.compile(r"[\[(][^\[\]()]*, [^\[\]()]*\]|\[[^\[\]()]*, [^\[\]()]*\)"
@@ -55,7 +58,8 @@ DEFAULT = re.compile(r"\bdefault (?:\(0\) )?(-?\d+(?:\.\d+)?(?:/\d+)?|true|false
 
 
 def plain(comment):
-    """The words of a comment, with its line breaks."""
+    """The words of a comment of a header's text, with its line breaks."""
+    comment = comment.encode("latin-1").decode("utf-8")
     lines = comment[2:-2].split("\n")
     return "\n".join(re.sub(r"^[ \t]*(?:\*(?= |$))? ?|[ \\]+$", "", line) if at else line.strip(" \\")
                      for at, line in enumerate(lines)).strip()
@@ -66,7 +70,8 @@ class Header:
 
     def __init__(self, path):
         self.name = path.name
-        self.text = path.read_text(encoding="utf-8")
+        # A character for each byte, since clang counts bytes; `plain` gives the words their letters back.
+        self.text = path.read_bytes().decode("latin-1")
         self.comments = [match.span() for match in COMMENT.finditer(self.text)]
         self.sections = [match for match in SECTION.finditer(self.text)]
         first = self.comments[0]
@@ -183,7 +188,6 @@ class Api:
         # thud_recorded.h is made of what is written here.
         self.headers = {path.name: Header(path) for path in sorted(HEADERS.glob("*.h"))
                         if path.name != "thud_recorded.h"}
-        self.last = {}  # of each header, the end and comment of the item before
         self.lists = {name: [] for name in ("constants", "enums", "aliases", "callbacks", "structs",
                                             "variables", "functions")}
         self.structs = {}
@@ -208,17 +212,20 @@ class Api:
         own = header.leading(start)
         behind = header.trailing(end)
         said = "\n".join(filter(None, (header.words(own), header.words(behind))))
-        before = self.last.get(header.name)
-        if not said and before and "\n\n" not in header.text[before[0]:start]:
-            said = before[1]
-        self.last[header.name] = (end, said)
-        item = {"name": node["name"], "header": header.name, "section": header.section(start),
-                **more, "comment": said}
         group = header.group(start, own)
-        if group:
+        item = {"name": node["name"], "header": header.name, "section": header.section(start),
+                **more, "comment": said or group}
+        if said and group:
             item["group"] = group
-        item["comment"] = said or group or item["section"] or header.head
+        self.checked(item["comment"], item["name"], header)
         return item
+
+    @staticmethod
+    def checked(comment, name, header):
+        """The comment of an item, which must have one."""
+        if not comment:
+            sys.exit(f"{header.name}: {name} has no comment")
+        return comment
 
     def macros(self, header):
         for match in DEFINE.finditer(header.text):
@@ -228,18 +235,13 @@ class Api:
             if not ARITHMETIC.fullmatch(number):
                 continue
             behind = COMMENT.search(match[2])
-            above = header.words(header.leading(match.start()))
-            said = plain(behind[0]) if behind else above
-            before = self.last.get(header.name)
-            if not said and before and "\n\n" not in header.text[before[0]:match.start()] \
-                    and before[2] == "above":
-                said = before[1]
-            self.last[header.name] = (match.end(), said, "above" if above and not behind else "")
+            said = plain(behind[0]) if behind else header.words(header.leading(match.start()))
             section = header.section(match.start())
             self.lists["constants"].append(
                 {"name": match[1], "header": header.name, "section": section,
                  "value": eval(number),  # pylint: disable=eval-used; arithmetic alone
-                 "text": text, "comment": said or section or header.head})
+                 "text": text, "comment": self.checked(said or header.group(match.start(), None), match[1],
+                                                                header)})
 
     def EnumDecl(self, node):  # pylint: disable=invalid-name
         values, value = [], -1
@@ -272,16 +274,18 @@ class Api:
 
     def fields(self, node):
         header = self.headers[node["file"]]
-        found, of_lines = [], ""
+        found, of_declaration = [], (0, "")
         for field in inner(node, "FieldDecl"):
             # All declarators of one declaration share the comment behind it.
             close = header.text.index(";", field["end"] - 1) + 1 \
                 if header.text[field["end"] - 1] != ";" else field["end"]
             above = header.words(header.leading(field["begin"]))
-            of_lines = above or of_lines
+            if not above and of_declaration[0] == close:
+                above = of_declaration[1]
+            of_declaration = close, above
             said = "\n".join(filter(None, (above, header.words(header.trailing(close)))))
             found.append({"name": field["name"], "type": field["type"]["qualType"],
-                          **(facts(said) if said else {"comment": of_lines})})
+                          **facts(said)})
         return found
 
     def TypedefDecl(self, node):  # pylint: disable=invalid-name
@@ -317,6 +321,11 @@ class Api:
         item = self.item(node)
         returned = node["type"]["qualType"].split("(")[0].strip()
         errors = ERROR.findall(item["comment"] + item.get("group", "")) or ERROR.findall(header.head)
+        types = [parameter["type"] for parameter in parameters]
+        if any(re.fullmatch(r"(const )?thud_world \*", kind) for kind in types):
+            errors.append("THUD_ERROR_NULL")
+        if any(HANDLE.fullmatch(kind) for kind in types) and node["name"] not in NEVER_STALE:
+            errors.append("THUD_ERROR_STALE")
         self.lists["functions"].append(
             {**item, "returns": returned, "inline": bool(node.get("inline")), "parameters": parameters,
              "errors": sorted(set(errors)) if returned == "thud_result" else []})

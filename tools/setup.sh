@@ -179,6 +179,8 @@ need_test() {
     need "LLVM's linker" lld-16 test -x /usr/lib/llvm-16/bin/ld.lld
     need "the sanitizers of clang 16" libclang-rt-16-dev links_sanitizers
     need "cmocka's headers" libcmocka-dev has_header cmocka.h
+    need "libwebsockets' headers" libwebsockets-dev has_header libwebsockets.h
+    need "ENet's headers" libenet-dev has_header enet/enet.h
     need "Python 3" python3 have python3
     need "Chromium" "chromium|chromium-browser" \
         have_any chromium chromium-browser google-chrome

@@ -6,9 +6,15 @@ import { defineConfig, type Plugin } from "vite";
 import { box2dLoader } from "./tools/box2d-plugin.mjs";
 import { codeNames } from "./tools/code-names.mjs";
 import { offline } from "./tools/offline-plugin.mjs";
-import { sceneTexts } from "./tools/scene-texts.mjs";
+import { GAME_FILES, sceneTexts } from "./tools/scene-texts.mjs";
 
-/** The files of assets/ that scenes fetch, under the same names. */
+/** The games, which are scenes, with the same games in C. */
+const GAMES = [...GAME_FILES].flatMap(([name, path]) => [
+  { name: `scenes/${name}.js`, path },
+  { name: `scenes/${name}.c`, path: path.replace(/mjs$/, "c") },
+]);
+
+/** The files of assets/ that scenes fetch, under the same names, and the games. */
 const ASSETS = [
   { folder: "levels", suffix: ".tmj" },
   { folder: "terrain", suffix: ".csv" },
@@ -17,7 +23,7 @@ const ASSETS = [
   return readdirSync(source)
     .filter((name) => name.endsWith(suffix))
     .map((name) => ({ name: `${folder}/${name}`, path: `${source}/${name}` }));
-});
+}).concat(GAMES);
 
 /** Serves ASSETS in the development server, and copies them to the built page. */
 const sceneAssets: Plugin = {

@@ -63,6 +63,33 @@ class ApiTest(unittest.TestCase):
                 for part in entry["comment"].split("\n"):
                     self.assertIn(words(part), text, entry["name"])
 
+    def test_no_comment_is_that_of_a_neighbour_or_of_the_header(self):
+        heads = {entry["comment"] for entry in API["headers"]}
+        shared = re.compile(r"\b(?:All|all) (?:return|calls|are|take)\b|\b(?:Both|All three|All four) calls\b")
+        for kind in set(API) - {"headers"}:
+            before = None
+            for entry in API[kind]:
+                self.assertFalse(entry["comment"] in heads, entry["name"])
+                if before and before["header"] == entry["header"] and before["comment"] == entry["comment"] \
+                        and len(entry["comment"].split()) > 3 and not entry["comment"].startswith("Maximum"):
+                    self.assertRegex(entry["comment"], shared, entry["name"])
+                before = entry
+
+    def test_fields_share_a_comment_only_in_one_declaration(self):
+        events = {field["name"]: field["comment"] for field in named("structs")["thud_events"]["fields"]}
+        self.assertEqual(events["sensor_begin_time"], events["sensor_end_time"])
+        self.assertNotEqual(events["hit_count"], events["sensor_end_time"])
+        joint = {field["name"]: field["comment"] for field in named("structs")["thud_joint_def"]["fields"]}
+        self.assertNotIn("breaks", joint["user_data"])
+
+    def test_every_field_that_a_program_sets_has_a_comment(self):
+        names = [name for name in named("structs")
+                 if re.search(r"_(def|options|quality|drive|filter|rule|explosion|water)$", name)]
+        self.assertGreater(len(names), 10)
+        for name in names:
+            for field in named("structs")[name]["fields"]:
+                self.assertTrue(field["comment"], f"{name}.{field['name']}")
+
     def test_fields_are_those_of_the_structs(self):
         for name, entry in named("structs").items():
             body = re.search(rf"struct {name} \{{(.*?)\n\}}", CODE[entry["header"]], re.DOTALL)

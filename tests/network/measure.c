@@ -3,7 +3,7 @@
  * all run the step. So without delay and loss nothing is ever predicted. */
 #include "measure.h"
 
-#include "peer.h"
+#include "over_wire.h"
 #include "series.h"
 
 #include <thud/thud_packed.h>
@@ -202,7 +202,7 @@ static bool play_peer(run *r, int player, int64_t step, int repetition) {
     uint32_t number;
     unsigned char bytes[WIRE_BYTES_MAX];
     double now = (double)step * FRAME_MS;
-    if (peer_receive(p, r->inputs, now) != THUD_OK) {
+    if (receive_over(p, r->inputs, now) != THUD_OK) {
         return false;
     }
     while (wire_receive(r->state_wire, player, now, bytes, NULL) >= 0) {
@@ -226,8 +226,8 @@ static bool play_peer(run *r, int player, int64_t step, int repetition) {
 static bool play_frame(run *r, int64_t step, int repetition) {
     const measure_plan *plan = r->plan;
     for (int i = 0; i < plan->players; i++) {
-        if (peer_press(&r->peers[i]) != THUD_OK ||
-            !peer_send(&r->peers[i], r->inputs, (double)step * FRAME_MS)) {
+        if (press_at_random(&r->peers[i], SEED) != THUD_OK ||
+            !send_over(&r->peers[i], r->inputs, (double)step * FRAME_MS)) {
             return false;
         }
     }
@@ -281,7 +281,7 @@ static bool open_run(run *r) {
     }
     for (int i = 0; i < plan->players; i++) {
         r->viewers[i] = (viewer){0};
-        if (!peer_open(&r->peers[i], i, plan->players, MEASURE_DEPTH, SEED, &def)) {
+        if (!open_player(&r->peers[i], i, plan->players, MEASURE_DEPTH, &def)) {
             return false;
         }
     }

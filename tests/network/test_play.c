@@ -4,11 +4,14 @@
  * is named.
  *
  * THUD_NETWORK_STEPS=1000000 plays so many steps for each number of players. */
-#include "peer.h"
+#include "over_wire.h"
+#include "random.h"
 
 #include "every_choice.h"
 
 #include "engine_support.h"
+
+enum { CHEAT = 2, HONEST = 0, CHEATED_AT = 150 };
 
 enum { DEPTH = 60, SEED = 11, STEPS = 700, TRUTHS = 1024, DETECTIONS = 4 };
 
@@ -18,9 +21,6 @@ enum { DEPTH = 60, SEED = 11, STEPS = 700, TRUTHS = 1024, DETECTIONS = 4 };
 enum { KILL_EVERY = 500, GONE_AFTER = 30, BACK_AFTER = 120, NOTICE = 10, CALM = 400 };
 
 #define FRAME_MS (1000.0 / CARS_RATE)
-
-static const wire_options WORST = {
-    .jitter = 60, .loss = 0.1, .duplicates = 0.05, .held = 0.1, .held_for = 50};
 
 typedef struct table {
     int players;
@@ -32,6 +32,7 @@ typedef struct table {
     wire *wire;
     uint64_t random;
     int64_t frame;
+    int liar; /* who tells HONEST another input of the step CHEATED_AT; -1: nobody */
 
     thud_world *truth;
     cars truth_game;
@@ -43,18 +44,19 @@ typedef struct table {
 } table;
 
 static void begin(table *t, int players, uint64_t seed, double delay) {
-    *t = (table){.players = players, .random = seed, .def = cars_def(qualities[seed % QUALITIES])};
+    *t = (table){.players = players,
+                 .random = seed,
+                 .def = cars_def(qualities[seed % QUALITIES]),
+                 .liar = -1};
     t->def.detection = detections[seed / QUALITIES % DETECTIONS];
-    wire_options o = WORST;
-    o.delay = delay;
-    o.seed = seed;
+    wire_options o = worst_wire(delay, seed);
     t->wire = wire_create(&o);
     assert_non_null(t->wire);
     t->truth = make_world(t->def);
     assert_true(cars_build(t->truth, players, &t->truth_game));
     t->truths[0] = thud_hash_of(t->truth);
     for (int i = 0; i < players; i++) {
-        assert_true(peer_open(&t->peers[i], i, players, DEPTH, SEED, &t->def));
+        assert_true(open_player(&t->peers[i], i, players, DEPTH, &t->def));
     }
 }
 
@@ -118,21 +120,21 @@ static void compare_with_truth(table *t) {
 static void inject(table *t, int player) {
     unsigned char bytes[WIRE_BYTES_MAX];
     peer *p = &t->peers[player];
-    int count = (int)(wire_random(&t->random) % 100), from = (player + 1) % t->players;
+    int count = (int)(random_next(&t->random) % 100), from = (player + 1) % t->players;
     for (int i = 0; i < count; i++) {
-        bytes[i] = (unsigned char)wire_random(&t->random);
+        bytes[i] = (unsigned char)random_next(&t->random);
     }
     wire *tap = wire_create(&(wire_options){0});
     peer sender = t->peers[from]; /* what it sends is not counted */
-    if (!t->is_dead[from] && wire_chance(&t->random) < 0.7) {
-        assert_true(peer_send(&sender, tap, 0));
+    if (!t->is_dead[from] && random_chance(&t->random) < 0.7) {
+        assert_true(send_over(&sender, tap, 0));
         int received = wire_receive(tap, player, 0, bytes, NULL);
         count = received < 0 ? count : received;
-        int at = (int)(wire_random(&t->random) % (unsigned)(count + 1));
+        int at = (int)(random_next(&t->random) % (unsigned)(count + 1));
         if (at == count) {
-            count = (int)(wire_random(&t->random) % (unsigned)(count + 1)) - 1;
+            count = (int)(random_next(&t->random) % (unsigned)(count + 1)) - 1;
         } else {
-            bytes[at] ^= (unsigned char)(1u << wire_random(&t->random) % 8);
+            bytes[at] ^= (unsigned char)(1u << random_next(&t->random) % 8);
         }
     }
     wire_destroy(tap);
@@ -142,13 +144,33 @@ static void inject(table *t, int player) {
     t->injected++;
 }
 
+/* As send_over, with a lie in the message to HONEST. */
+static bool send_with_lie(table *t, peer *p, double now) {
+    bool is_sent = true;
+    for (int other = 0; other < p->players; other++) {
+        unsigned char message[PEER_BYTES_MAX];
+        if (!peer_tells(p, other)) {
+            continue;
+        }
+        int count = peer_write(p, other, message);
+        int64_t at = CHEATED_AT - (int64_t)peer_number_at(message + PEER_FIRST_AT, 4);
+        if (other == HONEST && at >= 0 && at < count - PEER_INPUTS_AT - 4) {
+            unsigned char *input = &message[PEER_INPUTS_AT + at];
+            *input = (unsigned char)((*input + 1) % CARS_INPUTS);
+            count = peer_seal(message, count - 4);
+        }
+        is_sent &= wire_send(t->wire, p->me, other, now, message, count);
+    }
+    return is_sent;
+}
+
 /* A player's frame. */
 static void play_player(table *t, int player) {
     peer *p = &t->peers[player];
     double now = (double)t->frame * FRAME_MS;
-    OK(peer_receive(p, t->wire, now));
-    OK(peer_press(p));
-    assert_true(peer_send(p, t->wire, now));
+    OK(receive_over(p, t->wire, now));
+    OK(press_at_random(p, SEED));
+    assert_true(player == t->liar ? send_with_lie(t, p, now) : send_over(p, t->wire, now));
     OK(peer_advance(p));
 }
 
@@ -165,7 +187,7 @@ static void play_frame(table *t) {
         for (; t->phase[i] >= 1; t->phase[i] -= 1) {
             play_player(t, i);
         }
-        if (wire_chance(&t->random) < 0.02) {
+        if (random_chance(&t->random) < 0.02) {
             inject(t, i);
         }
     }
@@ -200,7 +222,11 @@ static void part_with(table *t, int player) {
     t->back_at[player] = INT64_MAX;
     for (int i = 0; i < t->players; i++) {
         if (!t->is_dead[i]) {
-            OK(peer_part(&t->peers[i], player, step));
+            peer *p = &t->peers[i];
+            while (p->others[player].heard < step) {
+                OK(peer_hear(p, player, cars_input(SEED, player, p->others[player].heard)));
+            }
+            OK(peer_part(p, player, step));
         }
     }
 }
@@ -214,7 +240,7 @@ static void join_again(table *t, int player) {
     }
     back += NOTICE;
     peer *p = &t->peers[player];
-    assert_true(peer_open(p, player, t->players, DEPTH, SEED, &t->def));
+    assert_true(open_player(p, player, t->players, DEPTH, &t->def));
     OK(peer_join(p, &t->peers[host], back));
     int64_t now = thud_progress_of(p->rollback).steps;
     t->compared[player] = p->hashed;
@@ -246,7 +272,7 @@ static void play_at_random(int players) {
         play_frame(t);
         int64_t at = t->frame % KILL_EVERY;
         if (at == KILL_EVERY / 2 && steps < wanted - CALM) {
-            victim = (int)(wire_random(&t->random) % (unsigned)players);
+            victim = (int)(random_next(&t->random) % (unsigned)players);
             kill_player(t, victim);
         } else if (at == KILL_EVERY / 2 + GONE_AFTER && t->is_dead[victim]) {
             part_with(t, victim);
@@ -292,8 +318,6 @@ static void no_player_has_another_game(void **state) {
     }
 }
 
-enum { CHEAT = 2, HONEST = 0, CHEATED_AT = 150 };
-
 /* Plays until this player has noticed a difference from another. */
 static void play_until_noticed(table *t, int player, int other) {
     while (t->peers[player].others[other].differs_from < 0) {
@@ -317,6 +341,15 @@ static thud_rollback_difference difference_of(table *t, int player, int other) {
     return found;
 }
 
+/* The cheat's step: before CHEATED_AT it pushes its car. */
+static thud_result step_with_push(thud_world *world, const uint64_t *inputs, void *state) {
+    const cars *game = state;
+    if (thud_stats_of(world).steps == CHEATED_AT) {
+        thud_body_apply_torque(world, game->bodies[CHEAT], 50);
+    }
+    return cars_step(world, inputs, state);
+}
+
 /* The cheat's hash differs from those of all others, which agree; so nothing here is compared with
  * the truth. */
 static void who_changes_the_world_is_named(void **state) {
@@ -324,7 +357,10 @@ static void who_changes_the_world_is_named(void **state) {
     table *t = malloc(sizeof *t);
     assert_non_null(t);
     begin(t, 4, 5, 60);
-    t->peers[CHEAT].pushes_at = CHEATED_AT;
+    peer_close(&t->peers[CHEAT]);
+    peer_options pushing = {
+        .me = CHEAT, .players = 4, .depth = DEPTH, .def = &t->def, .step = step_with_push};
+    assert_true(peer_open(&t->peers[CHEAT], &pushing));
     t->compared[CHEAT] = INT64_MAX;
     for (int i = 0; i < t->players; i++) {
         if (i != CHEAT) {
@@ -352,8 +388,7 @@ static void who_tells_other_inputs_is_named(void **state) {
     table *t = malloc(sizeof *t);
     assert_non_null(t);
     begin(t, 4, 6, 60);
-    t->peers[CHEAT].lies_at = CHEATED_AT;
-    t->peers[CHEAT].lies_to = HONEST;
+    t->liar = CHEAT;
     t->compared[HONEST] = INT64_MAX;
     play_until_noticed(t, HONEST, 1);
     play_until_noticed(t, 1, HONEST);

@@ -2,6 +2,8 @@
  * the earliest that has arrived, of those that arrived at once the one that was sent first. */
 #include "wire.h"
 
+#include "random.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,17 +29,6 @@ struct wire {
     newest *newest;
     int newest_count, newest_room;
 };
-
-uint64_t wire_random(uint64_t *state) {
-    uint64_t x = *state += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-}
-
-double wire_chance(uint64_t *state) {
-    return (double)(wire_random(state) >> 11) * 0x1p-53;
-}
 
 wire *wire_create(const wire_options *options) {
     wire *w = calloc(1, sizeof *w);
@@ -76,8 +67,8 @@ static void *grown(void *list, int count, int *room, size_t size) {
 
 static bool put(wire *w, int from, int to, double now, const void *bytes, int count) {
     const wire_options *o = &w->options;
-    double due = now + o->delay + o->jitter * wire_chance(&w->random);
-    if (wire_chance(&w->random) < o->held) {
+    double due = now + o->delay + o->jitter * random_chance(&w->random);
+    if (random_chance(&w->random) < o->held) {
         due += o->held_for;
         w->counts.held++;
     }
@@ -95,11 +86,11 @@ static bool put(wire *w, int from, int to, double now, const void *bytes, int co
 
 bool wire_send(wire *w, int from, int to, double now, const void *bytes, int count) {
     bool is_done = true;
-    if (wire_chance(&w->random) < w->options.loss) {
+    if (random_chance(&w->random) < w->options.loss) {
         w->counts.lost++;
     } else {
         is_done = put(w, from, to, now, bytes, count);
-        if (wire_chance(&w->random) < w->options.duplicates) {
+        if (random_chance(&w->random) < w->options.duplicates) {
             is_done &= put(w, from, to, now, bytes, count);
             w->counts.duplicated++;
         }

@@ -46,9 +46,4 @@ int wire_receive(wire *w, int to, double now, void *out, int *out_from);
 /* What is on its way to a player, or from it, is lost. */
 void wire_cut(wire *w, int player);
 
-/* The next number of a splitmix64 generator (Steele, Lea, Flood: Fast splittable pseudorandom
- * number generators, 2014), and the same as a real number in [0, 1). */
-uint64_t wire_random(uint64_t *state);
-double wire_chance(uint64_t *state);
-
 #endif

@@ -1,7 +1,8 @@
 """Compiles the code in C on the pages of web/site: check.py PROJECT CC LIBRARY
 
 A block with a main is a program: it is run, and a block of text right behind it is what it prints. All
-other blocks are parts of functions, which are compiled together with the names of PARAMETERS."""
+other blocks are parts of functions, which are compiled together with the names of PARAMETERS, and the
+macro of the block "c try" of begin-c.md. Results that may not be ignored are looked at in all of them."""
 
 import pathlib
 import re
@@ -25,6 +26,8 @@ def compile_to(folder, name, text, *more):
     subprocess.run([*flags, str(source), *more], check=True)
 
 
+MACRO = re.search(r"^```c try\n(.*?)^```\n", (project / "web/site/begin-c.md").read_text(encoding="utf-8"),
+                  re.MULTILINE | re.DOTALL)[1]
 parts, programs = [], []
 for page in sorted((project / "web/site").glob("*.md")):
     for text, said in BLOCK.findall(page.read_text(encoding="utf-8")):
@@ -35,7 +38,7 @@ if not programs or not parts:
 with tempfile.TemporaryDirectory() as held:
     functions = [f"/* {page} */\nvoid part_{number}({PARAMETERS});\nvoid part_{number}({PARAMETERS}) {{{{\n{text}}}}}\n"
                  for number, (page, text, _) in enumerate(parts)]
-    compile_to(held, "parts", HEADERS + "\n".join(functions), "-fsyntax-only", "-Wno-unused-parameter",
+    compile_to(held, "parts", HEADERS + MACRO + "\n".join(functions), "-c", "-O1", "-o", f"{held}/parts.o", "-Wno-unused-parameter",
                "-Wno-unused-variable", "-Wno-unused-but-set-variable")
     for number, (page, text, said) in enumerate(programs):
         program = f"{held}/program_{number}"

@@ -29,6 +29,8 @@ const RECORDING = "recording";
 const CODE_PANEL = "code";
 /** Where a scene's controls are. */
 const VALUES_PANEL = "values";
+/** Where a game is shared with others; it comes with the games that can be. */
+const MATCH_PANEL = "match";
 /** The part of its time from which on a scene runs in slow motion. */
 const MUCH_LAG = 0.2;
 /** Milliseconds that code which does not answer is left to the visitor to end. */
@@ -213,7 +215,7 @@ async function readAddress(app: App): Promise<Partial<State> | null> {
 }
 
 async function runFirst(app: App, state: Partial<State>): Promise<void> {
-  const { scene = FIRST_SCENE, size, seed, code, camera, claim, level } = state;
+  const { scene = FIRST_SCENE, size, seed, code, camera, claim, level, invite } = state;
   const own = scene === OWN_LEVEL;
   if (own ? !level : !findScene(scene)) {
     if (scene === RECORDING) {
@@ -230,7 +232,7 @@ async function runFirst(app: App, state: Partial<State>): Promise<void> {
   }
   // Code from a link is another's, unless it was written in this tab: it runs when the visitor has
   // read it and says so.
-  const more = { size, seed, camera, claim, level };
+  const more = { size, seed, camera, claim, level, invite };
   const draft = code && readDraft(scene) === code ? code : null;
   if (!draft || !(await app.open(scene, { ...more, code: draft }))) await app.open(scene, more);
   if (code && !draft) app.offerCode(code);
@@ -306,7 +308,7 @@ function listenToScenes(
         hinted = false;
       }
       announced = played;
-      showPanel(dock, scene, untold);
+      showPanel(dock, scene, untold, app.state.invite);
       if (app.state.code !== null)
         void import("./page/memory").then(({ watchMemory }) => watchMemory(app));
       const { notes } = scene;
@@ -388,12 +390,23 @@ function listenToScenes(
  * A scene that begins opens the panel that it asks for. Values comes with a scene that has some to
  * set, and goes with it.
  */
-function showPanel(dock: Dock, { controls, panel }: RunningScene, begins: boolean): void {
+function showPanel(
+  dock: Dock,
+  { controls, panel, shared }: RunningScene,
+  begins: boolean,
+  invite: string | null,
+): void {
   const has = controls.length > 0;
-  document.querySelector<HTMLElement>("button[data-panel=values]")!.hidden = !has;
-  if (!has && dock.open === VALUES_PANEL) dock.close();
+  const show = (name: string, shown: boolean) => {
+    document.querySelector<HTMLElement>(`button[data-panel=${name}]`)!.hidden = !shown;
+    if (!shown && dock.open === name) dock.close();
+  };
+  show(VALUES_PANEL, has);
+  show(MATCH_PANEL, shared);
   if (!begins) return;
-  if (panel) void dock.show(panel === "contacts" ? "inside" : panel, false);
+  // On a phone the panel would stand over the game's buttons.
+  if (shared && (invite || matchMedia("(width >= 40em)").matches)) void dock.show(MATCH_PANEL, false);
+  else if (panel) void dock.show(panel === "contacts" ? "inside" : panel, false);
   else if (has) void dock.show(VALUES_PANEL, false);
 }
 

@@ -10,7 +10,7 @@ import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 
 import { fileURLToPath } from "node:url";
 import { load } from "../package/dist/node.js";
 import { GOLDEN, GOLDEN_STEPS } from "./golden.mjs";
-import { buildScene, runScene, SCENES, sceneFile, USUAL_OPTIONS } from "./scenes.mjs";
+import { buildScene, runScene, SCENES, sourceOf, USUAL_OPTIONS } from "./scenes.mjs";
 
 /** Steps of each scene. */
 const STEPS = 300;
@@ -65,7 +65,7 @@ const before = existsSync(OUTPUT) ? JSON.parse(readFileSync(OUTPUT, "utf8")).sce
 const scenes = {};
 const common = keyOf(COMMON);
 for (const { name } of SCENES) {
-  const file = path(`public/${sceneFile(name)}`);
+  const file = sourceOf(name);
   const key = common + keyOf([file, ...filesOf(file.replace(/\.js$/, ""))]);
   const same = before[name]?.key === key;
   const hashes = same ? before[name].hashes : await hashesOf(thud, name);

@@ -14,6 +14,8 @@ const ENTRY = fileURLToPath(new URL("../src/offline/sw.ts", import.meta.url));
 /** The list of the service worker's `BUILD` to which a file belongs; null: it is in none. */
 function listOf(url) {
   if (url === "sw.js" || url.endsWith(".map")) return null;
+  // What the host says of itself.
+  if (url === "rooms.json") return null;
   // The site, of which a visitor of the page may want none.
   if (url.startsWith("docs/")) return null;
   if (/^assets\/thud-(first|rest|recorded)-[\w-]{8}\.wasm$/.test(url)) return "simd";

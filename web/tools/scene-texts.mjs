@@ -9,6 +9,8 @@ import { basename } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const FOLDER = fileURLToPath(new URL("../public/scenes", import.meta.url));
+/** Games of examples/games are scenes as well: "pool.mjs" is the scene "game_pool". */
+const GAMES = fileURLToPath(new URL("../../examples/games", import.meta.url));
 
 /** A string literal without escapes, as a regular expression. */
 const STRING = '"([^"\\\\\\n]+)"';
@@ -28,11 +30,11 @@ const IN_NO_MENU = /^export const menu = null;/m;
  * { name, title, about, group, place } from the text of a module; null where it is not in the menu.
  * Throws where a line is missing.
  */
-export function readSceneText(name, text) {
+export function readSceneText(name, text, file = `web/public/scenes/${name}.js`) {
   if (IN_NO_MENU.test(text)) return null;
   const [[title], [about], [group, place]] = Object.values(LINES).map(([pattern, form]) => {
     const found = new RegExp(`^${pattern}$`, "m").exec(text);
-    if (!found) throw new Error(`web/public/scenes/${name}.js lacks a line of this form: ${form}`);
+    if (!found) throw new Error(`${file} lacks a line of this form: ${form}`);
     return found.slice(1);
   });
   return { name, title, about, group, place: Number(place) };
@@ -55,14 +57,22 @@ export function orderScenes(scenes) {
   return ordered;
 }
 
+/** The paths of the games' modules, by the names of their scenes. */
+export const GAME_FILES = new Map(
+  readdirSync(GAMES)
+    .filter((file) => file.endsWith(".mjs"))
+    .map((file) => [`game_${basename(file, ".mjs")}`, `${GAMES}/${file}`]),
+);
+
+/** The paths of all scenes' modules, by name. */
 function sceneFiles() {
-  const names = readdirSync(FOLDER).filter((file) => file.endsWith(".js"));
-  return names.map((file) => `${FOLDER}/${file}`);
+  const files = readdirSync(FOLDER).filter((file) => file.endsWith(".js"));
+  return [...files.map((file) => [basename(file, ".js"), `${FOLDER}/${file}`]), ...GAME_FILES];
 }
 
 /** All scenes of the menu, in its order. */
 export function readSceneTexts() {
-  const read = (path) => readSceneText(basename(path, ".js"), readFileSync(path, "utf8"));
+  const read = ([name, path]) => readSceneText(name, readFileSync(path, "utf8"), path);
   return orderScenes(sceneFiles().map(read).filter(Boolean));
 }
 
@@ -85,7 +95,7 @@ export function sceneTexts() {
     load(id) {
       const make = MODULES[id.slice(1)];
       if (!make) return null;
-      for (const path of sceneFiles()) this.addWatchFile(path);
+      for (const [, path] of sceneFiles()) this.addWatchFile(path);
       return `export default ${JSON.stringify(make())};`;
     },
     configureServer(server) {

@@ -1,8 +1,8 @@
 /** Builds and runs the page's scenes in Node.js, for tests, thumbnails and hashes. */
-import { readFile } from "node:fs/promises";
+import { copyFile, mkdir, readFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { runnerImport } from "vite";
-import { sceneTexts } from "./scene-texts.mjs";
+import { GAME_FILES, sceneTexts } from "./scene-texts.mjs";
 
 const web = new URL("../", import.meta.url);
 
@@ -46,12 +46,30 @@ const loaders = {
 
 const loadMover = async () => (await import("../package/dist/node.js")).Mover;
 
+/** The path of a scene's module. */
+export function sourceOf(name) {
+  return GAME_FILES.get(name) ?? fileURLToPath(new URL(`public/${sceneFile(name)}`, web));
+}
+
+/**
+ * Imports a scene's module. A game imports "thud", which is found from a copy of it here, as from a
+ * folder in which the package is installed.
+ */
+export async function importScene(name) {
+  if (!GAME_FILES.has(name)) return import(sourceOf(name));
+  const folder = new URL("generated/games/", web);
+  await mkdir(folder, { recursive: true });
+  const copy = new URL(`${name}.mjs`, folder);
+  await copyFile(sourceOf(name), copy);
+  return import(copy.href);
+}
+
 /**
  * Builds a scene of the registry. Returns { module, setting, scene, close }; `close` frees the
  * scene and all its worlds. `options`: those of createSetting.
  */
 export async function buildScene(thud, name, options = {}) {
-  const module = await import(new URL(`public/${sceneFile(name)}`, web).href);
+  const module = await importScene(name);
   const mover = await loadMover();
   const setting = createSetting(module, { thud, readText, mover, ...loaders, ...options });
   const worlds = [];
@@ -75,7 +93,7 @@ export async function buildScene(thud, name, options = {}) {
  * function setUp of stage.ts, which may be that of another bundle.
  */
 export async function openSession(thud, name, options = {}, by = setUp) {
-  const module = await import(new URL(`public/${sceneFile(name)}`, web).href);
+  const module = await importScene(name);
   const request = { name, seed: 0, choices: USUAL, ...options };
   return by(1, module, thud, request, readText, { ...loaders, loadMover });
 }

@@ -1,26 +1,29 @@
 #!/usr/bin/env node
-/** Serves the built page, web/dist, on 127.0.0.1 until Ctrl-C. */
+/** Serves the built page, web/dist, on 127.0.0.1, or on all addresses, until Ctrl-C. */
 import { spawn } from "node:child_process";
 import { stat } from "node:fs/promises";
+import { networkInterfaces } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { createStaticServer } from "./static-server.mjs";
 
-const USAGE = `usage: node serve.mjs [--port N] [--open]
+const USAGE = `usage: node serve.mjs [--port N] [--open] [--lan]
 
   --port N   the port to begin with, 8080 by default; a taken one is left for the next
   --open     open the page where there is a desktop
+  --lan      serve the other devices of this network, too, such as phones
 `;
 
 const HOST = "127.0.0.1";
+const EVERYBODY = "0.0.0.0";
 /** The number of ports after the first that are tried. Chosen. */
 const TRIES = 50;
 
 /**
- * Listens on the first free port from `port` on; resolves to that port. `say` is called with a
- * message for each port that is taken.
+ * Listens on the first free port from `port` on, at the address `host`; resolves to that port. `say` is
+ * called with a message for each port that is taken.
  */
-export function listenFrom(server, port, say = () => {}) {
+export function listenFrom(server, port, say = () => {}, host = HOST) {
   return new Promise((done, fail) => {
     let candidate = port;
     server.on("error", (error) => {
@@ -28,21 +31,22 @@ export function listenFrom(server, port, say = () => {}) {
       if (!taken || candidate >= Math.min(65535, port + TRIES)) return fail(error);
       const why = error.code === "EACCES" ? "not allowed" : "taken";
       say(`Port ${candidate} is ${why}; trying ${candidate + 1}`);
-      server.listen(++candidate, HOST);
+      server.listen(++candidate, host);
     });
     server.on("listening", () => done(server.address().port));
-    server.listen(candidate, HOST);
+    server.listen(candidate, host);
   });
 }
 
 function readArguments(args) {
-  const options = { port: 8080, open: false };
+  const options = { port: 8080, open: false, lan: false };
   for (let i = 0; i < args.length; i++) {
     if (args[i] === "--help" || args[i] === "-h") {
       process.stdout.write(USAGE);
       process.exit(0);
     }
     if (args[i] === "--open") options.open = true;
+    else if (args[i] === "--lan") options.lan = true;
     else if (args[i] === "--port") {
       options.port = Number(args[++i]);
       if (!Number.isInteger(options.port) || options.port < 1 || options.port > 65535)
@@ -74,7 +78,7 @@ function hasDesktop() {
 }
 
 async function main() {
-  const { port, open } = readArguments(process.argv.slice(2));
+  const { port, open, lan } = readArguments(process.argv.slice(2));
   const folder = fileURLToPath(new URL("../dist", import.meta.url));
   if (!(await stat(join(folder, "index.html")).catch(() => null))) {
     process.stderr.write("serve: web/dist has no page; run `npm run build` in web/ first\n");
@@ -86,9 +90,13 @@ async function main() {
       server.closeAllConnections();
       server.close(() => process.exit(0));
     });
-  const used = await listenFrom(server, port, console.log);
+  const used = await listenFrom(server, port, console.log, lan ? EVERYBODY : HOST);
   const url = `http://${HOST}:${used}/`;
   console.log(`thud runs at ${url} (Ctrl-C ends it)`);
+  const others = Object.values(networkInterfaces()).flat();
+  for (const { family, internal, address } of lan ? others : [])
+    if (family === "IPv4" && !internal)
+      console.log(`Other devices in this network find it at http://${address}:${used}/`);
   if (open && hasDesktop()) openBrowser(url);
 }
 

@@ -1,4 +1,7 @@
-/** An HTTP server for the files of one folder, with compression and the headers of headers.mjs. */
+/**
+ * An HTTP server for the files of one folder, with compression and the headers of headers.mjs, and for
+ * rooms in which browsers meet (rooms.mjs).
+ */
 import { createHash } from "node:crypto";
 import { readFile, stat } from "node:fs/promises";
 import { createServer } from "node:http";
@@ -6,6 +9,7 @@ import { extname, join, resolve, sep } from "node:path";
 import { promisify } from "node:util";
 import { brotliCompress, constants, gzip } from "node:zlib";
 import { ISOLATION, WORKER_POLICY } from "./headers.mjs";
+import { createRooms } from "./rooms.mjs";
 
 /** Content types by the extension of files. */
 const TYPES = {
@@ -35,7 +39,10 @@ const ENCODERS = {
 export function createStaticServer(folder, under = "/") {
   const root = resolve(folder);
   const files = new Map();
+  const rooms = createRooms();
   return createServer((request, response) => {
+    const path = (request.url ?? "").replace(/[?#].*$/, "");
+    if (path.startsWith(under) && rooms(path.slice(under.length), request, response)) return;
     answer(root, under, files, request, response).catch(() =>
       refuse(response, 500, "Internal error"),
     );

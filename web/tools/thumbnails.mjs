@@ -13,14 +13,15 @@ import {
   rampColour,
   runScene,
   SCENES,
-  sceneFile,
+  sourceOf,
   thumbnailFile,
   THUMBNAILS,
 } from "./scenes.mjs";
 
 const web = new URL("../", import.meta.url);
 const path = (file) => fileURLToPath(new URL(file, web));
-const time = (file) => statSync(path(file), { throwIfNoEntry: false })?.mtimeMs ?? 0;
+const timeOf = (place) => statSync(place, { throwIfNoEntry: false })?.mtimeMs ?? 0;
+const time = (file) => timeOf(path(file));
 
 /** The time of the newest source on which all thumbnails depend, ms. */
 const COMMON = Math.max(
@@ -43,7 +44,7 @@ mkdirSync(path("public/thumbs"), { recursive: true });
 for (const { name } of SCENES) {
   const { size, steps = 60, view } = THUMBNAILS[name] ?? {};
   const file = `public/${thumbnailFile(name)}`;
-  if (time(file) > Math.max(COMMON, time(`public/${sceneFile(name)}`))) continue;
+  if (time(file) > Math.max(COMMON, timeOf(sourceOf(name)))) continue;
   const { scene, close } = await buildScene(thud, name, { size });
   runScene(scene, steps);
   writeFileSync(path(file), drawScene(scene, COLOURS, view));

@@ -29,9 +29,10 @@ static thud_drive drive_in(const struct drive_options *s, thud_joint_kind kind,
                            thud_direction direction, double furthest) {
     double most = direction == THUD_DIRECTION_TURN ? (double)THUD_JOINT_ANGLE_MAX : furthest;
     double least = kind == THUD_JOINT_DISTANCE ? 0.0 : -most;
-    return (thud_drive){.limited = !(s->lower == -INFINITY && s->upper == INFINITY),
-                        .lower = (float)(s->lower == -INFINITY ? least : s->lower),
-                        .upper = (float)(s->upper == INFINITY ? most : s->upper),
+    bool limited = !(s->lower == -INFINITY && s->upper == INFINITY);
+    return (thud_drive){.limited = limited,
+                        .lower = (float)(s->lower == -INFINITY ? limited ? least : 0.0 : s->lower),
+                        .upper = (float)(s->upper == INFINITY ? limited ? most : 0.0 : s->upper),
                         .frequency = (float)s->frequency,
                         .damping = (float)s->damping,
                         .target = (float)s->target,

@@ -84,6 +84,7 @@ typedef struct thud_contact_settings {
 /* What a world has from the start, of what it may do without; see thud_default_small_world_def. */
 typedef struct thud_parts thud_parts;
 
+/* What a world is created from. */
 typedef struct thud_world_def {
     thud_vec2 gravity;  /* length/s^2; default (0, -10) */
     double time_step;   /* s, (0, THUD_TIME_STEP_MAX]; default 1/60 */
@@ -120,10 +121,11 @@ typedef struct thud_world_def {
     thud_clock_fn *clock; /* default null: stages are not timed */
     void *clock_context;  /* passed to clock */
     double max_error;     /* length, [0, THUD_MAX_ERROR_MAX]; default 0: no limit. An island with a
-                             contact that overlaps by more, or will do so under its load, is solved
-                             by the quality's island solver until the soft solver, which solves all
-                             other islands, keeps to the limit again. Needs a quality with an island
-                             solver (thud_quality.islands) */
+                             contact that overlaps by more, or will do so under its load, or with a
+                             joint that is open by more, is solved by the quality's island solver
+                             until the soft solver, which solves all other islands, keeps to the
+                             limit again. Needs a quality with an island solver
+                             (thud_quality.islands) */
     double time_budget;   /* s a step, [0, THUD_TIME_BUDGET_MAX]; default 0: no budget. If steps
                              take longer, substeps and the quality's island_work are halved, down to
                              one substep, and doubled again when time allows. Results then depend on
@@ -188,6 +190,7 @@ THUD_API thud_result thud_world_step(thud_world *world);
 THUD_API thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps,
                                         int *out_steps, double *out_alpha);
 
+/* A callback of thud_step_calls. */
 typedef void thud_step_fn(thud_world *world, void *context);
 
 /* Callbacks before and after each step. Inside them the world may be edited, queried and saved to a
@@ -201,7 +204,8 @@ typedef struct thud_step_calls {
     void *context;                /* passed to both */
 } thud_step_calls;
 
-/* As thud_world_advance, with these callbacks; `calls` may be null. */
+/* As thud_world_advance, with these callbacks and the same errors; `calls` may be null. With
+ * max_steps < 1 or `elapsed` out of range the result is THUD_ERROR_INVALID. */
 THUD_API thud_result thud_world_advance_with(thud_world *world, double elapsed, int max_steps,
                                              const thud_step_calls *calls, int *out_steps,
                                              double *out_alpha);
@@ -227,6 +231,7 @@ THUD_API thud_result thud_world_set_sleeping(thud_world *world, bool sleeping);
 
 /* ---- bodies ---- */
 
+/* How a body moves. */
 typedef enum thud_body_kind {
     THUD_BODY_STATIC = 0, /* has no velocity; moves only by thud_body_set_transform */
     THUD_BODY_KINEMATIC,  /* moves at the velocity that is set; no force or contact changes it */
@@ -234,6 +239,7 @@ typedef enum thud_body_kind {
     THUD_BODY_KIND_COUNT
 } thud_body_kind;
 
+/* What a body is created from. */
 typedef struct thud_body_def {
     thud_body_kind kind; /* default static */
     thud_pos position;   /* of the body's origin, |x|, |y| <= THUD_PLACE_MAX length scales; default
@@ -254,6 +260,7 @@ typedef struct thud_body_def {
     uint32_t cookie;                 /* set by thud_default_body_def */
 } thud_body_def;
 
+/* A def with the defaults: a static body at (0, 0). */
 THUD_API thud_body_def thud_default_body_def(void);
 
 /* Creates a body without shapes; *out (may be null) is its handle. THUD_ERROR_NULL for a null world
@@ -267,6 +274,7 @@ THUD_API thud_result thud_body_destroy(thud_world *world, thud_body_id body);
 /* Whether the handle names a body of this world. */
 THUD_API bool thud_body_is_valid(const thud_world *world, thud_body_id body);
 
+/* All values of a body. */
 typedef struct thud_body_state {
     thud_body_kind kind;
     thud_pos position;      /* of the origin */
@@ -275,9 +283,10 @@ typedef struct thud_body_state {
     float cosine, sine;     /* of the angle */
     thud_vec2 velocity;     /* of the centre of mass, length/s */
     float angular_velocity; /* rad/s */
-    float mass, inertia; /* inertia: about the centre of mass, mass * length^2; 0 when rotation is
-                            fixed. Both are 0 for static and kinematic bodies; a dynamic body whose
-                            shapes have no mass has mass 1 */
+    float mass;    /* 0 for static and kinematic bodies; a dynamic body whose shapes have no mass
+                      has mass 1 */
+    float inertia; /* about the centre of mass, mass * length^2; 0 for static and kinematic bodies,
+                      and where rotation is fixed */
     float gravity_scale;
     bool awake, enabled;
     bool quarantined; /* its position or velocity became non-finite, and the engine stopped it */
@@ -309,11 +318,12 @@ THUD_API thud_result thud_body_set_velocity(thud_world *world, thud_body_id body
  * coordinates, |x|, |y| <= THUD_PLACE_MAX length scales. */
 THUD_API thud_result thud_body_apply_impulse(thud_world *world, thud_body_id body,
                                              thud_vec2 impulse, thud_pos point);
-/* Applies a force, mass * length / s^2, at the centre of mass of a dynamic body, or a torque, mass
- * * length^2 / s^2, during the next step, or during `elapsed` of the next thud_world_advance;
- *   forces and torques add up. At a point of the body: thud_forces.h. */
+/* Applies a force, mass * length / s^2, at the centre of mass of a dynamic body during the next
+ * step, or during `elapsed` of the next thud_world_advance. Forces add up. At a point of the body:
+ * thud_forces.h. */
 THUD_API thud_result thud_body_apply_center_force(thud_world *world, thud_body_id body,
                                                   thud_vec2 force);
+/* The same with a torque, mass * length^2 / s^2. */
 THUD_API thud_result thud_body_apply_torque(thud_world *world, thud_body_id body, float torque);
 /* For a dynamic body: true wakes it. False: it counts as at rest, and falls asleep as soon as all
  * bodies of its island are at rest. */
@@ -341,6 +351,7 @@ typedef struct thud_filter {
                       whatever category and mask are; default 0: no group */
 } thud_filter;     /* an all-zero filter collides with nothing, which is logged */
 
+/* What a shape is created from, beside its size and place. */
 typedef struct thud_shape_def {
     float density;     /* mass / length^2, [0, THUD_DENSITY_MAX]; default 1 */
     float friction;    /* coefficient, [0, THUD_FRICTION_MAX]; default 0.6. A pair has the geometric
@@ -358,6 +369,7 @@ typedef struct thud_shape_def {
     uint32_t cookie;    /* set by thud_default_shape_def */
 } thud_shape_def;
 
+/* A def with the defaults. */
 THUD_API thud_shape_def thud_default_shape_def(void);
 
 /* Creating shapes. The offset is the shape's centre in the body's frame, |x|, |y| <= THUD_SIZE_MAX
@@ -393,6 +405,7 @@ THUD_API thud_result thud_shape_destroy(thud_world *world, thud_shape_id shape);
 /* Whether the handle names a shape of this world. */
 THUD_API bool thud_shape_is_valid(const thud_world *world, thud_shape_id shape);
 
+/* All values of a shape. */
 typedef struct thud_shape_state {
     thud_shape_kind kind;
     thud_body_id body;
@@ -409,7 +422,8 @@ typedef struct thud_shape_state {
 THUD_API thud_result thud_shape_get_state(const thud_world *world, thud_shape_id shape,
                                           thud_shape_state *out);
 /* The world's own copy of a terrain's line; its points are valid until the next edit of the world.
- * THUD_ERROR_INVALID for another kind of shape. Edits of the line are in thud_terrain.h. */
+ * THUD_ERROR_NULL, THUD_ERROR_STALE, THUD_ERROR_INVALID for another kind of shape. Edits of the
+ * line are in thud_terrain.h. */
 THUD_API thud_result thud_shape_get_terrain(const thud_world *world, thud_shape_id shape,
                                             thud_terrain *out);
 
@@ -460,12 +474,16 @@ typedef enum thud_stage {
 /* A name in lower case, "unknown" for another value; a static string. */
 THUD_API const char *thud_stage_name(thud_stage stage);
 
+/* Counts and times of a world and of its last step. */
 typedef struct thud_stats {
-    uint64_t steps; /* steps that the world has run */
-    /* awake_bodies: dynamic and kinematic; pairs: of shapes whose fat bounds overlap; contacts:
-     * pairs that touch. */
-    int bodies, shapes, awake_bodies, pairs, contacts;
-    int colours, blocks;       /* graph colours of the solver; blocks of eight constraints */
+    uint64_t steps;            /* steps that the world has run */
+    int bodies, shapes;        /* created and not destroyed */
+    int awake_bodies;          /* dynamic and kinematic ones */
+    int pairs;                 /* pairs of shapes whose bounds overlap, with the margin of these */
+    int contacts;              /* pairs of shapes that touch */
+    int colours;               /* groups into which the solver sorts constraints, so that no two
+                                  constraints of a group share a moving body */
+    int blocks;                /* blocks of eight constraints, which the solver takes at once */
     int substeps;              /* of the last step; see time_budget */
     uint64_t bytes;            /* memory that the world holds */
     uint64_t step_allocations; /* allocations of the last step */
@@ -488,9 +506,10 @@ typedef struct thud_stats {
     int motion_circles, motion_boxes, motion_exact;
 } thud_stats;
 
-/* THUD_ERROR_NULL. */
+/* Counts and times of the world. THUD_ERROR_NULL. */
 THUD_API thud_result thud_world_get_stats(const thud_world *world, thud_stats *out);
 
+/* The same as a return value; all 0 for a null world. */
 static inline thud_stats thud_stats_of(const thud_world *world) {
     thud_stats stats;
     memset(&stats, 0, sizeof stats);
@@ -536,6 +555,7 @@ typedef struct thud_step_error {
 /* All 0 before the first step. THUD_ERROR_NULL. */
 THUD_API thud_result thud_world_get_step_error(const thud_world *world, thud_step_error *out);
 
+/* The same as a return value; all 0 for a null world. */
 static inline thud_step_error thud_step_error_of(const thud_world *world) {
     thud_step_error error;
     memset(&error, 0, sizeof error);
@@ -555,6 +575,7 @@ typedef struct thud_measure {
 /* Costs a pass over contacts and bodies. THUD_ERROR_NULL. */
 THUD_API thud_result thud_world_get_measure(const thud_world *world, thud_measure *out);
 
+/* The same as a return value; all 0 for a null world. */
 static inline thud_measure thud_measure_of(const thud_world *world) {
     thud_measure measure;
     memset(&measure, 0, sizeof measure);
@@ -566,6 +587,7 @@ static inline thud_measure thud_measure_of(const thud_world *world) {
  * two runs. THUD_ERROR_NULL. */
 THUD_API thud_result thud_world_get_hash(const thud_world *world, uint64_t *out);
 
+/* The same as a return value; 0 for a null world. */
 static inline uint64_t thud_hash_of(const thud_world *world) {
     uint64_t hash = 0;
     thud_world_get_hash(world, &hash);

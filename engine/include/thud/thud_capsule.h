@@ -19,6 +19,7 @@
 extern "C" {
 #endif
 
+/* A capsule: all points within a distance of a segment. */
 typedef struct thud_capsule {
     double x1, y1, x2, y2; /* the ends of the segment, which may coincide; |x|, |y| <=
                               THUD_COORDINATE_MAX */
@@ -35,8 +36,9 @@ THUD_API thud_result thud_capsule_of_motion(const thud_geometry *circle, thud_mo
 
 /* ---- distance ---- */
 
-/* Signed distance, normal and closest points, as thud_geometry_closest, with the capsule as a. They
- * overlap if the distance is <= 0; the normal is then the axis of least penetration. */
+/* Both calls: signed distance, normal and closest points, as thud_geometry_closest, with the
+ * capsule as a. They overlap if the distance is <= 0; the normal is then the axis of least
+ * penetration. */
 THUD_API thud_result thud_capsule_closest(const thud_capsule *a, const thud_geometry *b,
                                           thud_closest *out);
 THUD_API thud_result thud_capsules_closest(const thud_capsule *a, const thud_capsule *b,
@@ -53,7 +55,7 @@ THUD_API thud_result thud_terrain_capsule_closest(const thud_terrain *terrain,
 
 /* The first time in [0, 1] at which the moving shapes come within the distance `target` ([0,
  * THUD_COORDINATE_MAX]) of each other, in closed form: as thud_geometry_time_of_impact, but for
- * motions without rotation only. */
+ * motions without rotation only. All calls with a time of impact take the same arguments. */
 THUD_API thud_result thud_capsule_time_of_impact(const thud_capsule *a, thud_motion motion_a,
                                                  const thud_geometry *b, thud_motion motion_b,
                                                  double target, bool *out_hit, double *out_time);

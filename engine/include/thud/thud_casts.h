@@ -52,9 +52,11 @@ THUD_API thud_result thud_world_cast_shape_each(thud_world *world, const thud_sh
  *
  * 64 casts or more are divided among the workers of the world's job system, which is called once;
  * inside a callback the calling thread does all of them. The number of workers does not change the
- * results. */
+ * results. THUD_ERROR_NULL for null arrays with a count above 0; THUD_ERROR_INVALID for a negative
+ * count; other errors as for thud_world_cast_ray. */
 THUD_API thud_result thud_world_cast_rays(thud_world *world, const thud_ray *rays, int count,
                                           thud_ray_hit *out_hits);
+/* The same with moving shapes, as thud_world_cast_shape finds their hits. */
 THUD_API thud_result thud_world_cast_shapes(thud_world *world, const thud_shape_cast *casts,
                                             int count, thud_ray_hit *out_hits);
 

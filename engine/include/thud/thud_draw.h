@@ -11,6 +11,7 @@
 extern "C" {
 #endif
 
+/* What a line, box, circle or point of debug drawing shows. */
 typedef enum thud_style {
     THUD_STYLE_STATIC = 0,           /* shape of a static body */
     THUD_STYLE_KINEMATIC,            /* shape of an awake kinematic body */

@@ -42,7 +42,8 @@ typedef struct thud_body_shape {
  *                                  &ball, NULL);
  *
  * Terrain is made by thud_shape_create_terrain. A program that uses this call links circles, AABBs
- * and OBBs. THUD_ERROR_NULL if `shapes` is null and count is not 0; THUD_ERROR_MEMORY. */
+ * and OBBs. THUD_ERROR_NULL also if `shapes` is null and count is not 0; THUD_ERROR_INVALID, also
+ * for a negative count; THUD_ERROR_MEMORY. */
 THUD_NODISCARD THUD_API thud_result thud_body_create_with_shapes(thud_world *world,
                                                                  const thud_body_def *def,
                                                                  const thud_body_shape *shapes,
@@ -55,13 +56,15 @@ THUD_NODISCARD THUD_API thud_result thud_body_create_with_shapes(thud_world *wor
  * begin with the next step. THUD_ERROR_MEMORY. */
 THUD_API thud_result thud_shape_set_filter(thud_world *world, thud_shape_id shape,
                                            thud_filter filter);
-/* Friction, restitution and surface speed of a pair are computed from those of its two shapes
+/* The coefficient of friction. That of a pair is computed from those of its two shapes
  * (thud_shape_def), then replaced by a rule for the two (thud_rules.h), and last by a prologue
  * (pre-solve callback). */
 THUD_API thud_result thud_shape_set_friction(thud_world *world, thud_shape_id shape,
                                              float friction);
+/* The restitution; that of a pair is found as its friction is. */
 THUD_API thud_result thud_shape_set_restitution(thud_world *world, thud_shape_id shape,
                                                 float restitution);
+/* The speed of the surface, length/s; that of a pair is found as its friction is. */
 THUD_API thud_result thud_shape_set_surface_speed(thud_world *world, thud_shape_id shape,
                                                   float surface_speed);
 /* Recomputes the mass of the body at once; its centre of mass moves. The velocity keeps its value,
@@ -71,10 +74,11 @@ THUD_API thud_result thud_shape_set_density(thud_world *world, thud_shape_id sha
  * sensor_end events, if it was a sensor), and begin again as those of the other kind.
  * THUD_ERROR_MEMORY. */
 THUD_API thud_result thud_shape_set_sensor(thud_world *world, thud_shape_id shape, bool sensor);
-/* The radius of a circle, and the half extents of an AABB or OBB, about the same centre;
- * THUD_ERROR_INVALID for another kind. Recomputes the body's mass as thud_shape_set_density does.
- * Shapes that the larger shape overlaps are separated at no more than the world's push_speed. */
+/* The radius of a circle, about the same centre; THUD_ERROR_INVALID for another kind. Recomputes
+ * the body's mass as thud_shape_set_density does. Shapes that the larger shape overlaps are
+ * separated at no more than the world's push_speed. */
 THUD_API thud_result thud_shape_set_radius(thud_world *world, thud_shape_id shape, float radius);
+/* The same with the half extents of an AABB or OBB. THUD_ERROR_INVALID for another kind. */
 THUD_API thud_result thud_shape_set_half_extents(thud_world *world, thud_shape_id shape,
                                                  thud_vec2 half_extents);
 /* Whether contacts of the shape make events, see thud_events.h. Wakes no body. */

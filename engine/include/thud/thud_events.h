@@ -59,19 +59,27 @@ typedef struct thud_hit_event {
 
 /* Lists of events, each with its count below. */
 typedef struct thud_events {
-    const thud_contact_event *begin, *end;
-    const thud_contact_event *sensor_begin, *sensor_end; /* shape_a is the sensor that reports */
+    const thud_contact_event *begin; /* pairs that began to touch; sensors are not among them */
+    const thud_contact_event *end;   /* pairs that stopped touching */
+    const thud_contact_event *sensor_begin; /* overlaps that began; shape_a is the sensor */
+    const thud_contact_event *sensor_end;   /* overlaps that ended; shape_a is the sensor */
     /* For each element of sensor_begin and sensor_end, the time in [0, 1] of the step at which the
      * overlap began or ended. */
     const float *sensor_begin_time, *sensor_end_time;
-    const thud_hit_event *hit;
+    const thud_hit_event *hit;       /* pairs that met faster than thud_world_def.hit_speed */
     const thud_body_id *quarantined; /* bodies that became non-finite, and were stopped */
-    int begin_count, end_count, sensor_begin_count, sensor_end_count, hit_count, quarantined_count;
+    int begin_count;                 /* number of elements of `begin` */
+    int end_count;                   /* of `end` */
+    int sensor_begin_count;          /* of `sensor_begin` and `sensor_begin_time` */
+    int sensor_end_count;            /* of `sensor_end` and `sensor_end_time` */
+    int hit_count;                   /* of `hit` */
+    int quarantined_count;           /* of `quarantined` */
 } thud_events;
 
-/* THUD_ERROR_NULL. */
+/* The events of the last step or thud_world_advance. THUD_ERROR_NULL. */
 THUD_API thud_result thud_world_get_events(const thud_world *world, thud_events *out);
 
+/* The same as a return value; no events for a null world. */
 static inline thud_events thud_events_of(const thud_world *world) {
     thud_events events;
     memset(&events, 0, sizeof events);

@@ -35,6 +35,7 @@ typedef enum thud_cover {
     THUD_COVER_ALL       /* every other body */
 } thud_cover;
 
+/* What thud_world_explode does. */
 typedef struct thud_explosion {
     thud_pos center; /* |x|, |y| <= THUD_PLACE_MAX length scales */
     double radius; /* length, [0, THUD_PLACE_MAX length scales]; default 0. Within it the impulse is
@@ -52,6 +53,7 @@ typedef struct thud_explosion {
     uint32_t cookie;          /* set by thud_default_explosion */
 } thud_explosion;
 
+/* An explosion with the defaults. */
 THUD_API thud_explosion thud_default_explosion(void);
 
 /* Applies impulses to the dynamic bodies around the centre, away from it, at once. Inside a
@@ -90,6 +92,7 @@ THUD_API thud_result thud_body_apply_wind(thud_world *world, thud_body_id body, 
 
 /* ---- water ---- */
 
+/* Water below a straight line. */
 typedef struct thud_water {
     thud_pos point;    /* a point of the water line, |x|, |y| <= THUD_PLACE_MAX length scales;
                           default (0, 0) */
@@ -104,6 +107,7 @@ typedef struct thud_water {
     uint32_t cookie;    /* set by thud_default_water */
 } thud_water;
 
+/* Water with the defaults. */
 THUD_API thud_water thud_default_water(void);
 
 /* Buoyancy and drag of a body in water. The buoyancy is the weight of the displaced water, by the

@@ -51,9 +51,9 @@ THUD_API thud_result thud_body_set_target(thud_world *world, thud_body_id body, 
 /* The velocity, length/s, of the body's point at this world position: v + w x r. */
 THUD_API thud_result thud_body_get_velocity_at(const thud_world *world, thud_body_id body,
                                                thud_pos point, thud_vec2 *out);
-/* Points and vectors from the body's frame (its origin and axes) to the world's, and back. Points
- * in the body's frame are in single precision. Components beyond the largest float become that
- * float. */
+/* All four calls: points and vectors from the body's frame (its origin and axes) to the world's,
+ * and back. Points in the body's frame are in single precision. Components beyond the largest float
+ * become that float. */
 THUD_API thud_result thud_body_get_world_point(const thud_world *world, thud_body_id body,
                                                thud_vec2 point, thud_pos *out);
 THUD_API thud_result thud_body_get_local_point(const thud_world *world, thud_body_id body,

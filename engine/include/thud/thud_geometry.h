@@ -16,6 +16,7 @@
 extern "C" {
 #endif
 
+/* The kinds of shapes. */
 typedef enum thud_shape_kind {
     THUD_SHAPE_CIRCLE = 0,
     THUD_SHAPE_AABB,   /* axis-aligned box; never rotates */
@@ -37,19 +38,22 @@ typedef struct thud_geometry {
                       hy 0 */
 } thud_geometry;
 
-/* Constructors of placed shapes, for the functions of this header, for queries and movers, and for
- * bodies that are made with their shapes (thud_edits.h). They check nothing; an OBB with an angle
- * beyond THUD_ANGLE_MAX gets (c, s) = (0, 0), which thud_geometry_check refuses. */
+/* A circle with its centre at (x, y). It and the two constructors below are for the functions of
+ * this header, for queries and movers, and for bodies that are made with their shapes
+ * (thud_edits.h). They check nothing. */
 static inline thud_geometry thud_circle_at(double x, double y, double radius) {
     thud_geometry circle = {THUD_SHAPE_CIRCLE, x, y, 1.0, 0.0, radius, 0.0};
     return circle;
 }
 
+/* A box parallel to the axes, with its centre at (x, y) and these half extents. */
 static inline thud_geometry thud_aabb_at(double x, double y, double half_x, double half_y) {
     thud_geometry box = {THUD_SHAPE_AABB, x, y, 1.0, 0.0, half_x, half_y};
     return box;
 }
 
+/* The same box turned by `angle`, rad, counter-clockwise. An angle beyond THUD_ANGLE_MAX gives
+ * (c, s) = (0, 0), which thud_geometry_check refuses. */
 static inline thud_geometry thud_obb_at(double x, double y, double half_x, double half_y,
                                         double angle) {
     thud_geometry box = {THUD_SHAPE_OBB, x, y, 0.0, 0.0, half_x, half_y};
@@ -154,6 +158,7 @@ THUD_API bool thud_geometry_is_bisectable(const thud_geometry *a, thud_motion mo
 
 /* ---- terrain ---- */
 
+/* How the line of a terrain is given. */
 typedef enum thud_terrain_kind {
     THUD_TERRAIN_FLAT = 0, /* a straight line without ends: height = slope * x */
     THUD_TERRAIN_UNIFORM,  /* heights at x0, x0 + spacing, x0 + 2 * spacing and so on */

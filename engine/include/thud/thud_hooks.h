@@ -32,9 +32,7 @@ THUD_API void thud_log_to_stderr(thud_result result, const char *message, void *
 /* The time in seconds since any start; it must not go backwards. */
 typedef double thud_clock_fn(void *context);
 
-/* ---- threads: a world starts none, and uses the caller's job system, or the pool of
- * thud_threads.h. The number of workers does not change any result. A WebAssembly program without
- * threads (-pthread) calls no job system ---- */
+/* ---- threads ---- */
 
 /* A task of the engine. */
 typedef void thud_task_fn(void *argument);
@@ -56,6 +54,9 @@ typedef struct thud_shared_stages thud_shared_stages;
  * Results are the same, bit for bit, as without it. */
 extern THUD_API const thud_shared_stages thud_shared_stages_all;
 
+/* Threads among which a world divides its steps. A world starts none itself: it uses those of the
+ * caller, or the pool of thud_threads.h. The number of workers does not change any result. A
+ * WebAssembly program without threads (-pthread) calls no job system. */
 typedef struct thud_job_system {
     thud_parallel_fn *run; /* null (the default): the calling thread alone */
     void *context;         /* passed to run */

@@ -18,6 +18,7 @@ typedef struct thud_body_id {
     uint32_t generation; /* of the slot, mixed with the world's own number */
 } thud_body_id;
 
+/* A handle of a shape, with the rules of thud_body_id. */
 typedef struct thud_shape_id {
     uint32_t index1;     /* as in thud_body_id */
     uint32_t generation; /* likewise */

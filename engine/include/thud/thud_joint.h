@@ -35,7 +35,9 @@
  * world are, and the group has no more contacts with moving bodies than it has bodies. Its contacts
  * then keep the impulses of the soft solver, and the joints may not bring shapes closer together
  * than in the soft solver's result. If joints and contacts cannot both be satisfied so, or the
- * result would gain energy, the soft solver's result is kept.
+ * result would gain energy, the soft solver's result is kept. Where closing gaps lifts bodies,
+ * their kinetic energy pays for it, so that a bridge or a rope that gives way does not swing up by
+ * itself.
  *
  * Detection (thud_detection.h). If detection stops a body within a step, all bodies that locked
  * directions connect to it stop at the same fraction of their motions, and lose the speed that
@@ -72,29 +74,33 @@ typedef struct thud_joint_id {
     uint32_t generation;
 } thud_joint_id;
 
+/* The kinds of joints. The table at the head of this header says which directions each locks. */
 typedef enum thud_joint_kind {
-    THUD_JOINT_DISTANCE = 0,
-    THUD_JOINT_HINGE,
-    THUD_JOINT_SLIDER,
-    THUD_JOINT_WELD,
-    THUD_JOINT_WHEEL,
-    THUD_JOINT_TARGET,
+    THUD_JOINT_DISTANCE = 0, /* a rod; with limits a rope, with a spring a spring */
+    THUD_JOINT_HINGE,        /* both bodies turn about a common point */
+    THUD_JOINT_SLIDER,       /* b moves along an axis of a, and does not turn */
+    THUD_JOINT_WELD,         /* b keeps its place and angle relative to a */
+    THUD_JOINT_WHEEL,        /* b turns about a point that moves along an axis of a */
+    THUD_JOINT_TARGET,       /* drives alone: springs or motors lead b to a place and an angle */
     THUD_JOINT_FILTER, /* excludes contacts between the bodies' shapes, and does nothing else */
-    THUD_JOINT_GEAR,
+    THUD_JOINT_GEAR,   /* couples the coordinates of two joints */
     THUD_JOINT_KIND_COUNT
 } thud_joint_kind;
 
+/* The directions in which a joint measures b relative to a. */
 typedef enum thud_direction {
-    THUD_DIRECTION_ALONG = 0, /* for THUD_JOINT_DISTANCE the distance */
-    THUD_DIRECTION_ACROSS,
-    THUD_DIRECTION_TURN,
+    THUD_DIRECTION_ALONG =
+        0,                 /* along the x axis of frame a; for THUD_JOINT_DISTANCE the distance */
+    THUD_DIRECTION_ACROSS, /* along the y axis of frame a */
+    THUD_DIRECTION_TURN,   /* rotation */
     THUD_DIRECTION_COUNT
 } thud_direction;
 
 /* Limits, spring and motor of a direction that is not locked, in lengths and forces, or in radians
  * and torques. A drive may have a spring, a motor and limits at once. */
 typedef struct thud_drive {
-    bool limited;       /* whether it has limits; default false */
+    bool limited;       /* whether it has limits; default false. A joint that is created
+                           with limits but not with this is logged */
     float lower, upper; /* limits, lower <= upper; |.| at most THUD_JOINT_ANGLE_MAX (pi) for turn,
                            and THUD_JOINT_LENGTH_MAX length scales for lengths; >= 0 for a distance.
                            Equal limits lock the direction there. Default 0 */
@@ -132,8 +138,9 @@ typedef struct thud_joint_frame {
                            THUD_ANGLE_MAX */
 } thud_joint_frame;
 
+/* What a joint is created from. */
 typedef struct thud_joint_def {
-    thud_joint_kind kind;
+    thud_joint_kind kind;        /* as given to thud_default_joint_def */
     thud_body_id body_a, body_b; /* two bodies, at least one of them dynamic; for wheels and targets
                                     body_b must be dynamic */
     thud_joint_frame frame_a, frame_b; /* default: the bodies' own frames */
@@ -161,21 +168,26 @@ typedef struct thud_joint_def {
      * the end of that step, or kept if `only_reports`. Either way there is a thud_joint_event. [0,
      * THUD_JOINT_FORCE_MAX]; default THUD_JOINT_FORCE_MAX: it never breaks. */
     float break_force, break_torque;
-    bool only_reports; /* default false */
-    bool enabled;      /* default true */
-    uint64_t user_data;
-    uint32_t cookie; /* set by thud_default_joint_def */
+    bool only_reports;  /* default false */
+    bool enabled;       /* default true */
+    uint64_t user_data; /* the caller's own; default 0 */
+    uint32_t cookie;    /* set by thud_default_joint_def */
 } thud_joint_def;
 
+/* A def of this kind with the defaults: the bodies are still to be named. */
 THUD_API thud_joint_def thud_default_joint_def(thud_joint_kind kind);
 
-/* A joint takes effect with the next step, which wakes both bodies. It does nothing while either
- * body is disabled. When either body is destroyed, the joint is destroyed as the next step begins.
- * `out` may be null. All calls that create, change or destroy a joint return THUD_ERROR_LOCKED
- * inside a callback. */
+/* Creates a joint. It takes effect with the next step, which wakes both bodies. It does nothing
+ * while either body is disabled. When either body is destroyed, the joint is destroyed as the next
+ * step begins. `out` may be null. THUD_ERROR_NULL for a null world or def; THUD_ERROR_STALE for a
+ * body or, of a gear, a joint that does not exist; THUD_ERROR_INVALID for a def without cookie or
+ * with a field out of range; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_MEMORY. */
 THUD_NODISCARD THUD_API thud_result thud_joint_create(thud_world *world, const thud_joint_def *def,
                                                       thud_joint_id *out);
+/* Destroys a joint, which wakes its bodies. THUD_ERROR_NULL, THUD_ERROR_STALE; THUD_ERROR_LOCKED
+ * inside a callback. */
 THUD_API thud_result thud_joint_destroy(thud_world *world, thud_joint_id joint);
+/* Whether the handle names a joint of this world. */
 THUD_API bool thud_joint_is_valid(const thud_world *world, thud_joint_id joint);
 
 /* Forces of a direction's drive in the last substep; torques for THUD_DIRECTION_TURN. A positive
@@ -185,6 +197,7 @@ typedef struct thud_drive_forces {
     float limit, spring, motor;
 } thud_drive_forces;
 
+/* All values of a joint. */
 typedef struct thud_joint_state {
     thud_joint_kind kind;
     thud_body_id body_a, body_b;
@@ -203,25 +216,32 @@ typedef struct thud_joint_state {
     uint64_t user_data;
 } thud_joint_state;
 
+/* All values of a joint. THUD_ERROR_NULL, THUD_ERROR_STALE; *out is then not written. */
 THUD_API thud_result thud_joint_get_state(const thud_world *world, thud_joint_id joint,
                                           thud_joint_state *out);
 /* A def of the joint's present settings, from which a copy can be created. Angles are in (-pi, pi];
- * fields that the kind does not use have their defaults. */
+ * fields that the kind does not use have their defaults. THUD_ERROR_NULL, THUD_ERROR_STALE. */
 THUD_API thud_result thud_joint_get_def(const thud_world *world, thud_joint_id joint,
                                         thud_joint_def *out);
-/* Replaces the drive of a direction; the kind must drive it. Wakes the bodies, as the next two
- * calls do. */
+/* Replaces the drive of a direction; the kind must drive it. Wakes the bodies. THUD_ERROR_NULL,
+ * THUD_ERROR_STALE, THUD_ERROR_INVALID, THUD_ERROR_LOCKED. */
 THUD_API thud_result thud_joint_set_drive(thud_world *world, thud_joint_id joint,
                                           thud_direction direction, const thud_drive *drive);
-/* Only for THUD_JOINT_DISTANCE. */
+/* Sets the length of a THUD_JOINT_DISTANCE, (0, THUD_JOINT_LENGTH_MAX] length scales. Wakes the
+ * bodies. THUD_ERROR_NULL, THUD_ERROR_STALE, THUD_ERROR_INVALID, THUD_ERROR_LOCKED. */
 THUD_API thud_result thud_joint_set_length(thud_world *world, thud_joint_id joint, float length);
+/* Whether the joint acts; a joint of any kind. A change wakes the bodies. THUD_ERROR_NULL,
+ * THUD_ERROR_STALE, THUD_ERROR_LOCKED. */
 THUD_API thud_result thud_joint_set_enabled(thud_world *world, thud_joint_id joint, bool enabled);
 /* Sets the frame in a body (side 0: body_a, 1: body_b). Not for gears and filters. Wakes the
- * bodies. */
+ * bodies. THUD_ERROR_NULL, THUD_ERROR_STALE, THUD_ERROR_INVALID, THUD_ERROR_LOCKED. */
 THUD_API thud_result thud_joint_set_frame(thud_world *world, thud_joint_id joint, int side,
                                           thud_joint_frame frame);
+/* Sets break_force, break_torque and only_reports of thud_joint_def. Wakes no body.
+ * THUD_ERROR_NULL, THUD_ERROR_STALE, THUD_ERROR_INVALID, THUD_ERROR_LOCKED. */
 THUD_API thud_result thud_joint_set_breaking(thud_world *world, thud_joint_id joint, float force,
                                              float torque, bool only_reports);
+/* Wakes no body, and takes effect at once. THUD_ERROR_NULL, THUD_ERROR_STALE, THUD_ERROR_LOCKED. */
 THUD_API thud_result thud_joint_set_user_data(thud_world *world, thud_joint_id joint,
                                               uint64_t user_data);
 
@@ -252,16 +272,19 @@ static inline const thud_joint_event *thud_joint_events_of(const thud_world *wor
     return events;
 }
 
-/* The joints of the world, or of a body, in a deterministic order, written as the lists of
- * thud_lists.h. *out_count is their number; at most `capacity` (>= 0) are written. THUD_ERROR_NULL,
- * THUD_ERROR_STALE, THUD_ERROR_INVALID for a negative capacity. */
+/* The joints of the world in a deterministic order, written as the lists of thud_lists.h.
+ * *out_count is their number; at most `capacity` (>= 0) are written. THUD_ERROR_NULL,
+ * THUD_ERROR_INVALID for a negative capacity. */
 THUD_API thud_result thud_world_get_joints(const thud_world *world, thud_joint_id *out,
                                            int capacity, int *out_count);
+/* The same with the joints of a body. THUD_ERROR_NULL, THUD_ERROR_STALE, THUD_ERROR_INVALID for a
+ * negative capacity. */
 THUD_API thud_result thud_body_get_joints(const thud_world *world, thud_body_id body,
                                           thud_joint_id *out, int capacity, int *out_count);
 
 /* Prepares a world for joints, as creating one does. A world that never had a joint must be
- * prepared before it can be restored from a snapshot with joints. */
+ * prepared before it can be restored from a snapshot with joints. THUD_ERROR_NULL,
+ * THUD_ERROR_MEMORY. */
 THUD_API thud_result thud_world_use_joints(thud_world *world);
 
 #ifdef __cplusplus

@@ -37,6 +37,7 @@ typedef struct thud_contact_answer {
  * of 1. */
 typedef void thud_prologue_all_fn(thud_world *world, const thud_contact *contacts,
                                   thud_contact_answer *answers, int count, void *context);
+/* The epilogues of all pairs of a step in one call. */
 typedef void thud_epilogue_all_fn(thud_world *world, const thud_contact *contacts, int count,
                                   void *context);
 

@@ -46,8 +46,8 @@ THUD_API thud_result thud_world_get_shapes(const thud_world *world, thud_shape_i
  * Only thud_world_restore can decrease the numbers. */
 THUD_API thud_result thud_world_get_slot_counts(const thud_world *world, int *out_bodies,
                                                 int *out_shapes);
-/* The handle of the body or shape in a slot, or the null handle. THUD_ERROR_INVALID for a slot that
- * is negative or was never used; THUD_ERROR_NULL. */
+/* Both calls: the handle of the body or shape in a slot, or the null handle. THUD_ERROR_INVALID for
+ * a slot that is negative or was never used; THUD_ERROR_NULL. */
 THUD_API thud_result thud_world_get_body_at(const thud_world *world, int slot, thud_body_id *out);
 THUD_API thud_result thud_world_get_shape_at(const thud_world *world, int slot, thud_shape_id *out);
 
@@ -57,7 +57,8 @@ THUD_API thud_result thud_world_get_shape_at(const thud_world *world, int slot, 
  * listed. */
 typedef struct thud_body_seen {
     thud_body_id body;
-    int64_t x, y, angle; /* of its origin, in fixed-point units of the engine */
+    int64_t x, y;  /* of its origin, in fixed-point units of the engine */
+    int64_t angle; /* in fixed-point units of the engine */
 } thud_body_seen;
 
 /* Lists the bodies whose pose differs from the one in `seen`, so that a renderer, a network layer
@@ -113,6 +114,7 @@ typedef struct thud_pair_side {
     bool sensor;                    /* the shape is a sensor */
 } thud_pair_side;
 
+/* Two shapes of a contact or an event. */
 typedef struct thud_pair {
     thud_pair_side a, b;
 } thud_pair;

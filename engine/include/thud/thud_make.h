@@ -9,8 +9,10 @@
  *     thud_body_id ball = thud_body_make(world, thud_circle_at(0, 5, 0.5), &bouncy);
  *
  * Both return the created object; null, or the null handle, if they fail, for the reasons of
- * thud_world_create and thud_body_create_with_shapes. Nothing has changed then, and the reason is
- * in the world's log. A null handle may be passed to any call, which then fails. */
+ * thud_world_create and thud_body_create_with_shapes. Nothing has changed then. Why a body was
+ * refused is in the world's log. A world that was refused has no log of its own: the reason goes to
+ * the default log, which release builds do not have (thud_world_def.log). A null handle may be
+ * passed to any call, which then fails. */
 #ifndef THUD_MAKE_H
 #define THUD_MAKE_H
 
@@ -33,17 +35,17 @@ typedef struct thud_body_options {
     float angular_velocity;                /* rad/s */
     float linear_damping, angular_damping; /* 1/s, >= 0 */
     bool weightless;                       /* gravity_scale 0 */
-    bool fixed_rotation;
-    const thud_detection *detection; /* default null: the world's */
-    float density;                   /* [0, THUD_DENSITY_MAX]; default (0) 1 */
-    float friction;                  /* [0, THUD_FRICTION_MAX]; default (0) 0.6 */
-    bool frictionless;               /* friction 0; `friction` must be 0 then */
-    float restitution;               /* [0, THUD_RESTITUTION_MAX] */
+    bool fixed_rotation;                   /* no torque turns the body */
+    const thud_detection *detection;       /* default null: the world's */
+    float density;                         /* [0, THUD_DENSITY_MAX]; default (0) 1 */
+    float friction;                        /* [0, THUD_FRICTION_MAX]; default (0) 0.6 */
+    bool frictionless;                     /* friction 0; `friction` must be 0 then */
+    float restitution;                     /* [0, THUD_RESTITUTION_MAX] */
     float surface_speed;     /* length/s, |.| <= THUD_SURFACE_SPEED_MAX length scales a second */
     uint32_t category, mask; /* of the filter; default (0) 1 and all bits */
     int32_t group;           /* of the filter */
-    bool sensor;
-    uint64_t user_data; /* of the body, and of its shape */
+    bool sensor;             /* the shape reports overlaps and collides with nothing */
+    uint64_t user_data;      /* of the body, and of its shape */
 } thud_body_options;
 
 /* A body with one circle, AABB or OBB at the pose of `shape`: the body's origin is the shape's

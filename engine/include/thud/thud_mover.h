@@ -2,10 +2,11 @@
  * not use it does not link it.
  *
  * A mover is a circle, AABB or OBB that belongs to the caller, who moves it by thud_mover_move,
- * once after each step. It is not a body: no force or contact moves it, and it does not turn. It
- * slides along shapes that it hits (collide and slide), walks on slopes, climbs steps, follows the
- * ground downhill, and moves with the body that it stands on. Gravity and jumps are up to the
- * caller:
+ * once for each step. After the step it follows the ground at once; before the step it follows a
+ * moving platform a step late, but its `body` is then at its place at the end of that step. It is
+ * not a body: no force or contact moves it, and it does not turn. It slides along shapes that it
+ * hits (collide and slide), walks on slopes, climbs steps, follows the ground downhill, and moves
+ * with the body that it stands on. Gravity and jumps are up to the caller:
  *
  *     velocity.x = 5 * stick;
  *     velocity.y = mover.on_ground && jump ? 8 : velocity.y - 20 * dt;
@@ -30,6 +31,7 @@ extern "C" {
 /* Maximum numbers of hits and sensors in a report; further ones are left out. */
 enum { THUD_MOVER_HITS = 8, THUD_MOVER_SENSORS = 16 };
 
+/* Declared here for thud_mover_pass_fn. */
 typedef struct thud_mover thud_mover;
 
 /* A shape that a mover hit. */
@@ -60,6 +62,7 @@ typedef struct thud_one_way {
 THUD_API bool thud_mover_passes_one_way(const thud_mover *mover, const thud_mover_hit *hit,
                                         thud_vec2 velocity, void *context);
 
+/* A character that belongs to the caller; the fields up to `context` are its settings. */
 struct thud_mover {
     thud_geometry shape; /* the mover's pose and size in the world; the caller may also change it */
     thud_vec2 up; /* opposite to gravity; its squared length is 1 within THUD_UNIT_ERROR; default
@@ -73,13 +76,15 @@ struct thud_mover {
     double snap_distance; /* length, [0, THUD_MOVER_STEP_MAX]: a walking mover follows ground down
                              that is at most this far below it; default as step_height */
     double push_force;    /* mass * length / s^2, [0, THUD_MOVER_FORCE_MAX]: the maximum force on a
-                             dynamic body in the way; default 0: none */
+                             dynamic body in the way; default 0: dynamic bodies stop the mover
+                             like walls */
     thud_body_id body;    /* a kinematic body that follows the mover's centre, so that dynamic
                              bodies and sensors react to it: each move sets the velocity by which
-                             the next step brings the body to the mover. Default null: none */
+                             the next step brings the body to the mover. It does not stop the
+                             mover, and is not in its report. Default null: none */
     thud_query_filter filter; /* which shapes stop the mover; default all except sensors. Sensors
-                                 never
-                                stop it; with `sensors` the report lists those that it passes */
+                                 never stop it; with `sensors` the report lists those that it
+                                 passes, if `category` and `mask` allow them too */
     thud_mover_pass_fn *pass; /* default null: the mover passes through no shape */
     void *context;            /* passed to pass */
 

@@ -58,6 +58,9 @@ THUD_API thud_result thud_world_extrapolate_awake(const thud_world *world, doubl
                                                   thud_prediction *out, int capacity,
                                                   int *out_count);
 
+/* The maximum number of chords of the path of a prediction. */
+#define THUD_PREDICTION_CHORDS_MAX 256
+
 /* As thud_world_extrapolate, with `seconds` in [0, THUD_AHEAD_MAX], but a body stops where one of
  * its shapes meets the first shape in its way with which it collides by the filters of both; its
  * velocity is that before the impact. All other shapes are taken at their present poses. A shape
@@ -69,8 +72,7 @@ THUD_API thud_result thud_world_extrapolate_awake(const thud_world *world, doubl
  * The path is cast as chords, one for each time step, or THUD_PREDICTION_CHORDS_MAX chords if there
  * would be more. A chord of h seconds deviates from the parabola by up to g h^2 / 8, and a body
  * rotates between chords only. The cost is that of one cast (thud_world_cast_shape) for each chord
- * and shape of the body up to the impact. THUD_ERROR_MEMORY. */
-#define THUD_PREDICTION_CHORDS_MAX 256
+ * and shape of the body up to the impact. THUD_ERROR_MEMORY, and the errors of the head. */
 THUD_API thud_result thud_world_predict(thud_world *world, const thud_body_id *bodies, int count,
                                         double seconds, thud_prediction *out);
 

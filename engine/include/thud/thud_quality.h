@@ -18,6 +18,7 @@ extern "C" {
  * substeps.) thud_islands_direct solves all constraints of such an island at once, by sparse
  * factorisation. */
 typedef struct thud_island_solver thud_island_solver;
+/* The direct solver of islands. All qualities but thud_quality_draft name it. */
 extern THUD_API const thud_island_solver thud_islands_direct;
 
 /* A caller may copy one of the four below, change the copy and use it. Worlds keep their own
@@ -45,7 +46,9 @@ typedef struct thud_quality {
     int64_t
         island_work; /* budget of all direct islands in a step, >= 0: operations on 3 x 3 blocks in
                         factorisations, plus, for each factorisation, one for each body and two for
-                        each contact. Islands beyond the budget are left to the soft solver. At rest
+                        each contact. A tree of hinges and welds needs no matrix: two operations a
+                        body and iteration. Islands beyond the budget are left to the soft solver.
+                        At rest
                         a step needs one factorisation, of 6 operations a body in a column and 140
                         in a pyramid of 500 bodies; in motion it needs many, of the same size. Whole
                         steps at quality high (docs/tradeoff.md): at rest a column of boxes takes
@@ -68,10 +71,15 @@ typedef struct thud_quality {
                             that it happens again, up to 128 */
 } thud_quality;
 
-/* From fastest to most accurate. draft has no island solver. */
+/* The fastest: two substeps, and no island solver. */
 extern THUD_API const thud_quality thud_quality_draft;
+/* The default: four substeps; islands whose contacts would overlap by more than its overlap_limit
+ * are solved directly. */
 extern THUD_API const thud_quality thud_quality_default;
+/* Eight substeps; every island of up to 2048 bodies is solved directly, within a budget. */
 extern THUD_API const thud_quality thud_quality_high;
+/* The most accurate: sixteen substeps, thud_detection_swept, and every island of up to 4096 bodies
+ * is solved directly. */
 extern THUD_API const thud_quality thud_quality_exact;
 
 #ifdef __cplusplus

@@ -34,10 +34,12 @@ typedef struct thud_query_filter {
                             names no body has no effect */
 } thud_query_filter;
 
+/* A filter that finds every shape but sensors. */
 THUD_API thud_query_filter thud_default_query_filter(void);
 
 /* ---- rays and casts: shapes along the straight path of a point or of a moving shape ---- */
 
+/* A ray from a point to another. */
 typedef struct thud_ray {
     thud_pos origin;
     double dx, dy;                   /* from the origin to the end */
@@ -52,6 +54,7 @@ typedef struct thud_shape_cast {
     const thud_query_filter *filter; /* null: everything but sensors */
 } thud_shape_cast;
 
+/* A shape that a ray or a cast shape hit. */
 typedef struct thud_ray_hit {
     thud_shape_id shape; /* the shape that was hit */
     thud_pos point;      /* on its surface, in the world */
@@ -94,18 +97,19 @@ THUD_API thud_result thud_world_cast_shape_all(thud_world *world, const thud_sha
  * next step. */
 typedef bool thud_overlap_fn(thud_shape_id shape, void *context);
 
-/* `fn` is called for each shape that overlaps the circle, AABB or OBB `shape`, whose x, y are an
- * offset from `center`; or the box from `lower` to `upper`. THUD_ERROR_NULL also for a null
- * callback. */
+/* Calls `fn` for each shape that overlaps the circle, AABB or OBB `shape`, whose x, y are an offset
+ * from `center`. THUD_ERROR_NULL also for a null callback. */
 THUD_API thud_result thud_world_overlap_shape(thud_world *world, thud_pos center,
                                               thud_geometry shape, const thud_query_filter *filter,
                                               thud_overlap_fn *fn, void *context);
+/* The same for the box from `lower` to `upper`. THUD_ERROR_NULL also for a null callback. */
 THUD_API thud_result thud_world_overlap_aabb(thud_world *world, thud_pos lower, thud_pos upper,
                                              const thud_query_filter *filter, thud_overlap_fn *fn,
                                              void *context);
 
 /* ---- the closest shape to a point ---- */
 
+/* The point of a shape that is closest to another point. */
 typedef struct thud_closest_hit {
     thud_shape_id shape;
     thud_pos point;   /* on the shape's surface, the closest to the point of the call */

@@ -14,30 +14,34 @@
 extern "C" {
 #endif
 
+/* The position of the body's origin. */
 THUD_API thud_result thud_body_get_position(const thud_world *world, thud_body_id body,
-                                            thud_pos *out_position); /* of the origin */
+                                            thud_pos *out_position);
+/* The body's angle, rad, in (-pi, pi], and its cosine and sine. */
 THUD_API thud_result thud_body_get_rotation(const thud_world *world, thud_body_id body,
-                                            double *out_angle, float *out_cosine,
-                                            float *out_sine); /* angle: rad, in (-pi, pi] */
-THUD_API thud_result
-thud_body_get_velocity(const thud_world *world, thud_body_id body,
-                       thud_vec2 *out_velocity,      /* of the centre of mass, length/s */
-                       float *out_angular_velocity); /* rad/s */
+                                            double *out_angle, float *out_cosine, float *out_sine);
+/* The velocity of the centre of mass, length/s, and the angular velocity, rad/s. */
+THUD_API thud_result thud_body_get_velocity(const thud_world *world, thud_body_id body,
+                                            thud_vec2 *out_velocity, float *out_angular_velocity);
+/* The caller's own data of a body (thud_body_def.user_data). */
 THUD_API thud_result thud_body_get_user_data(const thud_world *world, thud_body_id body,
                                              uint64_t *out_user_data);
+/* The caller's own data of a shape (thud_shape_def.user_data). */
 THUD_API thud_result thud_shape_get_user_data(const thud_world *world, thud_shape_id shape,
                                               uint64_t *out_user_data);
+/* The body to which a shape belongs. */
 THUD_API thud_result thud_shape_get_body(const thud_world *world, thud_shape_id shape,
                                          thud_body_id *out_body);
 
-/* Position of the origin and velocity of the centre of mass as return values, for use in
- * expressions; (0, 0) if the handle is not valid. */
+/* The position of the origin as a return value, for use in expressions; (0, 0) if the handle is
+ * not valid. */
 static inline thud_pos thud_position_of(const thud_world *world, thud_body_id body) {
     thud_pos position = {0.0, 0.0};
     thud_body_get_position(world, body, &position);
     return position;
 }
 
+/* The velocity of the centre of mass, length/s, likewise. */
 static inline thud_vec2 thud_velocity_of(const thud_world *world, thud_body_id body) {
     thud_vec2 velocity = {0.0f, 0.0f};
     thud_body_get_velocity(world, body, &velocity, NULL);
@@ -54,6 +58,7 @@ typedef struct thud_step_settings {
     thud_quality quality; /* the world's copy, with the values that its def overrides */
 } thud_step_settings;
 
+/* The settings with which the next step will run. THUD_ERROR_NULL. */
 THUD_API thud_result thud_world_get_step_settings(const thud_world *world, thud_step_settings *out);
 
 /* Counts of the broadphase's work in the last step. They do not depend on the machine, the clock or

@@ -172,6 +172,7 @@ THUD_API thud_result thud_player_get_keyframe(const thud_player *player, int64_t
  * back. THUD_ERROR_NULL. */
 THUD_API thud_result thud_player_get_world(thud_player *player, thud_world **out);
 
+/* Where a player stands. */
 typedef struct thud_player_progress {
     int64_t first;  /* steps are counted from the begin of the recording: this is the first one that
                        a ring has kept, else 0 */

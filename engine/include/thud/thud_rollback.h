@@ -81,6 +81,7 @@ THUD_API thud_result thud_rollback_advance(thud_rollback *rollback, bool *out_ma
  * from all known inputs. Errors as for thud_rollback_advance. */
 THUD_API thud_result thud_rollback_settle(thud_rollback *rollback);
 
+/* Where a rollback stands. */
 typedef struct thud_rollback_progress {
     int64_t steps;     /* steps run: the number of the next step */
     int64_t confirmed; /* all inputs of the steps before this one are known: they are final */
@@ -95,6 +96,7 @@ typedef struct thud_rollback_progress {
 THUD_API thud_result thud_rollback_get_progress(const thud_rollback *rollback,
                                                 thud_rollback_progress *out);
 
+/* The same as a return value; all 0 for a null rollback. */
 static inline thud_rollback_progress thud_progress_of(const thud_rollback *rollback) {
     thud_rollback_progress progress;
     memset(&progress, 0, sizeof progress);

@@ -34,7 +34,7 @@ enum { THUD_RULE_KIND_COUNT = THUD_RULE_ONE_WAY + 1 };
  * has the value of its two shapes (thud_shape_def). A prologue is called after the rules, but not
  * for pairs that a rule lets pass. */
 typedef struct thud_rule {
-    thud_rule_kind kind;
+    thud_rule_kind kind; /* how the shapes interact; default THUD_RULE_COLLIDE */
     /* THUD_RULE_ONE_WAY: the side of the first kind's shape on which the second collides with it,
      * as a direction in the frame of the first's body, of any length but 0. Default (0, 1): the
      * top. A shape that comes from this side collides until the two separate. A shape that comes

@@ -25,6 +25,7 @@
 extern "C" {
 #endif
 
+/* The friction along a ground line. */
 typedef struct thud_texture {
     /* One value for each vertex of the line; for a flat line two, at x = 0 and x = 1 from its
      * origin, which are extrapolated beyond. Without a table, they are coefficients of friction in

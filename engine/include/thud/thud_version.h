@@ -9,6 +9,8 @@
 extern "C" {
 #endif
 
+/* The version has three parts. All are whole numbers; a change of the first or second may need a
+ * change of programs. */
 #define THUD_VERSION_MAJOR 0
 #define THUD_VERSION_MINOR 2
 #define THUD_VERSION_PATCH 0

@@ -16,6 +16,7 @@
 #include "detection/detection.h"
 #include "direct/elimination_order.h"
 #include "direct/joint_tree.h"
+#include "direct/lock_tree.h"
 
 #include <string.h>
 
@@ -33,6 +34,8 @@ static const td_array_place ARRAYS[] = {
     ARRAY(step, double[4]),
     ARRAY(work, double[4]),
     ARRAY(tree, td_tree_body),
+    ARRAY(locks, td_lock_body),
+    ARRAY(listed, td_listed_body),
     ARRAY(topology, int),
     ARRAY(topology_before, int),
     ARRAY(systems, td_system),

@@ -35,6 +35,8 @@ typedef struct td_islands {
     td_array bodies;     /* td_direct_body */
     td_array step, work; /* double[4] */
     td_array tree;       /* td_tree_body of joint_tree.c, in worlds with joints */
+    td_array locks;      /* td_lock_body of direct/lock_tree.c, likewise */
+    td_array listed;     /* td_listed_body of direct/lock_tree.c, likewise */
     td_array topology,
         topology_before;     /* int: the graph of all islands, which determines their elimination
                                 orders, and the graph for which the present orders were found */

@@ -54,27 +54,36 @@ void td_island_store_impulses(thud_world *w, int i, bool from_soft) {
 
 /* ---- the problem ---- */
 
-/* Mass, velocity before the step, and free mean velocity of body i. */
-static void take_body(td_island_work *work, int i) {
-    thud_world *w = work->w;
-    td_awake_slot slot = work->slots[i];
+void td_island_free_velocity(const thud_world *w, const td_island *island, int i, double before[3],
+                             double free[3]) {
+    td_awake_slot slot = td_slot_in(&w->islands.slots, island->first_body + i);
     const td_body *body = td_body_at(w, td_body_of(w, slot));
-    const float *before = td_at(&w->islands.island_start_velocity, work->island->first_body + i);
+    const float *start = td_at(&w->islands.island_start_velocity, island->first_body + i);
     const float *substep_gain = td_row(&w->substep_gain, slot);
-    float h = (float)(work->time / w->substeps);
+    float h = (float)(w->def.time_step / w->substeps);
     td_damping linear = td_damping_of(h * body->linear_damping);
     td_damping angular = td_damping_of(h * body->angular_damping);
+    for (int k = 0; k < 3; k++) {
+        const td_damping *damping = k < 2 ? &linear : &angular;
+        double kept = 1.0 - (double)damping->lost;
+        double gain = (double)(damping->gained * substep_gain[k]);
+        double after = before[k] = (double)start[k];
+        for (int n = 0; n < w->substeps; n++) {
+            after = after * kept + gain;
+        }
+        free[k] = 0.5 * (before[k] + after);
+    }
+}
+
+/* Mass, velocity before the step, and free mean velocity of body i. */
+static void take_body(td_island_work *work, int i) {
+    const td_body *body = td_body_at(work->w, td_body_of(work->w, work->slots[i]));
     td_direct_body *b = &work->problem.bodies[i];
     *b = (td_direct_body){.inverse_mass = (double)body->inv_mass,
                           .inverse_inertia = (double)body->inv_inertia};
+    td_island_free_velocity(work->w, work->island, i, b->before, b->free);
     for (int k = 0; k < 3; k++) {
-        double after = b->velocity[k] = b->before[k] = (double)before[k];
-        for (int n = 0; n < w->substeps; n++) {
-            const td_damping *damping = k < 2 ? &linear : &angular;
-            after =
-                after * (1.0 - (double)damping->lost) + (double)(damping->gained * substep_gain[k]);
-        }
-        b->free[k] = 0.5 * (b->before[k] + after);
+        b->velocity[k] = b->before[k];
     }
 }
 
@@ -134,11 +143,10 @@ static void take_constraint(td_island_work *work, int i) {
     }
 }
 
-/* The factorisations that the quality's island_work allows the island in this step. Where a time
- * budget has lowered the number of substeps, island_work is lowered in proportion. */
-int td_island_factoring_budget(const thud_world *w, const td_island *island) {
+/* Where a time budget has lowered the number of substeps, island_work is lowered in proportion. */
+int td_island_factoring_budget(const thud_world *w, int64_t cost) {
     int64_t work = w->quality.island_work / w->quality.substeps * w->substeps;
-    int64_t left = (work - w->stats.island_work) / td_island_cost(island);
+    int64_t left = (work - w->stats.island_work) / cost;
     return left < 0 ? 0 : left < ISLAND_FACTORINGS_MAX ? (int)left : ISLAND_FACTORINGS_MAX;
 }
 
@@ -153,7 +161,7 @@ static td_direct problem_of(thud_world *w, const td_island *island) {
                        .work = s->work.data,
                        .body_count = island->bodies,
                        .constraint_count = island->constraints,
-                       .factoring_budget = td_island_factoring_budget(w, island),
+                       .factoring_budget = td_island_factoring_budget(w, td_island_cost(island)),
                        .effort = INT64_MAX,
                        .unit_speed = w->def.time_step * __builtin_sqrt(x * x + y * y)};
 }

@@ -47,9 +47,7 @@
 
 /* ---- the result ---- */
 
-/* Clamps each component of a velocity to the world's maximum speed, and the angular velocity to
- * THUD_ANGULAR_SPEED_MAX. */
-static void clamp_velocity(const thud_world *w, double velocity[3]) {
+void td_island_clamp_velocity(const thud_world *w, double velocity[3]) {
     double speed_max = (double)(w->def.maximum_speed * w->length_scale);
     for (int k = 0; k < 3; k++) {
         double max = k < 2 ? speed_max : (double)THUD_ANGULAR_SPEED_MAX;
@@ -219,7 +217,7 @@ void td_island_extrapolate(td_island_work *work) {
 void td_island_add_motion(td_island_work *work) {
     for (int i = 0; i < work->island->bodies; i++) {
         td_direct_body *b = &work->problem.bodies[i];
-        clamp_velocity(work->w, b->velocity);
+        td_island_clamp_velocity(work->w, b->velocity);
         for (int k = 0; k < 3; k++) {
             b->moved[k] += work->time * b->velocity[k];
         }
@@ -254,7 +252,7 @@ bool td_island_compute(td_island_work *work) {
     double residual = work->joints ? work->w->joint_hooks->solve(work, tolerance)
                                    : solve_contacts(work, tolerance);
     for (int i = 0; i < work->island->bodies; i++) {
-        clamp_velocity(work->w, d->bodies[i].velocity);
+        td_island_clamp_velocity(work->w, d->bodies[i].velocity);
     }
     work->w->stats.factorings += d->factorings;
     work->w->stats.island_work += d->factorings * td_island_cost(work->island);
@@ -290,23 +288,29 @@ static void write_constraint(const td_island_work *work, int i) {
     td_surface_at(at.block, points)->total[at.lane] = along;
 }
 
-/* Whether the load of a constraint is above TD_DIRECT_LEAVE times the threshold, so that the island
- * stays direct. The load is the impulse of a substep over the lighter body's mass, length/s. */
-static bool is_loaded(const td_island_work *work, const td_direct_constraint *c) {
-    thud_world *w = work->w;
-    double impulse = td_direct_load(c), inverse = 0.0;
-    float size = 3e38f;
+bool td_island_load_stays(const thud_world *w, td_lane at, double impulse) {
+    const td_awake_slot sides[2] = {td_slot_of_side(at.block->a[at.lane]),
+                                    td_slot_of_side(at.block->b[at.lane])};
+    float inverse = 0.0f, size = 3e38f;
+    for (int side = 0; side < 2; side++) {
+        float inverse_mass = td_inv_mass_of(w, sides[side]);
+        if (inverse_mass > 0.0f) {
+            inverse = td_max_float(inverse, inverse_mass);
+            size = td_min_float(size, 2.0f * td_row(&w->reach, sides[side])[0]);
+        }
+    }
+    return impulse / w->substeps * (double)inverse >
+           TD_DIRECT_LEAVE * (double)td_islands_load_max(w, size);
+}
+
+/* The same for a constraint of the problem. */
+static bool is_loaded(const td_island_work *work, int i) {
+    const td_direct_constraint *c = &work->problem.constraints[i];
+    double impulse = td_direct_load(c);
     for (int k = 0; k < TD_DIRECT_ROWS; k++) {
         impulse += c->row[k].kind == TD_ROW_EQUALITY ? td_abs(c->row[k].impulse) : 0.0;
     }
-    const int sides[2] = {c->a, c->b};
-    for (int side = 0; side < 2; side++) {
-        if (sides[side] != TD_NONE) {
-            inverse = td_max_double(inverse, work->problem.bodies[sides[side]].inverse_mass);
-            size = td_min_float(size, 2.0f * td_row(&w->reach, work->slots[sides[side]])[0]);
-        }
-    }
-    return impulse / w->substeps * inverse > TD_DIRECT_LEAVE * (double)td_islands_load_max(w, size);
+    return td_island_load_stays(work->w, td_island_lane(work, i), impulse);
 }
 
 /* Whether all bodies of the island are slower than td_calm_speed, in the soft solver's result. */
@@ -367,19 +371,23 @@ void td_island_write_bodies(const td_island_work *work) {
     }
 }
 
-/* Writes the whole result, and sets direct_steps of the bodies: back to its full value while a
- * constraint is loaded, otherwise it counts down. */
+void td_island_keep_direct(thud_world *w, const td_island *island, bool loaded) {
+    for (int i = 0; i < island->bodies; i++) {
+        uint8_t *direct_steps =
+            td_direct_steps_at(w, td_slot_in(&w->islands.slots, island->first_body + i));
+        *direct_steps = loaded ? TD_DIRECT_STEPS : *direct_steps ? *direct_steps - 1 : 0;
+    }
+}
+
+/* Writes the whole result. */
 static void write_result(const td_island_work *work) {
     bool loaded = false;
     for (int i = 0; i < work->island->constraints; i++) {
         write_constraint(work, i);
-        loaded |= is_loaded(work, &work->problem.constraints[i]);
+        loaded |= is_loaded(work, i);
     }
     td_island_write_bodies(work);
-    for (int i = 0; i < work->island->bodies; i++) {
-        uint8_t *direct_steps = td_direct_steps_at(work->w, work->slots[i]);
-        *direct_steps = loaded ? TD_DIRECT_STEPS : *direct_steps ? *direct_steps - 1 : 0;
-    }
+    td_island_keep_direct(work->w, work->island, loaded);
 }
 
 /* Islands with joints of up to this many bodies have the short cooldown TD_PAUSE_STEPS, and are
@@ -403,7 +411,12 @@ bool td_island_solve(thud_world *w, const td_island *island) {
     bool bounces = false, joints = false, always = false;
     w->stats.direct_islands++;
     w->stats.direct_bodies += island->bodies;
-    if (td_island_factoring_budget(w, island) > 0) {
+    td_tree_outcome tree = w->joint_hooks ? w->joint_hooks->solve_tree(w, island) : TD_TREE_REFUSED;
+    if (tree != TD_TREE_REFUSED) {
+        w->stats.soft_islands += tree == TD_TREE_SPENT; /* the next step tries it again */
+        return tree == TD_TREE_SOLVED;
+    }
+    if (td_island_factoring_budget(w, td_island_cost(island)) > 0) {
         td_island_work work = td_island_set_up(w, island);
         bounces = work.bounces;
         joints = work.joints > 0 && island->bodies <= SMALL_ISLAND_BODIES_MAX;

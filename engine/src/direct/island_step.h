@@ -4,6 +4,7 @@
 #ifndef TD_ISLAND_DIRECT_H
 #define TD_ISLAND_DIRECT_H
 
+#include "constraint/joint_hooks.h"
 #include "direct/rows.h"
 
 /* One island. */
@@ -20,6 +21,7 @@ typedef struct td_island_work {
     double correction_speed; /* maximum speed at which a row corrects an overlap or a gap, length/s;
                                 infinite: the result's motions and impulses are not checked */
     int joints;              /* number of constraints that are no contacts */
+    bool closed;             /* a part of the step has closed gaps of joints */
     double unbalanced;       /* greatest unbalanced_speed of island_step_joints.c, length/s */
     double turn_max; /* greatest rotation in the step for which the contacts' lever arms of the
                         start of the step are accurate enough, rad */
@@ -31,8 +33,13 @@ void td_island_store_start(thud_world *w);
 /* Stores the warm-start impulses of constraint i in td_islands.impulses, summed over a whole step;
  * `from_soft`: they are the soft solver's, not the direct solver's. */
 void td_island_store_impulses(thud_world *w, int i, bool from_soft);
-/* The number of factorisations that are left for the island in this step. */
-int td_island_factoring_budget(const thud_world *w, const td_island *island);
+/* The number of factorisations that the quality's island_work still allows in this step, for an
+ * island in which one costs this much (td_island_cost). */
+int td_island_factoring_budget(const thud_world *w, int64_t cost);
+/* Body i of the island: its velocity before the step, and its mean velocity in the step without
+ * constraints (x, y, turn). */
+void td_island_free_velocity(const thud_world *w, const td_island *island, int i, double before[3],
+                             double free[3]);
 /* The problem of direct.h for the island, from the stored velocities and impulses. */
 td_island_work td_island_set_up(thud_world *w, const td_island *island);
 
@@ -44,6 +51,16 @@ bool td_island_solve(thud_world *w, const td_island *island);
 bool td_island_compute(td_island_work *work);
 /* The tolerance of residuals, length/s. */
 double td_island_tolerance(const thud_world *w);
+/* Clamps each component of a velocity to the world's maximum speed, and the angular velocity to
+ * THUD_ANGULAR_SPEED_MAX. */
+void td_island_clamp_velocity(const thud_world *w, double velocity[3]);
+/* Whether the load of a constraint is above TD_DIRECT_LEAVE times the threshold, so that its island
+ * stays direct. The load is the impulse of a substep over the lighter body's mass, length/s;
+ * `impulse` is that of the step, the sum of all rows. */
+bool td_island_load_stays(const thud_world *w, td_lane at, double impulse);
+/* Sets direct_steps of the island's bodies: back to its full value while a constraint is loaded,
+ * otherwise it counts down. */
+void td_island_keep_direct(thud_world *w, const td_island *island, bool loaded);
 /* Writes the velocities at the end of the step and the motions of the bodies to the world. */
 void td_island_write_bodies(const td_island_work *work);
 /* thud_island_solver.begin: what the direct solver does before the soft solver runs. */
@@ -65,6 +82,10 @@ void td_island_extrapolate(td_island_work *work);
 /* island_step_joints.c, linked only with joints: solves the step of an island with joints. Returns
  * the residual, as td_direct_solve does. */
 double td_island_solve_joints(td_island_work *work, double tolerance);
+
+/* joints/lock_tree_step.c, linked only with joints: solves and writes the step of an island whose
+ * constraints are hinges and welds that form a tree. */
+td_tree_outcome td_lock_tree_step(thud_world *w, const td_island *island);
 
 /* The lane of constraint i of the island. */
 static inline td_lane td_island_lane(const td_island_work *work, int i) {

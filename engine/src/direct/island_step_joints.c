@@ -19,40 +19,12 @@
 
 #include "constraint/joint_hooks.h"
 #include "direct/contact_check.h"
+#include "direct/joint_parts.h"
 #include "direct/joint_tree.h"
 #include "direct/step_parts.h"
 
-/* A result is refused if its kinetic energy is more than this many times what the island had, or
- * could get from gravity, motors and springs. Chosen: an unstable result exceeds any factor, while
- * a whip of light bodies may have a few times the mean energy. */
-#define ENERGY_RATIO_MAX 16.0
-/* Factors of the budget of factorisations for islands without contacts, and with contacts: Newton's
- * method needs several factorisations where an island without joints needs one, and if the budget
- * runs out the soft solver lets a loaded chain come apart. */
-enum { BUDGET_OF_JOINTS = 8, BUDGET_WITH_CONTACTS = 2 };
-/* Maximum of Newton iterations in a part. Chosen; each takes one or more factorisations. */
-enum { NEWTON_ITERATIONS_MAX = 12 };
-/* Minimum of the geometric stiffness, in multiples of the moment of inertia: a negative one makes
- * the body turn more easily, and at -1 the matrix would not be positive definite. Chosen. */
-#define STIFFNESS_MIN (-0.5)
-/* Newton's method ends when the residual is below this many tolerances: at qualities that solve
- * every island directly, and at others. With contacts, whose active set may change in every
- * iteration, it is 1. Chosen. */
-#define RESIDUAL_EXACT 1e-3
-#define RESIDUAL_OTHER 0.05
-/* Newton's iteration goes on while moments miss their balance by more than BALANCE_ENOUGH
- * tolerances of speed (unbalanced_speed). A result is refused where they miss it by more than
- * BALANCE_MAX, which is g h, and the island gains more than GAIN_MAX of the energy that it had and
- * got. Measured on 800 random mechanisms (test_joints_random.c) without gaps or overlaps at the
- * start: 10 gained over 5 % of energy without these rules, up to 16 times, and 4 do with them, up
- * to 0.9; at BALANCE_ENOUGH 1 it is 3, for half as many factorisations again in ragdolls at
- * default. */
-#define BALANCE_ENOUGH 100.0
-#define BALANCE_MAX 1000.0
-#define GAIN_MAX 0.1
-/* Velocities at the end of a part that violate the joints' rows by less than this many times g h
- * are left as they are, since correcting them would take energy out of every swing. Chosen. */
-#define END_ERROR_MAX 4.0
+/* Factor of the budget of factorisations for islands with contacts. */
+enum { BUDGET_WITH_CONTACTS = 2 };
 
 /* The motion of one body from the start of the step to the start of the part (motion[0]) and, at
  * the mean velocity, to the end of the part (motion[1]). `start` is the time of the part's start in
@@ -121,7 +93,7 @@ static void add_geometric_stiffness(td_island_work *work) {
         td_direct_body *b = &d->bodies[i];
         if (b->inverse_inertia > 0.0) {
             double own = 1.0 / b->own_inverse_inertia;
-            double more = td_max_double(b->stiff, STIFFNESS_MIN * own);
+            double more = td_max_double(b->stiff, TD_STIFFNESS_MIN * own);
             b->inverse_inertia = 1.0 / (own + more);
             b->free[2] =
                 (own * (b->before[2] + b->gain[2]) + more * b->velocity[2]) * b->inverse_inertia;
@@ -161,7 +133,7 @@ static void remove_geometric_stiffness(td_island_work *work) {
 /* Newton's residual, in tolerances. */
 static double newton_residual(const td_island_work *work) {
     bool everywhere = work->w->quality.overlap_limit == 0.0f;
-    return !td_island_is_joints(work) ? 1.0 : everywhere ? RESIDUAL_EXACT : RESIDUAL_OTHER;
+    return everywhere && td_island_is_joints(work) ? TD_RESIDUAL_EXACT : 1.0;
 }
 
 /* Whether all velocities are finite, and rotations small enough for td_sin. */
@@ -189,9 +161,9 @@ static double solve_mean_velocity(td_island_work *work, double start, double tol
     td_direct *d = &work->problem;
     double missing = __builtin_inf(), unbalanced = 0.0;
     double enough = newton_residual(work) * tolerance;
-    for (int n = 0; n < NEWTON_ITERATIONS_MAX && velocities_are_valid(work); n++) {
+    for (int n = 0; n < TD_NEWTON_ITERATIONS_MAX && velocities_are_valid(work); n++) {
         update_joint_rows(work, start, false);
-        if (n && td_direct_residual(d) <= enough && unbalanced <= BALANCE_ENOUGH * tolerance) {
+        if (n && td_direct_residual(d) <= enough && unbalanced <= TD_BALANCE_ENOUGH * tolerance) {
             return missing;
         }
         add_geometric_stiffness(work);
@@ -233,10 +205,6 @@ static void remove_impulse(td_direct_body *b, const double *j, double impulse) {
     b->free[2] -= b->inverse_inertia * j[2] * impulse;
 }
 
-/* Share of the bodies' speed above which the closing of a gap is not negligible: see closes_gaps.
- * Chosen. */
-#define CLOSING_SHARE 1e-3
-
 /* Whether a joint's gap closes in this part, at a speed that is not negligible beside the bodies'
  * own. That speed is position correction, and must not remain in the velocities at the end. */
 static bool closes_gaps(const td_island_work *work, double tolerance) {
@@ -252,7 +220,7 @@ static bool closes_gaps(const td_island_work *work, double tolerance) {
             worst = locks ? td_max_double(worst, r->closing) : worst;
         }
     }
-    return worst > tolerance + CLOSING_SHARE * __builtin_sqrt(fastest);
+    return worst > tolerance + TD_CLOSING_SHARE * __builtin_sqrt(fastest);
 }
 
 /* Keeps the impulses of equality rows that the first problem found, in `mean_impulse`, and removes
@@ -310,7 +278,7 @@ static bool has_only_locks_and_springs(const td_island_work *work) {
  * - Where gaps were closed, all rows are solved for anew, from the velocities without impulses.
  * - Otherwise impulses of equality rows are kept, and the rest is solved for. In an island without
  *   contacts, limits and motors nothing is solved unless the velocities violate the joints' rows by
- *   more than END_ERROR_MAX g h.
+ *   more than TD_END_ERROR_MAX g h.
  * Returns the residual, as a speed. */
 static double solve_end_velocity(td_island_work *work, double start, double tolerance) {
     td_direct *d = &work->problem;
@@ -319,13 +287,14 @@ static double solve_end_velocity(td_island_work *work, double start, double tole
         set_end_drives(&d->constraints[i]);
     }
     if (closes_gaps(work, tolerance)) {
+        work->closed = true;
         update_joint_rows(work, start, true);
         return solve_rows(work, tolerance);
     }
     keep_lock_impulses(work);
     update_joint_rows(work, start, true);
-    bool stays =
-        has_only_locks_and_springs(work) && td_direct_residual(d) <= END_ERROR_MAX * d->unit_speed;
+    bool stays = has_only_locks_and_springs(work) &&
+                 td_direct_residual(d) <= TD_END_ERROR_MAX * d->unit_speed;
     double missing = stays ? 0.0 : solve_rows(work, tolerance);
     restore_lock_impulses(work);
     return missing;
@@ -417,10 +386,11 @@ static double energy_of_drives(const td_island_work *work) {
     return sum;
 }
 
-/* Whether the solution has more than ENERGY_RATIO_MAX times the energy that it may have: the larger
- * of `there` (twice the energy at the start of the step, with that of motors and springs) and twice
- * the energy at the start of the last part, since a motor may move more than its own two bodies;
- * plus the energy that closing gaps and overlaps may add. Equality rows do no work themselves. */
+/* Whether the solution has more than TD_ENERGY_RATIO_MAX times the energy that it may have: the
+ * larger of `there` (twice the energy at the start of the step, with that of motors and springs)
+ * and twice the energy at the start of the last part, since a motor may move more than its own two
+ * bodies; plus the energy that closing gaps and overlaps may add. Equality rows do no work
+ * themselves. */
 static bool gains_energy(const td_island_work *work, double there) {
     double mass = 0.0, pushed = work->correction_speed + work->problem.unit_speed;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -428,7 +398,7 @@ static bool gains_energy(const td_island_work *work, double there) {
     }
     there = td_max_double(there, energy_of(work, true));
     double max = there + mass * pushed * pushed * work->island->bodies;
-    return !(energy_of(work, false) <= ENERGY_RATIO_MAX * max);
+    return !(energy_of(work, false) <= TD_ENERGY_RATIO_MAX * max);
 }
 
 /* Twice the work that gravity, forces and damping do in a step that is divided into parts of length
@@ -444,12 +414,58 @@ static double work_of_forces(const td_island_work *work, double part_time) {
     return 4.0 * sum / part_time;
 }
 
+/* Whether a motor, a spring, or a body outside of the island that moves may add energy. */
+static bool is_driven(const td_island_work *work) {
+    bool driven = false;
+    for (int i = 0; i < work->island->constraints; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_constraint *c = &work->problem.constraints[i];
+            const td_direct_row *r = &c->row[k];
+            bool motor = r->kind == TD_ROW_FRICTION && c->kind >= TD_PAIR_COUNT;
+            driven |= r->used && (r->kind == TD_ROW_SOFT || motor || r->known_speed != 0.0);
+        }
+    }
+    return driven;
+}
+
+/* Whether a constraint joins the island to a body outside of it. */
+static bool is_held(const td_island_work *work) {
+    bool held = false;
+    for (int i = 0; i < work->island->constraints; i++) {
+        const td_direct_constraint *c = &work->problem.constraints[i];
+        held |= c->a == TD_NONE || c->b == TD_NONE;
+    }
+    return held;
+}
+
+/* Takes from the velocities the energy that closing gaps has added: td_share_after_closing.
+ * `allowed` is twice the kinetic energy that the island may have. */
+static void pay_for_closing(td_island_work *work, double allowed) {
+    td_direct *d = &work->problem;
+    double mass = 0.0, mean[2] = {0.0, 0.0};
+    for (int i = 0; i < work->island->bodies && !is_held(work); i++) {
+        double own = 1.0 / d->bodies[i].inverse_mass;
+        mass += own;
+        mean[0] += own * d->bodies[i].velocity[0];
+        mean[1] += own * d->bodies[i].velocity[1];
+    }
+    double whole = mass > 0.0 ? (mean[0] * mean[0] + mean[1] * mean[1]) / mass : 0.0;
+    double share = td_share_after_closing(energy_of(work, false) - whole, allowed - whole);
+    for (int i = 0; i < work->island->bodies; i++) {
+        td_direct_body *b = &d->bodies[i];
+        for (int k = 0; k < 3; k++) {
+            double kept = k < 2 && mass > 0.0 ? mean[k] / mass : 0.0;
+            b->velocity[k] = kept + share * (b->velocity[k] - kept);
+        }
+    }
+}
+
 /* Whether the moments of the step are far from balance and its energy has grown: `there` is twice
  * the kinetic energy at the start, with that of motors and springs. */
 static bool gains_out_of_balance(const td_island_work *work, double tolerance, double there) {
     double gained = work_of_forces(work, work->time);
-    return work->unbalanced > BALANCE_MAX * tolerance &&
-           energy_of(work, false) > there + gained + GAIN_MAX * (there + td_abs(gained));
+    return work->unbalanced > TD_BALANCE_MAX * tolerance &&
+           energy_of(work, false) > there + gained + TD_GAIN_MAX * (there + td_abs(gained));
 }
 
 double td_island_solve_joints(td_island_work *work, double tolerance) {
@@ -462,7 +478,7 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
     }
     work->problem.effort = work->w->islands.effort;
     work->problem.factoring_budget *=
-        td_island_is_joints(work) ? BUDGET_OF_JOINTS : BUDGET_WITH_CONTACTS;
+        td_island_is_joints(work) ? TD_BUDGET_OF_JOINTS : BUDGET_WITH_CONTACTS;
     work->time = whole / parts;
     scale_impulses(work, 1.0 / parts);
     begin_step(work, parts);
@@ -485,6 +501,9 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
         scale_impulses(work, part + 1 < parts ? 0.5 : (double)parts);
     }
     work->w->islands.effort = work->problem.effort;
+    if (work->closed && td_finite(missing) && !is_driven(work)) {
+        pay_for_closing(work, start + work_of_forces(work, work->time));
+    }
     missing = gains_out_of_balance(work, tolerance, start) ? __builtin_inf() : missing;
     work->time = work->elapsed = whole;
     /* Long lever arms may have made numbers overflow; and a body with contacts must not have turned

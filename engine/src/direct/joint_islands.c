@@ -22,13 +22,16 @@ static bool reserve_system(thud_world *w) {
            td_array_reserve(memory, &s->entry, TD_RESOLVE_ENTRIES_MAX);
 }
 
-/* Reserves the memory of joint_tree.c for the largest island. False when memory is short. */
+/* Reserves the memory of joint_tree.c and of direct/lock_tree.c for the largest island. False when
+ * memory is short. */
 static bool reserve_tree(thud_world *w) {
     int bodies = TD_RESOLVE_BODIES_MAX;
     for (int i = 0; i < w->islands.island.count; i++) {
         bodies = td_max_int(bodies, TD_AT(td_island, &w->islands.island, i)->bodies);
     }
-    return td_islands_reserve(w, &w->islands.tree, bodies);
+    return td_islands_reserve(w, &w->islands.tree, bodies) &&
+           td_islands_reserve(w, &w->islands.locks, bodies) &&
+           td_islands_reserve(w, &w->islands.listed, bodies);
 }
 
 /* thud_island_solver.find: lists the islands of 1., and reserves memory for one island of 2. and 3.

@@ -63,9 +63,13 @@ static double spring_phase(const td_island_work *work) {
  * scale. */
 #define CENTRED 1e-5
 
+bool td_arm_is_centred(const thud_world *w, double x, double y) {
+    double arm_max = CENTRED * (double)w->length_scale;
+    return td_abs(x) <= arm_max && td_abs(y) <= arm_max;
+}
+
 static bool is_centred(const td_island_work *work, float cross_u, float cross_v) {
-    double arm_max = CENTRED * (double)work->w->length_scale;
-    return td_abs((double)cross_u) <= arm_max && td_abs((double)cross_v) <= arm_max;
+    return td_arm_is_centred(work->w, (double)cross_u, (double)cross_v);
 }
 
 /* Sets `sweeps` of a joint's bodies: whether a rotation moves an anchor, or the axis of the joint's
@@ -113,6 +117,21 @@ static void set_turn_flags(td_island_work *work) {
     }
 }
 
+int td_parts_of(const thud_world *w, const td_island *island, double fastest, bool joints,
+                double phase) {
+    double parts = td_max_double(fastest * w->def.time_step / TURN_PART, 1.0);
+    if (!(parts < 2 * PARTS_MAX)) {
+        return 0;
+    }
+    if (joints) {
+        bool small = island->bodies <= SMALL_ISLAND_BODIES;
+        double finer = small ? (double)w->substeps / SUBSTEPS_OF_PART : 1.0;
+        parts = td_max_double(parts, finer * td_max_double(phase / PHASE_PART, 1.0));
+    }
+    int whole = parts < PARTS_MAX ? (int)parts : PARTS_MAX;
+    return whole < PARTS_MAX && whole < parts ? whole + 1 : whole;
+}
+
 int td_island_parts(td_island_work *work) {
     set_turn_flags(work);
     double fastest = 0.0;
@@ -125,18 +144,8 @@ int td_island_parts(td_island_work *work) {
     for (int i = 0; i < work->island->constraints; i++) {
         fastest = td_max_double(fastest, line_rate(work, i));
     }
-    double parts = td_max_double(fastest * work->time / TURN_PART, 1.0);
-    if (!(parts < 2 * PARTS_MAX)) {
-        return 0;
-    }
-    if (td_island_is_joints(work)) {
-        bool small = work->island->bodies <= SMALL_ISLAND_BODIES;
-        double finer = small ? (double)work->w->substeps / SUBSTEPS_OF_PART : 1.0;
-        double phase = td_max_double(spring_phase(work) / PHASE_PART, 1.0);
-        parts = td_max_double(parts, finer * phase);
-    }
-    int whole = parts < PARTS_MAX ? (int)parts : PARTS_MAX;
-    return whole < PARTS_MAX && whole < parts ? whole + 1 : whole;
+    double phase = td_island_is_joints(work) ? spring_phase(work) : 0.0;
+    return td_parts_of(work->w, work->island, fastest, td_island_is_joints(work), phase);
 }
 
 bool td_island_turns_too_far(const td_island_work *work) {

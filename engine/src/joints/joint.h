@@ -168,6 +168,13 @@ static inline double td_gap_unit(const thud_world *w, bool is_angle) {
 /* The speed that closes a gap within `time`, at most TD_JOINT_CLOSING_SPEED units a second. `unit`:
  * td_gap_unit. */
 double td_joint_closing_speed(double gap, double unit, double time);
+/* Square of half a rotation, rad^2, below which its chord counts as long as its arc: sin(x) / x is
+ * 1 - x^2 / 6, here within 2e-13 of 1. Avoids 0 / 0. */
+#define TD_CHORD_IS_ARC 1e-12
+
+/* joint_rows.c. The speed at which a gap closes in a part of the step of length `time`: by a share
+ * of it, and a small width on top, at TD_JOINT_CLOSING_SPEED at most. */
+double td_joint_part_closing(const thud_world *w, double gap, double unit, double time);
 
 /* arm x (x, y) */
 static inline float td_cross(const float arm[2], float x, float y) {

@@ -38,6 +38,7 @@ static const td_joint_hooks joint_hooks = {.engage = td_joints_engage,
                                            .measure = td_joints_measure,
                                            .draw = td_joints_draw,
                                            .solve = td_island_solve_joints,
+                                           .solve_tree = td_lock_tree_step,
                                            .islands = &td_islands_of_joints};
 
 /* Prepares a world for its first joint: sets the operations of the joints' constraint kinds, the
@@ -166,7 +167,12 @@ thud_result thud_joint_create(thud_world *w, const thud_joint_def *def, thud_joi
         *out = td_joint_handle(w, index);
     }
     for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
-        td_joint_warn_of_drive(w, &def->drive[i]);
+        const thud_drive *drive = &def->drive[i];
+        td_joint_warn_of_drive(w, drive);
+        /* Not in thud_joint_set_drive, by which a program turns the limits off and on again. */
+        if (!drive->limited && (drive->lower != 0.0f || drive->upper != 0.0f)) {
+            td_refuse(w, THUD_OK, "joint create: lower and upper without `limited` limit nothing");
+        }
     }
     return THUD_OK;
 }

@@ -73,22 +73,26 @@ static double displacement_along(const td_direct_row *row, const td_span *s) {
 #define GAP_SHARE_PER_STEP 0.2
 #define GAP_CLOSED_MIN 1e-4
 
-/* The speed at which a gap that is `before` wide at the start of the part closes in it: by the
- * share and the width above, at TD_JOINT_CLOSING_SPEED at most. Sets row->closing, its size. At h =
- * 0 row->closing is kept, and the result is 0: the gap is not closed. */
+double td_joint_part_closing(const thud_world *w, double gap, double unit, double time) {
+    double width = td_abs(gap), change = 0.0;
+    if (width > GAP_IGNORED * unit) {
+        double max_change = (double)TD_JOINT_CLOSING_SPEED * unit * time;
+        change = width * (GAP_SHARE_PER_STEP * time / w->def.time_step) + GAP_CLOSED_MIN * unit;
+        change = td_min_double(td_min_double(max_change, change), width);
+    }
+    return gap > 0.0 ? -change / time : change / time;
+}
+
+/* The same for a row whose gap is `before` wide at the start of the part. Sets row->closing, its
+ * size. At h = 0 row->closing is kept, and the result is 0: the gap is not closed. */
 static double closing_of(const thud_world *w, td_direct_row *row, const td_span *s, double before,
                          double unit) {
-    double width = td_abs(before), change = 0.0;
     if (s->time == 0.0) {
         return 0.0;
     }
-    if (width > GAP_IGNORED * unit) {
-        double max_change = (double)TD_JOINT_CLOSING_SPEED * unit * s->time;
-        change = width * (GAP_SHARE_PER_STEP * s->time / w->def.time_step) + GAP_CLOSED_MIN * unit;
-        change = td_min_double(td_min_double(max_change, change), width);
-    }
-    row->closing = change / s->time;
-    return before > 0.0 ? -row->closing : row->closing;
+    double speed = td_joint_part_closing(w, before, unit, s->time);
+    row->closing = td_abs(speed);
+    return speed;
 }
 
 /* The mean speed along a row by which its gap closes as in closing_of, where the motion of the
@@ -102,17 +106,13 @@ static double target_speed_for_gap(const thud_world *w, td_direct_row *row, cons
                           : (displacement_along(row, s) - (after - before)) / s->time + closing;
 }
 
-/* Square of half a rotation, rad^2, below which its chord counts as long as its arc: sin(x) / x is
- * 1 - x^2 / 6, here within 2e-13 of 1. Avoids 0 / 0. */
-#define CHORD_IS_ARC 1e-12
-
 /* A lever arm, by its cross products with u and v, averaged over a rotation by `angle`: the arm
  * after half of it, shortened by the ratio of chord to arc, sin(half) / half. Multiplied by the
  * rotation, it gives the chord by which its end moves. */
 static void average_arm(double angle, double *u, double *v) {
     double half = 0.5 * angle, s, c, x = *u, y = *v;
     td_joint_sincos(half, &s, &c);
-    double shorter = half * half >= CHORD_IS_ARC ? s / half : 1.0;
+    double shorter = half * half >= TD_CHORD_IS_ARC ? s / half : 1.0;
     *u = shorter * (c * x - s * y);
     *v = shorter * (c * y + s * x);
 }

@@ -1,5 +1,5 @@
 /* rollback_report.c: what peers whose hashes differ tell each other, to find the first step and
- * body that differ.
+ * body that differ. rollback-report.ts of the package writes and reads the same bytes.
  *
  * A report, all numbers with their low bytes first:
  *     uint32  MARK
@@ -17,10 +17,11 @@
 
 #include "state/body.h"
 #include "thud/thud.h"
+#include "thud/thud_reads.h"
 
 #include <string.h>
 
-static const uint32_t MARK = 0x31526474; /* "tdR1" */
+static const uint32_t MARK = 0x32526474; /* "tdR2" */
 
 enum { HEAD_BYTES = 36, HASH_BYTES = 8, BODY_BYTES = 12, SUM_BYTES = 8 };
 
@@ -77,16 +78,28 @@ static uint64_t bits_of(float x) {
     return bits;
 }
 
-/* A hash of where a body is, how it moves, and how often its slot has been used. */
+static uint64_t bits_of_double(double x) {
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+/* A hash of where a body is and how it moves: of numbers that programs in all languages can read.
+ */
 static uint64_t hash_of_body(const thud_world *w, td_body_index body) {
-    const td_pose *pose = td_pose_at(w, body);
-    const float *v = td_body_velocity(w, td_body_at(w, body));
-    uint64_t hash = mix(MIX_START, td_body_at(w, body)->generation);
-    hash = mix(hash, (uint64_t)pose->center.x);
-    hash = mix(hash, (uint64_t)pose->center.y);
-    hash = mix(hash, pose->angle);
-    hash = mix(hash, bits_of(v[0]) | bits_of(v[1]) << 32);
-    return mix(hash, bits_of(v[2]));
+    thud_body_id id = td_body_handle(w, body);
+    thud_pos place;
+    double angle;
+    thud_vec2 v;
+    float spin;
+    thud_body_get_position(w, id, &place);
+    thud_body_get_rotation(w, id, &angle, NULL, NULL);
+    thud_body_get_velocity(w, id, &v, &spin);
+    uint64_t hash = mix(MIX_START, bits_of_double(place.x));
+    hash = mix(hash, bits_of_double(place.y));
+    hash = mix(hash, bits_of_double(angle));
+    hash = mix(hash, bits_of(v.x) | bits_of(v.y) << 32);
+    return mix(hash, bits_of(spin));
 }
 
 /* ---- steps ---- */

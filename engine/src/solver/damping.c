@@ -11,6 +11,9 @@
  * found by doubling z: with d = (q - 1) / z, doubling turns q into q (1 + z q / 2) and d into d / 2
  * + q^2 / 4. */
 td_damping td_damping_of(float z) {
+    if (z == 0.0f) {
+        return (td_damping){.lost = 0.0f, .gained = 1.0f, .gain_share = 0.5f};
+    }
     double x = 0.25 * td_min_double((double)z, Z_MAX);
     double d = 0.5 + x * (1.0 / 6 + x * (1.0 / 24 + x * (1.0 / 120)));
     double q = 1.0 + x * d;

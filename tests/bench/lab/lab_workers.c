@@ -9,7 +9,7 @@
 
 enum { WORKERS = 2 };
 
-static const double LEAST_GAIN = 1.6;
+static const double LEAST_GAIN = 1.8;
 
 static thud_threads *threads; /* of the world with two workers */
 

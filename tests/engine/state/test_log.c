@@ -165,6 +165,19 @@ static void drives_name_the_field(void **state) {
     expect(&h, THUD_OK, "motor_speed without");
     OK(thud_joint_set_drive(world, joint, THUD_DIRECTION_TURN, &def.drive[THUD_DIRECTION_TURN]));
     expect(&h, THUD_OK, "motor_speed without");
+    /* So is a joint with limits that are not switched on; turning them off later is no mistake. */
+    def = thud_default_joint_def(THUD_JOINT_HINGE);
+    def.body_a = a;
+    def.body_b = b;
+    thud_drive *turn = &def.drive[THUD_DIRECTION_TURN];
+    turn->lower = -1;
+    OK(thud_joint_create(world, &def, &joint));
+    expect(&h, THUD_OK, "without `limited`");
+    turn->limited = true;
+    OK(thud_joint_create(world, &def, &joint));
+    turn->limited = false;
+    OK(thud_joint_set_drive(world, joint, THUD_DIRECTION_TURN, turn));
+    assert_int_equal(h.count, 0);
     thud_world_destroy(world);
 }
 

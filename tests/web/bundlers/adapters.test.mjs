@@ -1,5 +1,6 @@
 /**
- * Tests the adapters of the package in the pages of examples/adapters, bundled by Vite: what is drawn is at the
+ * Tests the adapters of the package in the pages of examples/adapters, and the games of examples/games on
+ * a plain canvas, bundled by Vite: what is drawn is at the
  * poses of the bodies, at a display's rate that is not the world's, and a pointer drags a body.
  */
 import assert from "node:assert/strict";
@@ -29,12 +30,13 @@ let server;
 before(async () => {
   if (skip) return;
   cpSync(`${root}examples/adapters`, folder, { recursive: true, filter: (path) => !path.includes("node_modules") });
+  cpSync(`${root}examples/games`, join(folder, "games"), { recursive: true, filter: (path) => !path.includes("node_modules") });
   mkdirSync(join(folder, "node_modules"));
   symlinkSync(`${root}web/package`, join(folder, "node_modules/thud"), "dir");
   for (const name of new Set(Object.values(PAGES).flat()))
     symlinkSync(`${bundlers}node_modules/${name}`, join(folder, "node_modules", name), "dir");
   const { build } = await bring("vite");
-  const input = Object.keys(PAGES).map((name) => join(folder, `${name}.html`));
+  const input = [...Object.keys(PAGES), "games/index"].map((name) => join(folder, `${name}.html`));
   await build({
     root: folder,
     configFile: false,
@@ -123,3 +125,22 @@ for (const name of Object.keys(PAGES))
     assert.deepEqual(errors, []);
     await page.close();
   });
+
+test("games_are_played_on_a_plain_canvas_of_one_s_own", { skip }, async () => {
+  const page = await browser.newPage({ viewport: { width: 640, height: 480 } });
+  page.setDefaultTimeout(PATIENCE);
+  const errors = [];
+  page.on("pageerror", (error) => errors.push(error.message));
+  for (const name of ["pool", "platformer", "brick_breaker"]) {
+    await page.goto(`${server.url}games/index.html?${name}`);
+    await page.waitForFunction(() => globalThis.game?.world.stats().steps > 0);
+    if (SHOTS) await page.screenshot({ path: join(SHOTS, `game-${name}.png`) });
+  }
+  await page.keyboard.down("Space");
+  await page.waitForFunction(() => globalThis.game.state.left < 40);
+  assert.match(await page.textContent("p"), /^Bricks 3\d · Balls 3/);
+  await page.mouse.move(400, 300);
+  await page.waitForFunction(() => globalThis.game.world.positionOf(globalThis.game.state.paddle)[0] > 3);
+  assert.deepEqual(errors, []);
+  await page.close();
+});

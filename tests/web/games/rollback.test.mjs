@@ -5,6 +5,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { pack, unpack } from "../../../web/package/dist/net/rollback-bytes.js";
+import { readReport, writeReport } from "../../../web/package/dist/net/rollback-report.js";
 import { thud } from "../support/package.mjs";
 
 const { Mover, Rollback } = thud;
@@ -177,6 +178,21 @@ test("wrong_calls_throw_and_change_nothing", () => {
   ])
     assert.throws(call, { name: "ThudError", code: "invalid" });
   assert.equal(rollback.hashAt(3), hash);
+});
+
+test("reports_tell_any_input", () => {
+  const told = (idle) => {
+    const { world } = createPeer();
+    const rollback = new Rollback(world, { idle: [idle], step: () => world.step() });
+    for (let i = 0; i < 3; i++) {
+      rollback.input(0, i, idle);
+      rollback.advance();
+    }
+    return readReport(rollback.report(2), 1).inputs[0];
+  };
+  assert.deepEqual([0, 7, -1, 5n].map(told), [0n, 7n, 2n ** 64n - 1n, 5n]);
+  const others = ["left", "right", 0.5, NaN, Infinity, null, undefined].map(told);
+  assert.equal(new Set(others).size, others.length);
 });
 
 // ---- several peers ----
@@ -389,15 +405,16 @@ test("damaged_bytes_and_wrong_calls_of_peers_throw_and_change_nothing", () => {
     refused(() => rollback.restore(pack("tdJj", { ...data, ...wrong }, more)));
   refused(() => rollback.restore(pack("tdJj", data, more.slice(1))));
   refused(() => rollback.restore(pack("tdJj", null, more)));
-  const told = unpack("tdRj", report).data;
+  const told = readReport(report, 2);
   for (const wrong of [
-    { hashes: [1] },
-    { bodies: [[1, 2], [1, 2]] },
-    { inputs: [1] },
+    { players: 3 },
+    { bodies: [[2, 1n], [2, 2n]] },
+    { bodies: [[2, 1n], [1, 2n]] },
+    { bodies: [[2 ** 31, 1n]] },
     { step: -2 },
-    { first: 0.5 },
+    { step: -1 },
+    { first: -1 },
   ])
-    refused(() => rollback.compare(pack("tdRj", { ...told, ...wrong })));
-  refused(() => rollback.compare(pack("tdRj", null)));
+    refused(() => rollback.compare(writeReport({ ...told, ...wrong })));
   assert.deepEqual([world.hash(), rollback.steps, peer.hero.state()], [hash, 30, moved]);
 });

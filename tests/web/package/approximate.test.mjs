@@ -54,6 +54,17 @@ test("an L is two boxes and misses nothing", () => {
   assert.ok(one.distance >= 2 && one.distance <= 2.125, "the end of the other leg is 2 away");
 });
 
+test("a body is made of the parts of an approximation, and lies where the points are", () => {
+  const world = engine.createWorld({ gravity: [0, 0] });
+  const { parts, shapes } = geometry.approximate(engine, AN_L, { shapes: 5 });
+  const body = world.createBody({ kind: "dynamic", shapes: parts });
+  assert.equal(world.shapesOf(body).length, shapes.length);
+  const inside = ([x, y]) => world.overlap({ kind: "circle", center: [x, y], radius: 0.01 }).length > 0;
+  assert.deepEqual([[2.9, 0.5], [0.5, 2.9], [1.5, 1.5], [3.1, 0.5]].map(inside), [true, true, false, false]);
+  near(world.bodyStateOf(body).mass, 5, 1e-5);
+  world.close();
+});
+
 test("a turned rectangle is a box at its angle", () => {
   const [c, s] = [Math.cos(0.3), Math.sin(0.3)];
   const points = [[0, 0], [3, 0], [3, 1], [0, 1]].map(([x, y]) => [c * x - s * y, s * x + c * y]);

@@ -89,6 +89,37 @@ test("canvas_is_painted_in_the_frame_of_each_body_relative_to_the_view", (t) => 
   assert.deepEqual(view.placeOf({ clientX: 110, clientY: 20 }), [13, 6]);
 });
 
+test("canvas_shows_y_downwards_where_the_view_is_told_so", (t) => {
+  const world = makeWorld(t);
+  const canvas = makeCanvas();
+  const view = new CanvasView(world, canvas, { scale: 10, center: [3, 1], yDown: true });
+  view.add(world.createBody(crate([3, 4])), (context) => context.fill());
+  view.draw(1);
+  assert.ok(canvas.calls.some((call) => `${call}` === "setTransform,10,0,0,10,100,50"));
+  assert.deepEqual(view.placeOf({ clientX: 60, clientY: 45 }), [3, 1]);
+  assert.deepEqual(view.placeOf({ clientX: 110, clientY: 20 }), [13, -4]);
+});
+
+test("pointers_drag_bodies_of_pixels_as_bodies_of_metres", (t) => {
+  const world = engine.createWorld({ lengthScale: 40, gravity: [0, -1000] });
+  t.after(() => world.close());
+  const canvas = makeCanvas();
+  const view = new CanvasView(world, canvas, { scale: 0.25 });
+  const rock = world.createBody({ kind: "dynamic", position: [0, 0], shapes: [thud.circle(20)] });
+  const drag = view.drag();
+  const point = (type, [x, y]) =>
+    canvas.dispatchEvent(Object.assign(new Event(type), { pointerId: 1, button: 0, clientX: 60 + x / 8, clientY: 45 - y / 8 }));
+  point("pointerdown", [26, 0]); // beside the rock, within the reach of 8
+  assert.equal(drag.bodies.length, 1);
+  point("pointerup", [26, 0]);
+  point("pointerdown", [0, 0]);
+  point("pointermove", [0, 120]);
+  for (let i = 0; i < 120; i++) world.step();
+  const [, y] = world.positionOf(rock);
+  assert.ok(Math.abs(y - 120) < 4, `the rock is at ${y}, not at the pointer's 120`);
+  drag.end();
+});
+
 test("pointers_hold_dynamic_bodies_until_they_end_and_leave_nothing_behind", (t) => {
   const world = makeWorld(t);
   const canvas = makeCanvas();

@@ -23,7 +23,7 @@ const along = (drive) => make({ kind: "slider", along: drive });
 
 const REFUSED = [
   [make({ kind: "hing" }), /joint kind "hing" is none of distance, hinge/],
-  [make({ kind: "hinge", atBody: 1 }), /hinge: no option is called "atBody"; the nearest is "bodyA"/],
+  [make({ kind: "hinge", atBody: 1 }), /hinge: no option is called "atBody"$/],
   [make({ kind: "hinge", along: {} }), /hinge: no option is called "along"/],
   [make({ kind: "hinge", length: 1 }), /hinge: no option is called "length"/],
   [rope({ at: [0, 0] }), /distance: no option is called "at"/],

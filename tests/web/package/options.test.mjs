@@ -24,8 +24,11 @@ const REFUSED = [
   ["setQuality", () => world.setQuality({ base: "high", stiffness: 0.1 }), "stiffness", "contactStiffness"],
   ["createBody", () => world.createBody({ gravityscale: 0 }), "gravityscale", "gravityScale"],
   ["createBody", () => world.createBody({ type: "dynamic" }), "type", "kind"],
+  ["createBody", () => world.createBody({ isStatic: true }), "isStatic", "kind"],
+  ["createBody", () => world.createBody({ mass: 2 }), "mass", "shapes"],
+  ["createBody", () => world.createBody({ friction: 2 }), "friction", "shapes"],
+  ["createJoint", () => world.createJoint({ kind: "distance", bodyA: ground, bodyB: ground, stiffness: 1 }), "stiffness", "along"],
   ["createCircle", () => world.createCircle(ground, { radious: 1 }), "radious", "radius"],
-  ["createCircle", () => world.createCircle(ground, { radius: 1, angle: 1 }), "angle", "mask"],
   ["createAabb", () => world.createAabb(ground, { halfwidth: 1 }), "halfwidth", "halfWidth"],
   ["createAabb", () => world.createAabb(ground, { halfExtents: [1, 2] }), "halfExtents", "halfWidth"],
   ["createObb", () => world.createObb(ground, { ...box, isSensor: true }), "isSensor", "sensor"],
@@ -35,13 +38,10 @@ const REFUSED = [
   ["castShapeAll", () => world.castShapeAll({ ...circle, r: 1 }, [0, 0], [1, 0]), "r", "radius"],
   ["closest", () => world.closest([0, 0], 1, { sensor: true }), "sensor", "sensors"],
   ["overlap", () => world.overlap({ ...circle, centre: [0, 0] }), "centre", "center"],
-  ["overlap of bounds", () => world.overlap({ kind: "bounds", ...bounds, min: 1 }), "min", "kind"],
   ["Mover", () => mover({ maxslope: 1 }), "maxslope", "maxSlope"],
-  ["Mover, shape", () => mover({ shape: { kind: "aabb", ...box, angle: 1 } }), "angle", "kind"],
   ["Mover, filter", () => mover({ filter: { categories: 1 } }), "categories", "category"],
   ["move", () => walker.move([1, 0], 1 / 60, { drops: true }), "drops", "drop"],
   ["draw", () => world.draw({ ...bounds, colors: true }), "colors", "colours"],
-  ["sum", () => thud.minkowskiSum(engine, circle, { ...circle, x: 1 }, [0, 0]), "x", "kind"],
   ["readLevel", () => readLevel("ball", ballLevel(), { skips: true }), "skips", "skip"],
   [
     "buildLevel",
@@ -64,6 +64,23 @@ for (const [call, act, name, nearest] of REFUSED)
     });
     world.step();
     assert.deepEqual([world.stats().bodies, world.stats().shapes], [bodies, shapes]);
+  });
+
+/** The call, and its unknown option, which is like none that the call has. */
+const UNLIKE = [
+  ["createCircle", () => world.createCircle(ground, { radius: 1, angle: 1 }), "angle"],
+  ["overlap of bounds", () => world.overlap({ kind: "bounds", ...bounds, min: 1 }), "min"],
+  ["Mover, shape", () => mover({ shape: { kind: "aabb", ...box, angle: 1 } }), "angle"],
+  ["createBody", () => world.createBody({ plugin: {} }), "plugin"],
+  ["sum", () => thud.minkowskiSum(engine, circle, { ...circle, x: 1 }, [0, 0]), "x"],
+];
+
+for (const [call, act, name] of UNLIKE)
+  test(`${call}_refuses_${name}_without_naming_another_that_is_not_like_it`, () => {
+    assert.throws(act, (error) => {
+      assert.match(error.message, new RegExp(`no option is called "${name}"$`));
+      return true;
+    });
   });
 
 test("pair_given_as_an_object_is_refused_and_not_passed_over", () => {

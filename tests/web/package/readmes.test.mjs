@@ -140,13 +140,13 @@ function makeClone() {
 
 test("games_run_on_a_fresh_clone_as_the_document_says", () => {
   const clone = makeClone();
-  const [, command] = /`(npm install && node \w+\.mjs)`/.exec(read("docs/embedding.md"));
+  const [, command] = /`(npm install && node run\.js \w+)`/.exec(read("docs/embedding.md"));
   const offline = command.replace("npm install", "npm install --offline --omit=optional --no-audit --no-fund");
   const { status, stdout, stderr } = spawnSync("sh", ["-c", offline], {
     cwd: join(clone, "examples/games"),
     encoding: "utf8",
   });
   assert.equal(status, 0, `${stdout}${stderr}`);
-  assert.match(stdout, /after \d+ shots\n\w{16}\n$/);
+  assert.match(stdout, /\d+ steps, \w{16}\n$/);
   assert.ok(existsSync(join(clone, "web/package/dist/thud.wasm")));
 });

@@ -14,7 +14,7 @@ import { World } from "../../../web/package/dist/node.js";
 import { sidebar } from "../../../web/site/.vitepress/sidebar.mjs";
 
 /** Names of the class World that its typings do not offer. */
-const INNER = new Set("constructor makeSolid freeRoom lengthScale refuse on onWorld shapeIds".split(" "));
+const INNER = new Set("constructor makeSolid freeRoom refuse on onWorld shapeIds".split(" "));
 
 const sources = `${root}web/site/`;
 const dist = `${root}web/dist/`;
@@ -26,7 +26,8 @@ const folder = mkdtempSync(join(tmpdir(), "thud-site-"));
 after(() => rmSync(folder, { recursive: true }));
 mkdirSync(join(folder, "node_modules"));
 symlinkSync(`${root}web/package`, join(folder, "node_modules", "thud"), "dir");
-for (const rival of ["planck", "matter-js"])
+mkdirSync(join(folder, "node_modules/@dimforge"));
+for (const rival of ["planck", "matter-js", "@dimforge/rapier2d-compat"])
   symlinkSync(`${root}web/node_modules/${rival}`, join(folder, "node_modules", rival), "dir");
 
 /** The fenced blocks of a page: [{ info, text }]. */
@@ -61,7 +62,7 @@ const BROWSER = `{
   globalThis.requestAnimationFrame = (then) => (told.picture = then);
   told.next = (milliseconds) => told.picture((now += milliseconds));
   const pen = new Proxy({}, { get: (_, name) => () => (told.drawn += name === "arc") });
-  const canvas = { width: 720, height: 480, getContext: () => pen, addEventListener() {} };
+  const canvas = { width: 720, height: 480, style: {}, getContext: () => pen, addEventListener() {} };
   globalThis.document = { querySelector: () => canvas };
 }
 `;
@@ -85,6 +86,49 @@ test("examples_that_run_on_the_page_run", () => {
   assert.ok(count > 0, "no page has an example");
 });
 
+test("cradle_of_the_guide_keeps_its_energy_to_one_percent_for_ten_seconds", () => {
+  const [{ text }] = blocksOf("guide-joints.md").filter(({ text: one }) => one.includes("const balls ="));
+  const energy = `
+const energy = () => {
+  const { kineticEnergy, potentialEnergy } = world.measure();
+  return kineticEnergy + potentialEnergy - 50 * world.bodyStateOf(balls[0]).mass; // all balls at a height of 1
+};
+const before = energy();
+for (let i = 0; i < 600; i++) world.step();
+console.log(Math.abs(energy() / before - 1) < 0.01);
+`;
+  assert.deepEqual(run("cradle.mjs", text + energy), ["true"]);
+});
+
+/** The frequency (Hz) and damping ratio with which a constraint of matter.js swings. */
+function swingOf(Matter, stiffness, damping) {
+  const { Bodies, Composite, Constraint, Engine } = Matter;
+  const engine = Engine.create();
+  engine.gravity.y = 0;
+  const body = Bodies.circle(300, 0, 10, { frictionAir: 0 });
+  const constraint = Constraint.create({ pointA: { x: 0, y: 0 }, bodyB: body, length: 200, stiffness, damping });
+  Composite.add(engine.world, [body, constraint]);
+  const away = Array.from({ length: 600 }, () => (Engine.update(engine, 1000 / 60), body.position.x - 200));
+  const peaks = away.filter((x, i) => i > 0 && x > away[i - 1] && x >= away[i + 1]);
+  const zeros = away.flatMap((x, i) => (i > 0 && x <= 0 && away[i - 1] > 0 ? [i - x / (x - away[i - 1])] : []));
+  const decrement = Math.log(peaks[0] / peaks[1]);
+  const ratio = decrement / Math.hypot(2 * Math.PI, decrement);
+  return [60 / (zeros[1] - zeros[0]) / Math.sqrt(1 - ratio ** 2), ratio];
+}
+
+test("springs_of_matter_swing_as_the_page_that_comes_from_there_says", async () => {
+  const text = readFileSync(`${sources}from-matter.md`, "utf8");
+  const [, rate] = /frequency = ([\d.]+) √stiffness Hz/.exec(text);
+  const [, own, damper] = /damping = ([\d.]+) √stiffness \+ ([\d.]+) damping/.exec(text);
+  const Matter = (await import(`${root}web/node_modules/matter-js/build/matter.js`)).default;
+  for (const [stiffness, damping] of [[0.0005, 0], [0.001, 0.005], [0.02, 0.02], [0.1, 0]]) {
+    const [frequency, ratio] = swingOf(Matter, stiffness, damping);
+    const root = Math.sqrt(stiffness);
+    assert.ok(Math.abs(frequency / (rate * root) - 1) < 0.06, `${stiffness}: ${frequency} Hz`);
+    assert.ok(Math.abs(ratio / (own * root + (damper * damping) / root) - 1) < 0.06, `${stiffness}: ratio ${ratio}`);
+  }
+});
+
 test("game_in_a_page_draws_every_ball_in_every_picture", () => {
   const [program] = blocksOf("begin-javascript.md").filter(({ info }) => info === "js game");
   const pictures = `
@@ -92,6 +136,15 @@ for (let i = 0; i < 30; i++) told.next(1000 / 144);
 console.log(told.drawn);
 `;
   assert.deepEqual(run("game.mjs", BROWSER + program.text + pictures), [String(30 * 40)]);
+});
+
+test("page_of_the_guide_to_drawing_paints_every_crate_in_every_picture", () => {
+  const [program] = blocksOf("guide-drawing.md").filter(({ info }) => info === "js page");
+  const pictures = `
+for (let i = 0; i < 30; i++) told.next(1000 / 144);
+console.log(told.drawn);
+`;
+  assert.deepEqual(run("page.mjs", BROWSER.replace('"arc"', '"fillRect"') + program.text + pictures), [String(30 * 10)]);
 });
 
 test("every_page_stands_in_the_list_of_pages", () => {
@@ -134,6 +187,26 @@ test("reference_has_every_name_of_the_headers_and_typings", () => {
       if (!INNER.has(name)) assert.ok(world.includes(` id="${name}"`), name);
   const errors = readFileSync(`${docs}errors.html`, "utf8");
   for (const { name } of api.enums.find(({ name: one }) => one === "thud_result").values) assert.ok(errors.includes(name), name);
+});
+
+test("reference_has_what_draws_worlds_with_its_constructor_and_options", () => {
+  const canvas = readFileSync(`${docs}js-canvas.html`, "utf8").replace(/<[^>]*>/g, "");
+  for (const said of ["constructor(world: World, canvas: HTMLCanvasElement", "placeOf(pointer", "yDown?: boolean", "get bodies()", "end(): void", "strength?: number"])
+    assert.ok(canvas.includes(said), said);
+  for (const [page, name] of [["pixi", "PixiView"], ["three", "ThreeView"], ["phaser", "PhaserView"], ["recording", "Player"]])
+    assert.ok(readFileSync(`${docs}js-${page}.html`, "utf8").includes(` id="${name}"`), name);
+});
+
+test("files_for_download_have_every_function_and_the_version_of_the_package", () => {
+  const { functions } = JSON.parse(readFileSync(`${root}bindings/api.json`, "utf8"));
+  const [header, source] = ["thud.h", "thud.c"].map((name) => readFileSync(`${docs}files/${name}`, "utf8"));
+  for (const { name, inline } of functions) {
+    assert.ok(header.includes(`${name}(`), name);
+    assert.ok(inline || source.includes(`${name}(`), name);
+  }
+  const { version } = JSON.parse(readFileSync(`${root}web/package/package.json`, "utf8"));
+  const packed = readFileSync(`${docs}files/thud-${version}.tgz`);
+  assert.ok(packed.length > 500_000 && packed[0] === 0x1f && packed[1] === 0x8b, "an archive of gzip");
 });
 
 /** Beginnings of names that pages use in place of one name, and names of files. */

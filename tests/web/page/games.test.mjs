@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { DESKTOP, figure, openVisitor, PHONE, stepBy, untilRunning } from "../support/page.mjs";
+import { figureOf, fingers } from "../support/games.mjs";
 import { until } from "../support/wait.mjs";
 
 const visitor = openVisitor();
@@ -14,43 +15,12 @@ async function openGame(name, options = DESKTOP) {
   return opened;
 }
 
-/** A value from the game's figures, up to date with the steps of `stepBy`. */
-function figureOf(page, label) {
-  return page.evaluate((wanted) => {
-    const terms = [...document.querySelectorAll("#figures dt")];
-    return terms.find(({ textContent }) => textContent === wanted)?.nextSibling.textContent;
-  }, label);
-}
-
 async function coins(page) {
   return Number.parseInt(await figureOf(page, "Coins"), 10);
 }
 
 function message(page) {
   return page.textContent("#message");
-}
-
-/** Simulates fingers on buttons of the pad. */
-async function fingers(page) {
-  const touch = await page.context().newCDPSession(page);
-  const middleOf = async (key) => {
-    const box = await page.locator(`[data-key=${key}]`).boundingBox();
-    return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
-  };
-  return {
-    async hold(...keys) {
-      const touchPoints = [];
-      for (const [id, key] of keys.entries()) {
-        touchPoints.push({ ...(await middleOf(key)), id });
-        await touch.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints });
-        await page.waitForSelector(`[data-key=${key}][data-held]`);
-      }
-    },
-    async letGo() {
-      await touch.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
-      await page.waitForSelector("[data-held]", { state: "detached" });
-    },
-  };
 }
 
 // Two coins are on the way to a block that is two metres high, and one is above it.

@@ -12,13 +12,14 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { brotliDecompressSync, gunzipSync } from "node:zlib";
 import { listenFrom } from "../../../web/tools/serve.mjs";
+import { createRooms } from "../../../web/tools/rooms.mjs";
 import { createStaticServer } from "../../../web/tools/static-server.mjs";
 
 const script = fileURLToPath(new URL("../../../web/tools/serve.mjs", import.meta.url));
 const folder = fileURLToPath(new URL("../../../web/dist", import.meta.url));
 
 /** Requests a path as it is; fetch would normalize it. */
-function get(port, path, method = "GET", headers = {}) {
+function get(port, path, method = "GET", headers = {}, text = "") {
   return new Promise((done, fail) => {
     request({ port, path, method, headers, host: "127.0.0.1" }, (response) => {
       const chunks = [];
@@ -26,7 +27,7 @@ function get(port, path, method = "GET", headers = {}) {
       response.on("end", () => done(Object.assign(response, { body: Buffer.concat(chunks) })));
     })
       .on("error", fail)
-      .end();
+      .end(text);
   });
 }
 
@@ -109,4 +110,53 @@ test("bad_port_is_refused_with_usage", () => {
   const { status, stderr } = spawnSync(process.execPath, words, { encoding: "utf8" });
   assert.equal(status, 2);
   assert.match(stderr, /1 to 65535[\s\S]*usage:/);
+});
+
+test("server_keeps_what_browsers_leave_in_rooms_until_it_is_taken", async (t) => {
+  const server = createStaticServer(folder);
+  t.after(() => {
+    server.closeAllConnections();
+    server.close();
+  });
+  const port = await listenFrom(server, 0);
+  const ask = async (path, method, text) => {
+    const { statusCode, body } = await get(port, `/rooms/${path}`, method, {}, text);
+    return [statusCode, body.toString()];
+  };
+  assert.deepEqual(JSON.parse((await get(port, "/rooms.json")).body), { rooms: true });
+  assert.deepEqual(await ask("a/answer", "PUT", "early"), [503, ""], "a room that nobody has opened");
+  assert.deepEqual(await ask("a/offer", "PUT", "come"), [204, ""]);
+  assert.deepEqual(await ask("b/offer"), [204, ""], "another room");
+  assert.deepEqual(await ask("a/offer"), [200, "come"]);
+  assert.deepEqual(await ask("a/offer"), [204, ""], "it was taken");
+  assert.deepEqual(await ask("a/answer", "PUT", "I do"), [204, ""]);
+  assert.deepEqual(await ask("a/answer"), [200, "I do"]);
+  assert.deepEqual(await ask("a/offer", "PUT", "x".repeat(5000)), [413, ""]);
+  assert.equal((await ask("a/offer", "POST", "x"))[0], 405);
+  for (const path of ["A/offer", "a/b", `${"a".repeat(41)}/offer`, "../rooms/a/offer"])
+    assert.notEqual((await ask(path))[0], 200, path);
+  await ask("a/offer", "PUT", "come");
+  await ask("a/offer", "DELETE");
+  assert.deepEqual(await ask("a/offer"), [204, ""], "it was closed");
+});
+
+test("room_whose_host_asks_no_more_is_closed", async () => {
+  let now = 0;
+  const rooms = createRooms(() => now);
+  const ask = async (what, method, texts = []) => {
+    let told;
+    const done = new Promise((end) => {
+      const response = { writeHead: (status) => (told = status), end: (text) => end([told, text]) };
+      const request = { method, [Symbol.asyncIterator]: () => texts.values() };
+      assert.ok(rooms(`rooms/a/${what}`, request, response));
+    });
+    return done;
+  };
+  await ask("offer", "PUT", ["come"]);
+  for (let i = 0; i < 5; i++) {
+    now += 5000;
+    assert.deepEqual(await ask("answer", "GET"), [204, ""]);
+  }
+  now += 7000;
+  assert.deepEqual(await ask("offer", "GET"), [204, ""]);
 });

@@ -139,6 +139,7 @@ test("import_that_is_not_there_is_told_at_its_line", async () => {
     return troubleOf(page);
   };
   assert.match(await told('import { x } from "./sketch.js";'), /Line 2[\s\S]*'x'/);
+  assert.match(await told('import { y } from "thud";'), /Line 2[\s\S]*“thud” exports no “y”/);
   assert.match(await told('import "three";'), /Line 2[\s\S]*“three” is no file of this page/);
   await close();
 });

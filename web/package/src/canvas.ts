@@ -1,6 +1,6 @@
 /**
- * "thud/canvas": draws a world on a plain canvas. Paths are in the world's units, with y up; the view
- * transforms them to pixels.
+ * "thud/canvas": draws a world on a plain canvas. Paths are in the world's units, with y up or, if you choose so, down;
+ * the view transforms them to pixels.
  */
 import { trace } from "./draw/debug.js";
 import { Drag, type DragOptions, partsOf } from "./draw/drag.js";
@@ -9,7 +9,7 @@ import type { BodyRef, Vec2 } from "./types.js";
 import type { DrawOptions } from "./view-types.js";
 import type { World } from "./world.js";
 
-/** Paints a body in its own frame: its origin is at [0, 0], y is up, and lengths are the world's. */
+/** Paints a body in its own frame: its origin is at [0, 0], y is the world's, and lengths are, too. */
 export type Paint = (context: CanvasRenderingContext2D) => void;
 export { Drag, type DragOptions };
 
@@ -18,6 +18,8 @@ export interface ViewOptions {
   scale?: number;
   /** The place of the world in the middle of the canvas. Default [0, 0]. */
   center?: Vec2;
+  /** Whether the world's y axis points down on the canvas, for a world whose gravity is to +y. Default false. */
+  yDown?: boolean;
 }
 
 /** What is painted of a world on a canvas. `scale` and `center` may be changed between two calls of `draw`. */
@@ -28,9 +30,12 @@ export class CanvasView {
   readonly canvas: HTMLCanvasElement;
   readonly #world: World;
   readonly #sprites: Sprites<Paint>;
+  /** The direction of the world's y axis on the canvas: -1 upwards, 1 downwards. */
+  readonly #down: number;
 
   /** Takes the canvas's context "2d"; its width and height may change at any time. */
-  constructor(world: World, canvas: HTMLCanvasElement, { scale = 32, center = [0, 0] }: ViewOptions = {}) {
+  constructor(world: World, canvas: HTMLCanvasElement, { scale = 32, center = [0, 0], yDown = false }: ViewOptions = {}) {
+    this.#down = yDown ? 1 : -1;
     const context = canvas.getContext("2d")!;
     [this.#world, this.canvas, this.context, this.scale, this.center] = [world, canvas, context, scale, center];
     this.#sprites = new Sprites<Paint>(world, (paint, x, y, cosine, sine) => {
@@ -78,7 +83,7 @@ export class CanvasView {
   placeOf(pointer: { clientX: number; clientY: number }): Vec2 {
     const { canvas, center, scale } = this;
     const [right, down] = partsOf(canvas, pointer);
-    const [x, y] = [(right - 0.5) * canvas.width, (0.5 - down) * canvas.height];
+    const [x, y] = [(right - 0.5) * canvas.width, this.#down * (down - 0.5) * canvas.height];
     return [center[0] + x / scale, center[1] + y / scale];
   }
 
@@ -91,7 +96,7 @@ export class CanvasView {
   #onto(draw: () => void): void {
     const { context, canvas, scale } = this;
     context.save();
-    context.setTransform(scale, 0, 0, -scale, canvas.width / 2, canvas.height / 2);
+    context.setTransform(scale, 0, 0, this.#down * scale, canvas.width / 2, canvas.height / 2);
     draw();
     context.restore();
   }

@@ -228,7 +228,8 @@ export interface WheelOptions extends PlacedOptions {
 /**
  * A target: it locks no direction; its drives pull b towards the frame in a, which `setJointFrame`
  * moves. It serves to drag a body with a pointer, to hold it back, or to move a platform by forces.
- * @example { kind: "target", bodyA, bodyB, at: [0, 5], along: { frequency: 5 } }
+ * A spring in one direction leaves the body free in the other.
+ * @example { kind: "target", bodyA, bodyB, at: [0, 5], along: { frequency: 5 }, across: { frequency: 5 } }
  */
 export interface TargetOptions extends PlacedOptions {
   kind: "target";
@@ -364,8 +365,12 @@ export const JOINT_ROW = {
   length: JointRowAt.length,
 } as const;
 
+/** The options of joints that are handles. */
 type Sides = { bodyA: BodyRef; bodyB: BodyRef; jointA: JointRef; jointB: JointRef };
-/** The same options, in which the handles may also be given as numbers (see `numberOf`). */
+/**
+ * The options T of a joint, in which the handles (`Sides`: bodyA, bodyB, jointA and jointB) may also be given as
+ * numbers (see `numberOf`).
+ */
 export type Numbered<T> = T extends unknown
   ? Omit<T, keyof Sides> & Pick<Sides, keyof T & keyof Sides>
   : never;

@@ -63,8 +63,8 @@ export class WorldBase {
     forgotten?.register(this, null, this);
   }
 
-  /** The length scale of the options. */
-  protected get lengthScale(): number {
+  /** The length scale that the world was made with (WorldOptions.lengthScale). */
+  get lengthScale(): number {
     return this.reach / EVERYWHERE;
   }
 
@@ -192,7 +192,7 @@ export class WorldBase {
 
   /**
    * Runs the whole steps that fit into the elapsed seconds (0 to 10⁹) and the time that earlier
-   * calls left over, at most `maxSteps` (1 or more), and drops the time of further steps; call it
+   * calls left over, at most `maxSteps` (1 or more; default 4), and drops the time of further steps; call it
    * once a frame. `alpha`, in [0, 1), is the time left over as a fraction of a step, for `poses`.
    * The motion does not depend on the frame rate.
    *

@@ -39,7 +39,7 @@ export const sidebar = [
   },
   {
     text: "Good to know",
-    items: [page("Common mistakes", "mistakes"), page("What thud does not do", "limits")],
+    items: [page("Common mistakes", "mistakes"), page("What thud does not do", "limits"), page("Glossary", "glossary")],
   },
   {
     text: "How it works",
@@ -73,6 +73,11 @@ export const sidebar = [
           page("Options and results", "js-types"),
           page("thud/geometry", "js-geometry"),
           page("thud/level", "js-level"),
+          page("thud/canvas", "js-canvas"),
+          page("thud/pixi", "js-pixi"),
+          page("thud/three", "js-three"),
+          page("thud/phaser", "js-phaser"),
+          page("thud/recording", "js-recording"),
         ],
       },
       page("Python", "python-thud"),

@@ -35,11 +35,11 @@ export interface Listener {
 
 /** Parts of the state that `open` sets besides the scene's name; those left out are reset. */
 type Opening = Partial<
-  Pick<State, "code" | "size" | "seed" | "camera" | "claim" | "level" | "recording">
+  Pick<State, "code" | "size" | "seed" | "camera" | "claim" | "level" | "recording" | "match" | "invite">
 >;
 
 /** The part of the state that determines what the running scene was started with. */
-type Begun = Pick<State, "scene" | "code" | "size" | "seed" | "level" | "recording">;
+type Begun = Pick<State, "scene" | "code" | "size" | "seed" | "level" | "recording" | "match">;
 
 /** Choices that are fixed when a world is created. */
 const ANEW = ["detection", "broadphase", "stepRate", "topSpeed"] as const;
@@ -51,6 +51,8 @@ export class App {
     scene: "towers",
     level: null,
     recording: null,
+    match: null,
+    invite: null,
     seed: 0,
     choices: { ...USUAL },
     versus: { ...USUAL_VERSUS },
@@ -136,6 +138,8 @@ export class App {
     state.claim = more.claim ?? null;
     state.level = more.level ?? null;
     state.recording = more.recording ?? null;
+    state.match = more.match ?? null;
+    state.invite = more.invite ?? null;
     return this.#run();
   }
 
@@ -162,6 +166,8 @@ export class App {
   async restart(): Promise<boolean> {
     // A link's claim holds only for the choices that came with it.
     this.state.claim = null;
+    // Nor can one player begin a match anew.
+    this.state.match = null;
     return this.#run();
   }
 
@@ -170,7 +176,10 @@ export class App {
     const number = ++this.#runs;
     this.#starting = true;
     try {
-      const scene = await this.client.ask("run", this.request);
+      const { match } = this.state;
+      const request = match ? { ...this.request, match } : this.request;
+      const ports = match ? [match.port] : [];
+      const scene = await this.client.ask("run", request, undefined, ports);
       if (number !== this.#runs) return false;
       this.#starting = false;
       this.#begin(scene);
@@ -263,14 +272,14 @@ export class App {
   #begin(scene: RunningScene): void {
     // The worker has clamped the size to the scene's range; a scene of one size has none.
     if (this.state.size !== undefined) this.state.size = scene.sizes ? scene.size : undefined;
-    const { scene: name, code, size, seed, level, recording } = this.state;
+    const { scene: name, code, size, seed, level, recording, match } = this.state;
     this.scene = scene;
     if (code !== null || name !== this.#running?.scene) this.offeredCode = null;
     const before = this.#running;
     const same = level === before?.level && recording === before.recording;
     if (!this.#arrives && (name !== before?.scene || !same)) this.#goesOn = true;
     this.#arrives = false;
-    this.#running = { scene: name, code, size, seed, level, recording };
+    this.#running = { scene: name, code, size, seed, level, recording, match };
     this.shapes = null;
     this.#owed = 0;
     if (this.#halted) this.setPaused(false);
@@ -415,13 +424,15 @@ export class App {
     this.#keepShapes(frame);
     const { player } = this;
     const made = frame.step - player.newest;
-    if (player.paused) player.jump(frame);
+    // A match that waits for its players, or a recording at its end, makes no step for now.
+    const stands = frame.ended && made === 0;
+    if (player.paused || stands) player.jump(frame);
     else player.take(frame);
     this.#owed = Math.max(0, this.#owed - made);
     if (frame.samples.length > 0) this.#tell((listener) => listener.samples?.(frame.samples));
     this.#tell((listener) => listener.frame?.(frame));
     // A worker that is behind gets its next request now, not with the display's next picture.
-    if (!player.paused) this.requestFrame();
+    if (!player.paused && !stands) this.requestFrame();
   }
 
   #keepShapes(frame: Frame): void {

@@ -86,17 +86,18 @@ export class Client {
     for (const { reject } of waiting) reject(new EndedError("The physics worker was ended."));
   }
 
-  /** Asks a question; rejects with `TroubleError` or `EndedError`. */
+  /** Asks a question, with which `transfer` goes to the worker; rejects with `TroubleError` or `EndedError`. */
   ask<Name extends QuestionName>(
     name: Name,
     value: Questions[Name]["ask"],
     report: (progress: Progress<Name>) => void = () => {},
+    transfer: Transferable[] = [],
   ): Promise<Questions[Name]["answer"]> {
     const id = ++this.#asked;
     const answer = new Promise<unknown>((resolve, reject) =>
       this.#waiting.set(id, { resolve, reject, report: (news) => report(news as Progress<Name>) }),
     );
-    this.#send({ kind: "ask", id, name, value });
+    this.#send({ kind: "ask", id, name, value }, transfer);
     return answer as Promise<Questions[Name]["answer"]>;
   }
 
@@ -133,8 +134,8 @@ export class Client {
     return worker;
   }
 
-  #send(message: ToWorker): void {
-    this.#worker.postMessage(message);
+  #send(message: ToWorker, transfer: Transferable[] = []): void {
+    this.#worker.postMessage(message, transfer);
     if (message.kind !== "command" && this.#timer === 0) this.#watch();
   }
 

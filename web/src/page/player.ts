@@ -31,6 +31,8 @@ export class Player {
   waiting = false;
   /** Simulated seconds per second of real time that the visitor wants. */
   speed = 1;
+  /** A factor of `speed` by which the clocks of a match's players are kept together. */
+  pace = 1;
   /** The share of the last seconds' time that was given up: 0 in real time, 0.5 at half of it. */
   lag = 0;
 
@@ -96,7 +98,7 @@ export class Player {
   }
 
   get #stepsASecond(): number {
-    return this.speed / this.#secondsAStep;
+    return (this.speed * this.pace) / this.#secondsAStep;
   }
 
   /** The step that the worker must have reached for the next picture, and at least one ahead. */

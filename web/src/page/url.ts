@@ -5,7 +5,7 @@
  */
 import { BROADPHASES, DETECTIONS, QUALITIES } from "thud";
 import { OVERLAYS, type OverlayName } from "../scene/overlays";
-import type { Choices, Recording } from "../worker/protocol";
+import type { Choices, Match, Recording } from "../worker/protocol";
 
 /** Speeds that the page offers, in simulated seconds per second. */
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
@@ -90,6 +90,10 @@ export interface State {
   level: OwnLevel | null;
   /** What the scene "recording" plays, which no address holds; null in other scenes. */
   recording: Recording | null;
+  /** The match that the scene is played in, which no address holds; null: none. */
+  match: Match | null;
+  /** A packed invitation to a match, or the answer to one; see page/match/invitation.ts. */
+  invite: string | null;
   /** How many bodies or the like; undefined: the scene's usual size. */
   size?: number;
   seed: number;
@@ -159,6 +163,7 @@ export async function readState(address: URL): Promise<Partial<State>> {
   const packed = after.get("code");
   if (packed !== null) state.code = await unpack(packed);
   state.result = after.get("result");
+  state.invite = after.get("invite");
   const level = after.get("level");
   if (level !== null) state.level = await unpackLevel(level);
   return state;
@@ -194,6 +199,7 @@ export async function writeState(state: State): Promise<string> {
   }
   const after = [];
   if (state.code !== null) after.push(`code=${await pack(state.code)}`);
+  if (state.invite !== null) after.push(`invite=${state.invite}`);
   if (state.result !== null) after.push(`result=${state.result}`);
   const level = state.level && (await packLevel(state.level));
   if (level) after.push(`level=${level}`);

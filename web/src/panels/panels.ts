@@ -22,6 +22,10 @@ export function panels(stage: Stage): Record<string, PanelKind> {
       title: "Trade: speed against accuracy",
       load: async () => (await import("./trade/trade")).createPanel,
     },
+    match: {
+      title: "Play together",
+      load: async () => (await import("./match/match")).createPanel,
+    },
     values: {
       title: "Values",
       load: async () => (await import("./values")).createPanel,

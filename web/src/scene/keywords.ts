@@ -17,6 +17,9 @@ export const KEYWORDS: Readonly<Record<string, string>> = {
   minkowski: "point against shape configuration space difference",
   one_spot: "grid cell size broadphase numerical stability at the extremes",
   playground: "complex shapes made up of boxes approximation compound",
+  sumo:
+    "multiplayer together friend network webrtc link qr code rollback netcode latency two players four " +
+    "joints wheels",
   sizes: "grid cell size broadphase numerical stability at the extremes",
   textured: "terrain foot feet friction uv coordinates barycentric weights interpolation",
   lab_approximate:

@@ -190,6 +190,11 @@ export interface Scene {
    */
   panel?: ScenePanel;
   /**
+   * What a match over a network needs of a game; the page then has the panel Match.
+   * @example match: { inputs: 8, input: ({ left }) => Number(left), step(inputs) { … } }
+   */
+  match?: SceneMatch;
+  /**
    * Messages for the visitor, for example what of a level was left out.
    * @example notes: ["…"]
    */
@@ -215,14 +220,36 @@ export interface Scene {
 export const SCENE_PANELS = ["trade", "contacts"] as const;
 export type ScenePanel = (typeof SCENE_PANELS)[number];
 
-export const KEY_NAMES = ["left", "right", "up", "down", "fire", "restart"] as const;
+/** The keys with a 2 are a second player's at the same keyboard: A, D and W. */
+export const KEY_NAMES = [
+  ...["left", "right", "up", "down", "fire", "restart"],
+  ...["left2", "right2", "up2"],
+] as ("left" | "right" | "up" | "down" | "fire" | "restart" | "left2" | "right2" | "up2")[];
 export type KeyName = (typeof KEY_NAMES)[number];
 
 /** What each key does, in a word or two: { left: "walk", right: "walk", up: "jump" }. */
 export type KeyWords = Partial<Record<KeyName, string>>;
 
 export function noKeys(): Record<KeyName, boolean> {
-  return { left: false, right: false, up: false, down: false, fire: false, restart: false };
+  return Object.fromEntries(KEY_NAMES.map((name) => [name, false])) as Record<KeyName, boolean>;
+}
+
+/**
+ * A game that players in several browsers play together, as many as the scene's size says. Each
+ * browser runs every step at once, and again where it did not know an input yet (class Rollback), so
+ * that all that changes has to be in the world and in the scene's `state`, and `step` may depend on
+ * these and on the inputs alone. `state` is a new object after steps were run again: read it from the
+ * scene each time.
+ */
+export interface SceneMatch {
+  /** The number of different inputs, 2 to 256: an input is a whole number below it; 0: no key. */
+  inputs: number;
+  /** The input of the keys that are held in this browser. */
+  input(held: Input["held"]): number;
+  /** A match begins; `player` is the one of this browser, from 0. Called before the first step. */
+  begin?(player: number): void;
+  /** One step of the game with the input of each player, the world's step included. */
+  step(inputs: readonly number[]): void;
 }
 
 /** What a player does during one step. */

@@ -15,7 +15,10 @@ export interface Thumbnail {
 /** By the name of a scene. A scene without an entry has the defaults. */
 export const THUMBNAILS: Readonly<Record<string, Thumbnail>> = {
   platformer_game: { view: { x: 17.5, y: 9, height: 20 } },
+  game_car: { view: { x: 0, y: 0, height: 46 } },
+  game_platformer: { view: { x: 7, y: 3, height: 16 } },
   artillery: { view: { x: -11.5, y: 0.5, height: 12 } },
+  sumo: { steps: 205, view: { x: -2.5, y: 0.6, height: 7 } },
   quarry: { steps: 240 },
   playground: { steps: 150, view: { x: 26, y: 12, height: 22 } },
   platform: { steps: 90, view: { x: 36, y: 13, height: 22 } },

@@ -1,18 +1,21 @@
 /**
- * Imports the text of a scene that the visitor has edited, in place of the scene's file. This
- * module is loaded only when there is such a text, because most visits run scenes unchanged.
+ * Imports the text of a scene: what the visitor has edited, in place of the scene's file, or a game,
+ * which imports the package by its name as in a project. This module is loaded only when there is
+ * such a text, because most visits run scenes unchanged.
  */
 import type { Position, Program } from "acorn";
 import { raiseFence } from "./fence";
 import { SceneError, troubleOf } from "./trouble";
 
 /**
- * Imports `code` as a module. `base` is the page's address; the relative imports of the text are
- * resolved against `file`. Throws a SceneError that says why and where, if the import fails.
+ * Imports `own`, the visitor's text, or else the text of `file`, as a module. `base` is the page's
+ * address; the relative imports of the text are resolved against `file`. Throws a SceneError that says
+ * why and where, if the import fails.
  */
-export async function importCode(base: string, file: URL, code: string): Promise<unknown> {
-  raiseFence(base);
-  const text = withWholeAddresses(code, file);
+export async function importCode(base: string, file: URL, own: string | undefined): Promise<unknown> {
+  if (own !== undefined) raiseFence(base);
+  const code = own ?? (await textOf(file));
+  const text = withWholeAddresses(await withPackage(code), file);
   const url = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
   try {
     return await import(/* @vite-ignore */ url);
@@ -21,6 +24,39 @@ export async function importCode(base: string, file: URL, code: string): Promise
   } finally {
     URL.revokeObjectURL(url);
   }
+}
+
+async function textOf(file: URL): Promise<string> {
+  const response = await fetch(file);
+  if (!response.ok) throw new Error(`${file.pathname} cannot be loaded: ${response.status}`);
+  return response.text();
+}
+
+/** An import of names, or of all, from the package. */
+const OF_PACKAGE = /^([ \t]*)import\s+(\{[^}]*\}|\*\s+as\s+\w+)\s+from\s*(["'])thud\3/gm;
+/** Where the text finds what the package exports. */
+const PLACE = "thudPackage";
+
+/**
+ * Replaces imports from "thud" by constants, on as many lines: a module that is imported from a blob URL
+ * cannot resolve the name, and Firefox lets it import no other blob URL. Throws a SceneError for a name
+ * that the package does not export.
+ */
+async function withPackage(code: string): Promise<string> {
+  if (code.search(OF_PACKAGE) < 0) return code;
+  const exported: object = await import("thud");
+  if (!(PLACE in globalThis)) Object.defineProperty(globalThis, PLACE, { value: exported });
+  return code.replace(OF_PACKAGE, (_, indent: string, names: string, _quote: string, at: number) => {
+    if (names.startsWith("*")) return `${indent}const ${names.replace(/^\*\s+as\s+/, "")} = ${PLACE}`;
+    for (const one of names.slice(1, -1).split(",")) {
+      const [name] = one.trim().split(/\s/);
+      if (name && !(name in exported)) {
+        const line = code.slice(0, at + indent.length).split("\n").length;
+        throw new SceneError({ message: `“thud” exports no “${name}”.`, line });
+      }
+    }
+    return `${indent}const ${names.replace(/\bas\b/g, ":")} = ${PLACE}`;
+  });
 }
 
 /**
@@ -53,8 +89,9 @@ async function explain(error: unknown, code: string, file: URL): Promise<SceneEr
   for (const node of program.body) {
     if (!("source" in node) || !node.source || !node.loc) continue;
     const path = String(node.source.value);
+    if (path === "thud") continue;
     if (!/^\.{1,2}\//.test(path))
-      return at(node.loc.start, `“${path}” is no file of this page: import "./…" from beside it.`);
+      return at(node.loc.start, `“${path}” is no file of this page: import "./…" from beside it, or "thud".`);
     const address = new URL(path, file).href;
     if (!(await isThere(address))) return at(node.loc.start, `There is no file “${path}”.`);
     // The file exists, but does not export a name that the text imports: the browser's message says

@@ -1,4 +1,7 @@
-/** Imports scene modules: a file of web/public/scenes, or a visitor's edited text of it. */
+/**
+ * Imports scene modules: a file of web/public/scenes, a game of examples/games, or a visitor's edited
+ * text of either.
+ */
 import type { SceneModule } from "../scene/scene";
 import { SceneError } from "./trouble";
 
@@ -12,8 +15,9 @@ export async function importScene(
   code: string | undefined,
 ): Promise<SceneModule> {
   const file = new URL(`scenes/${name}.js`, base);
+  const isGame = name.startsWith("game_");
   const module = (
-    code === undefined
+    code === undefined && !isGame
       ? await import(/* @vite-ignore */ file.href)
       : await (await import("./code")).importCode(base, file, code)
   ) as Partial<SceneModule>;

@@ -49,6 +49,14 @@ export interface Recorded {
   steps: number;
 }
 
+/** A match over a network that a scene is played in; see worker/match.ts. */
+export interface Match {
+  /** By it the worker sends packets to the other players and gets theirs; it is transferred. */
+  port: MessagePort;
+  /** Which player is played here, from 0; 0 is the one who invited the others. */
+  own: number;
+}
+
 /** A scene to run, with its settings. */
 export interface SceneRequest {
   /** The name of the module's file in web/public/scenes, without ".js". */
@@ -62,6 +70,8 @@ export interface SceneRequest {
   files?: Readonly<Record<string, string>>;
   /** Played in place of a scene; all that is said of scenes here is then ignored. */
   recording?: Recording;
+  /** Makes the scene's steps together with other browsers; `size` is the number of players. */
+  match?: Match;
   /** Clamped to the scene's sizes; undefined: the scene's usual size. */
   size?: number;
   seed: number;
@@ -90,6 +100,8 @@ export interface RunningScene {
   notes: readonly string[];
   controls: readonly Control[];
   panel: ScenePanel | null;
+  /** Whether it can be played over a network. */
+  shared: boolean;
 }
 
 /** What the page shows at present, and which overlays it needs. */

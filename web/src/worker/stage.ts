@@ -32,6 +32,8 @@ export function optionsOf(choices: Choices): WorldOptions {
 /** Imports that tests replace; by default those of createSetting, and bringMover. */
 interface Loaders extends Pick<SettingOptions, "loadReader" | "loadGeometry" | "loadRollback"> {
   loadMover?(): Promise<typeof Mover | undefined>;
+  /** The class of the session that is returned. */
+  kind?: typeof Session;
 }
 
 /** Loads the class Mover. If that fails, scenes without movers still run. */
@@ -49,7 +51,7 @@ export async function setUp(
   engine: Engine,
   request: SceneRequest,
   readText: (file: string) => Promise<string>,
-  { loadMover = bringMover, ...loaders }: Loaders = {},
+  { loadMover = bringMover, kind = Session, ...loaders }: Loaders = {},
 ): Promise<Session> {
   const first = request.name === FIRST_SCENE && request.code === undefined;
   const choices = optionsOf(request.choices);
@@ -98,7 +100,7 @@ export async function setUp(
     const others = [...movers, ...worlds.keys()].filter((other) => other !== scene.world);
     const sizes = module.size ?? null;
     const title = typeof module.title === "string" ? module.title : null;
-    return new Session(run, scene, setting.size, sizes, lengthScale, timeStep, title, others);
+    return new kind(run, scene, setting.size, sizes, lengthScale, timeStep, title, others);
   } catch (error) {
     closeAll([...movers, ...worlds.keys()]);
     throw error;
@@ -127,6 +129,7 @@ export function describe(session: Session): RunningScene {
     notes: scene.notes ?? [],
     controls: scene.controls ?? [],
     panel: scene.panel ?? null,
+    shared: Boolean(scene.match),
   };
 }
 

@@ -143,6 +143,10 @@ async function open(request: SceneRequest, run = 0, within = engine): Promise<Se
   if (request.recording) return (await import("./playback")).play(request.recording, run);
   const module = await importScene(base, request.name, request.code);
   const readText = (file: string) => readFile(file, request.files);
+  if (request.match) {
+    const { play } = await import("./match");
+    return play(run, module, within, request, readText);
+  }
   return setUp(run, module, within, request, readText);
 }
 
@@ -190,8 +194,8 @@ async function answer(id: number, name: QuestionName, value: never): Promise<voi
 /** Makes steps up to number `until`, for PATIENCE milliseconds at most. */
 function tick(running: Session, until: number): void {
   const end = performance.now() + PATIENCE;
-  const last = Math.min(until, running.end);
-  while (running.step < last && performance.now() < end) running.makeStep();
+  while (running.step < Math.min(until, running.end) && performance.now() < end)
+    running.makeStep();
 }
 
 self.onmessage = ({ data }: MessageEvent<ToWorker>) => {

@@ -21,6 +21,14 @@ const LAYERS = {
   WorldBase: "Time, settings, snapshots",
 };
 
+/** The modules that draw worlds, each with what its page begins with. */
+const ADAPTERS = {
+  canvas: "A world on a plain canvas, and dragging by pointers. [Guide](./guide-drawing.md#with-a-canvas-or-a-library)",
+  pixi: "A world in PixiJS. Dragging has the options of [DragOptions](./js-canvas.md#DragOptions).",
+  three: "A world in three.js. Dragging has the options of [DragOptions](./js-canvas.md#DragOptions).",
+  phaser: "A world in Phaser. Dragging has the options of [DragOptions](./js-canvas.md#DragOptions).",
+};
+
 /** A declaration without its comment and export. */
 function plainOf(node) {
   return node.getText().replace(/^export (declare )?/, "").replace(/\/\*\*.*?\*\/\s*/gs, "");
@@ -44,13 +52,18 @@ function bodyOf({ text, example }, link) {
 
 const nameOf = (member) => member.name?.getText() ?? "";
 
-/** The members of a class or interface that a program may use. */
+/** The members of a class or interface that a program may use, without constructors. */
 function membersOf(node) {
   return node.members.filter((member) => {
     const flags = ts.getCombinedModifierFlags(member);
     const hidden = flags & (ts.ModifierFlags.Private | ts.ModifierFlags.Protected);
     return !hidden && !ts.isConstructorDeclaration(member) && !/^[#[]/.test(nameOf(member));
   });
+}
+
+/** The constructors of a class that a program calls. */
+function constructorsOf(node) {
+  return node.members.filter((member) => ts.isConstructorDeclaration(member) && member.parameters.length > 0);
 }
 
 /** Overloads of a method are one entry. */
@@ -73,7 +86,7 @@ function declarationOf(name, nodes, link) {
   if ((ts.isInterfaceDeclaration(node) || ts.isClassDeclaration(node)) && node.members.length > 0) {
     const bases = (node.heritageClauses ?? []).map((clause) => clause.getText()).join(" ");
     const kind = ts.isClassDeclaration(node) ? "class" : "interface";
-    const rows = membersOf(node).map((member) => {
+    const rows = [...constructorsOf(node), ...membersOf(node)].map((member) => {
       const text = plainOf(member).replace(/;$/, "").replace(/^readonly /, "");
       const long = text.length > 60 || /[\n{]/.test(text);
       const shown = long ? `<pre class="signature">${link(text, name)}</pre>` : `<code>${link(text, name)}</code>`;
@@ -86,7 +99,7 @@ function declarationOf(name, nodes, link) {
 
 /** The pages as [name, text in Markdown]. */
 export function jsPages() {
-  const files = ["index", "geometry/index", "level"].map(typings);
+  const files = ["index", "geometry/index", "level", ...Object.keys(ADAPTERS), "recording"].map(typings);
   const options = { target: ts.ScriptTarget.ES2022, module: ts.ModuleKind.ESNext, moduleResolution: ts.ModuleResolutionKind.Bundler, types: [] };
   const program = ts.createProgram(files, options);
   const checker = program.getTypeChecker();
@@ -96,7 +109,7 @@ export function jsPages() {
       const nodes = own.declarations.map((node) => (ts.isVariableDeclaration(node) ? node.parent.parent : node));
       return { name: symbol.name, nodes };
     });
-  const [main, geometry, level] = files.map(exportsOf);
+  const [main, geometry, level, ...more] = files.map(exportsOf);
   const isType = ({ nodes: [node] }) => ts.isInterfaceDeclaration(node) || ts.isTypeAliasDeclaration(node) || ts.isVariableStatement(node);
   const world = main.find(({ name }) => name === "World");
   const rest = main.filter((one) => one !== world);
@@ -107,6 +120,12 @@ export function jsPages() {
     "js-geometry": geometry.filter(({ name }) => !inMain.has(name)),
     "js-level": level.filter(({ name }) => !inMain.has(name)),
   };
+  // Drag and its options, which all adapters export, stand on the page of the first.
+  const told = new Set(inMain);
+  for (const [i, name] of [...Object.keys(ADAPTERS), "recording"].entries()) {
+    lists[`js-${name}`] = more[i].filter((one) => !told.has(one.name));
+    for (const one of more[i]) told.add(one.name);
+  }
 
   const addresses = new Map([["World", "./js-world.html"]]);
   for (const [page, list] of Object.entries(lists))
@@ -139,5 +158,7 @@ export function jsPages() {
     ["js-types", page("Options and results", "The types of `thud`: what calls are given and what they return.", lists["js-types"])],
     ["js-geometry", page("thud/geometry", "Two shapes without a world: distances, times of impact, bounding volumes. The first argument of each call is the engine.", lists["js-geometry"])],
     ["js-level", page("thud/level", "Maps of the Tiled editor.", lists["js-level"])],
+    ...Object.entries(ADAPTERS).map(([name, about]) => [`js-${name}`, page(`thud/${name}`, about, lists[`js-${name}`])]),
+    ["js-recording", page("thud/recording", "Recordings of the calls that change a world, and a player. [Guide](./guide-recordings.md)", lists["js-recording"])],
   ];
 }

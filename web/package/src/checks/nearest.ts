@@ -23,6 +23,12 @@ const OTHERS: Readonly<Record<string, readonly string[]>> = {
   ccd: ["detection"],
   type: ["kind"],
   meeting: ["kind"],
+  isstatic: ["kind"],
+  mass: ["density (mass per area)", "shapes (their density, or setMass)"],
+  density: ["shapes (it is an option of these)"],
+  friction: ["shapes (it is an option of these)"],
+  restitution: ["shapes (it is an option of these)"],
+  sensor: ["shapes (it is an option of these)"],
   issensor: ["sensor"],
   trigger: ["sensor"],
   bounce: ["restitution"],
@@ -44,7 +50,7 @@ const OTHERS: Readonly<Record<string, readonly string[]>> = {
   anchorb: ["to", "at"],
   localanchora: ["frameA"],
   localanchorb: ["frameB"],
-  stiffness: ["frequency", "contactStiffness"],
+  stiffness: ["frequency", "contactStiffness", "along (its frequency)"],
   maxmotortorque: ["motorForce"],
   maxmotorforce: ["motorForce"],
   maxforce: ["motorForce"],
@@ -60,7 +66,8 @@ const DRIVES = ["turn", "along", "across"];
 
 /**
  * The text that the message about the unknown option `name` ends with. It suggests the one of
- * `names` with the fewest edits; among equals the one with the same first letter.
+ * `names` with the fewest edits, if these are at most a third of the letters; among equals the one
+ * with the same first letter. Nothing where none is that near.
  */
 export function tellNearest(name: string, names: readonly string[]): string {
   const drive = DRIVES.find((one) => names.includes(one));
@@ -73,7 +80,8 @@ export function tellNearest(name: string, names: readonly string[]): string {
   const edits = names.map(
     (known) => distance(name.toLowerCase(), known.toLowerCase()) - Number(known[0] === name[0]) / 2,
   );
-  return `; the nearest is "${names[edits.indexOf(Math.min(...edits))]}"`;
+  const least = Math.min(...edits);
+  return least <= Math.max(1, name.length / 3) ? `; the nearest is "${names[edits.indexOf(least)]}"` : "";
 }
 
 /** The Levenshtein distance of two words: letters to insert, delete or replace. Row by row. */

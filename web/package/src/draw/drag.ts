@@ -6,11 +6,14 @@ import type { BodyId, JointId, Vec2 } from "../types.js";
 import type { World } from "../world.js";
 
 export interface DragOptions {
-  /** The distance from a pointer within which a body is taken, a length. Default 0.2. */
+  /** The distance from a pointer within which a body is taken, a length. Default 0.2 length scales of the world. */
   reach?: number;
   /** The frequency of the joint's spring, Hz, which is critically damped. Default 5. */
   frequency?: number;
-  /** The maximum force of the spring, per mass of the body: length/s². Default 400. */
+  /**
+   * The maximum force of the spring, per mass of the body: length/s². It must be well above gravity. Default 400
+   * length scales/s².
+   */
   strength?: number;
   /** The category bits of shapes whose bodies may be dragged. Default all. */
   mask?: number;
@@ -51,7 +54,8 @@ export class Drag {
   constructor(world: World, element: HTMLElement, place: (event: PointerEvent) => Vec2, options: DragOptions = {}) {
     this.#world = world;
     this.#place = place;
-    this.#options = { reach: 0.2, frequency: 5, strength: 400, mask: -1, ...options };
+    const scale = world.lengthScale;
+    this.#options = { reach: 0.2 * scale, frequency: 5, strength: 400 * scale, mask: -1, ...options };
     const { signal } = this.#listening;
     const listen = (type: "pointerdown" | "pointermove" | "pointerup" | "pointercancel", act: (event: PointerEvent) => void) =>
       element.addEventListener(type, act, { signal });

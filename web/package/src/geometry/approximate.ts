@@ -4,7 +4,7 @@ import type { Engine } from "../engine.js";
 import { RESULT_CODES, ThudError } from "../error.js";
 import { ApproximationAt, PlacedAt, SolidAt } from "../generated/slots.js";
 import { indexOf, rowsOf, vecAt } from "../numbers.js";
-import type { Vec2 } from "../types.js";
+import type { SolidOptions, Vec2 } from "../types.js";
 import type { PlacedShape } from "./pair.js";
 
 /** The kinds of shapes that `approximate` uses, in the order of the engine's enum. */
@@ -26,6 +26,8 @@ export interface ApproximateOptions {
 export interface Approximation {
   /** They may overlap. */
   shapes: PlacedShape[];
+  /** The same shapes as `createBody` takes them: `shapes` of a body whose origin is that of the points. */
+  parts: SolidOptions[];
   /** The area of the polygon that no shape covers. */
   missed: number;
   /** The area outside of the polygon that shapes cover. */
@@ -72,8 +74,10 @@ export function approximate(
     throw new ThudError("invalid", `approximate: ${why}`);
   }
   const { buffer } = engine;
+  const found = rowsOf(Float64Array, buffer, s, ApproximationAt.shapes, PlacedAt.length, shapeAt);
   return {
-    shapes: rowsOf(Float64Array, buffer, s, ApproximationAt.shapes, PlacedAt.length, shapeAt),
+    shapes: found,
+    parts: found.map(({ center, ...shape }) => ({ ...shape, offset: center }) as SolidOptions),
     missed: s[ApproximationAt.missed],
     extra: s[ApproximationAt.extra],
     overlap: s[ApproximationAt.overlap],

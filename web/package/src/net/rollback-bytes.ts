@@ -1,4 +1,4 @@
-/** What peers of a rollback send each other as bytes: a mark, plain data as JSON, and a checksum. */
+/** The game of a rollback as bytes, for who joins it: a mark, plain data as JSON, and a checksum. */
 import { ThudError } from "../error.js";
 import type { MoverState } from "../mover.js";
 
@@ -26,9 +26,12 @@ const read = (_name: string, value: unknown): unknown => {
   return typeof name === "string" && name in NUMBERS ? NUMBERS[name] : value;
 };
 
+/** Plain data as JSON, numbers that JSON does not have included; undefined for what is no data. */
+export const textOf = (data: unknown): string | undefined => JSON.stringify(data, write);
+
 /** Writes a mark of four letters, plain data, and further bytes. */
 export function pack(mark: string, data: unknown, more: Uint8Array = new Uint8Array()): Uint8Array<ArrayBuffer> {
-  const text = new TextEncoder().encode(JSON.stringify(data, write));
+  const text = new TextEncoder().encode(textOf(data));
   const from = MARK_BYTES + LENGTH_BYTES;
   const bytes = new Uint8Array(from + text.length + more.length + SUM_BYTES);
   const view = new DataView(bytes.buffer);

@@ -13,14 +13,14 @@ import type { Mover, MoverState } from "../mover.js";
 import { checkOptions } from "../checks/names.js";
 import type { BodyId } from "../types.js";
 import type { World } from "../world.js";
-import { isMoverState, isPair, isStep, pack, sumOf, unpack } from "./rollback-bytes.js";
+import { isMoverState, isPair, isStep, pack, unpack } from "./rollback-bytes.js";
+import { hashOfBody, inputNumber, readReport, writeReport } from "./rollback-report.js";
 
 /** The maximum of `depth`, steps (THUD_ROLLBACK_DEPTH_MAX). */
 const DEEPEST = 1000;
 /** Each lead that is heard of moves the smoothed one by this share of the difference. Chosen. */
 const LEAD_SHARE = 1 / 16;
-/** The marks of bytes that peers send each other. */
-const REPORT = "tdRj";
+/** The mark of the bytes of a game that is joined. */
 const GAME = "tdJj";
 
 /** Inputs are compared by `===`, so they should be numbers or strings. */
@@ -63,17 +63,6 @@ export interface RollbackDifference {
    * none, or inputs that are no longer kept.
    */
   player: number;
-}
-
-/** What a report tells. */
-interface Report<Input> {
-  players: number;
-  first: number;
-  hashes: string[];
-  step: number;
-  inputs: Input[] | null;
-  /** By body, in the order of slots: its slot and hash. */
-  bodies: [number, number][];
 }
 
 /** The state before a step, and the inputs with which the step was run. */
@@ -249,7 +238,7 @@ export class Rollback<Input = number, State = undefined> {
   /**
    * Bytes for a peer whose hash of a confirmed step differs: the hashes before all confirmed steps
    * that are kept and, unless `step` is -1, a hash of each body before `step`, one of these, and the
-   * inputs of the step before it.
+   * inputs of the step before it. They are the same bytes that thud_rollback_report writes in C.
    * @throws {ThudError} "invalid" for a step that is not confirmed, or no longer kept.
    */
   report(step = -1): Uint8Array<ArrayBuffer> {
@@ -257,9 +246,10 @@ export class Rollback<Input = number, State = undefined> {
     const { first, hashes } = this.#confirmedHashes();
     if (step !== -1 && hashes[step - first] === undefined)
       throw new ThudError("invalid", `rollback: step ${step} is not confirmed, or not kept`);
-    const inputs = this.#moments.get(step - 1)?.inputs ?? null;
-    const bodies = step === -1 ? [] : this.#bodyHashes(step).map(({ index, hash }) => [index, hash]);
-    return pack(REPORT, { players: this.#known.length, first, hashes, step, inputs, bodies });
+    const inputs = this.#inputsBefore(step);
+    const own = step === -1 ? [] : this.#bodyHashes(step);
+    const bodies = own.map(({ id, hash }): [number, bigint] => [id.index, hash]);
+    return writeReport({ players: this.#known.length, first, hashes, step, inputs, bodies });
   }
 
   /**
@@ -269,7 +259,7 @@ export class Rollback<Input = number, State = undefined> {
    * @throws {ThudError} "invalid" for bytes that are no report, or damaged.
    */
   compare(report: Uint8Array): RollbackDifference {
-    const told = this.#readReport(report);
+    const told = readReport(report, this.#known.length);
     this.settle();
     const { first, hashes } = this.#confirmedHashes();
     const at = told.hashes.findIndex((hash, i) => {
@@ -280,11 +270,11 @@ export class Rollback<Input = number, State = undefined> {
     const found = { step, isDetailed: step >= 0 && step === told.step, bodySlot: -1 };
     const difference = { ...found, body: null as BodyId | null, bodies: 0, player: -1 };
     if (!found.isDetailed) return difference;
-    const inputs = this.#moments.get(step - 1)?.inputs;
+    const inputs = this.#inputsBefore(step);
     if (inputs && told.inputs)
       difference.player = inputs.findIndex((input, player) => input !== told.inputs?.[player]);
     const own = this.#bodyHashes(step);
-    const [here, there] = [new Map(own.map((one) => [one.index, one])), new Map(told.bodies)];
+    const [here, there] = [new Map(own.map((one) => [one.id.index, one])), new Map(told.bodies)];
     for (const slot of [...new Set([...here.keys(), ...there.keys()])].sort((a, b) => a - b)) {
       const body = here.get(slot);
       if (body && body.hash === there.get(slot)) continue;
@@ -474,44 +464,23 @@ export class Rollback<Input = number, State = undefined> {
     return { first, hashes: Array.from({ length: count }, (_, i) => this.hashAt(first + i)) };
   }
 
+  /** The inputs of the step before one, as reports tell them; null: not kept, or no such step. */
+  #inputsBefore(step: number): bigint[] | null {
+    const inputs = step > this.#first ? this.#moments.get(step - 1)?.inputs : undefined;
+    return inputs?.map(inputNumber) ?? null;
+  }
+
   /** The bodies before a step that is kept, in the order of their slots. */
-  #bodyHashes(step: number): { id: BodyId; index: number; hash: number }[] {
+  #bodyHashes(step: number): { id: BodyId; hash: bigint }[] {
     const world = this.#world;
     const list = () =>
-      world.bodies().map((id) => {
-        const { velocity, angularVelocity } = world.velocityOf(id);
-        const motion = [...velocity, angularVelocity];
-        const place = [...world.positionOf(id), world.rotationOf(id).angle];
-        const hash = sumOf(new Uint8Array(new Float64Array([...place, ...motion]).buffer));
-        return { id, index: id.index, hash };
-      });
+      world.bodies().map((id) => ({ id, hash: hashOfBody(world.motionOf(id, []) as number[]) }));
     const moment = step < this.#steps ? this.#moments.get(step) : undefined;
     if (!moment) return list();
     return world.whatIf(() => {
       world.restore(moment.snapshot);
       return list();
     });
-  }
-
-  #readReport(bytes: Uint8Array): Report<Input> {
-    const told = unpack(REPORT, bytes).data as Report<Input>;
-    let before = -1;
-    const isBody = (one: unknown) => {
-      if (!Array.isArray(one) || !isStep(one[0]) || !isStep(one[1]) || one[0] <= before) return false;
-      before = one[0];
-      return true;
-    };
-    const isReport =
-      told?.players === this.#known.length &&
-      isStep(told.first) &&
-      Array.isArray(told.hashes) &&
-      told.hashes.every((hash) => typeof hash === "string") &&
-      (told.step === -1 || isStep(told.step)) &&
-      (told.inputs === null || (Array.isArray(told.inputs) && told.inputs.length === told.players)) &&
-      Array.isArray(told.bodies) &&
-      told.bodies.every(isBody);
-    if (!isReport) throw new ThudError("invalid", "rollback: no report, or a damaged one");
-    return told;
   }
 
   /**

@@ -50,6 +50,7 @@ const MODULES = {
   "thud/geometry": async () => geometry,
   planck: () => bringRival("planck"),
   "matter-js": () => bringRival("matter"),
+  "@dimforge/rapier2d-compat": async () => (await import("./rapier.js")).rapier((shown) => (world = rival = shown)),
 };
 
 /** An import of names, or of a default, from one of MODULES, at the beginning of a line. */

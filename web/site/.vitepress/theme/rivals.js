@@ -4,17 +4,7 @@
  */
 import Matter from "matter-js";
 import * as planckModule from "planck";
-
-/** Styles of `World.draw` of thud: static, dynamic, sleeping. */
-const styleOf = (isStatic, isAwake) => (isStatic ? 0 : isAwake ? 2 : 3);
-
-/** Makes whole steps of 1/60 s of the time that passes. */
-function steps(step) {
-  let left = 0;
-  return (seconds) => {
-    for (left += seconds; left >= 1 / 60; left -= 1 / 60) step();
-  };
-}
+import { circleOf, steps, styleOf } from "./rival-rows.js";
 
 /** The middle, half extents and direction of a box from its corners in turn. */
 function boxOf(corners) {
@@ -23,9 +13,6 @@ function boxOf(corners) {
   const [cosine, sine] = [(b.x - a.x) / width, (b.y - a.y) / width];
   return [(a.x + c.x) / 2, (a.y + c.y) / 2, width / 2, height / 2, cosine, sine, 0];
 }
-
-/** A row of a circle. */
-const circleOf = ({ x, y }, radius, angle) => [x, y, radius, radius, Math.cos(angle), Math.sin(angle), 1];
 
 /** planck, whose worlds are shown: circles, boxes and edges. */
 export function planck(show) {

@@ -81,6 +81,8 @@ export class Pad {
   /** The game's key that a key of the keyboard stands for; undefined for none. */
   #nameOf({ code }: KeyboardEvent): KeyName | undefined {
     const name = CODES[code];
+    const second = `${name}2` as KeyName;
+    if (code.startsWith("Key") && this.#wanted.has(second)) return second;
     // In a scene without the key "fire", Space acts as "up" (jump).
     if (name === "fire" && !this.#wanted.has("fire")) return "up";
     return name;

@@ -1,4 +1,5 @@
-/** Fetches the source files of a scene: its module, and the files of the scenes that it imports. */
+/** Fetches the source files of a scene: its module, the files of the scenes that it imports, and for
+ * a game of examples/games the same game in C. */
 
 export interface SourceFile {
   /** Relative to the page: "scenes/artillery.js". */
@@ -26,8 +27,8 @@ async function load(path: string): Promise<string> {
   return (await response.text()).replace(/\r\n?/g, "\n");
 }
 
-/** The files that a text at `path` imports, directly or through other files, each once. Files that
- * cannot be fetched are left out. */
+/** The files that a text at `path` imports, directly or through other files, each once, and a game's
+ * file in C. Files that cannot be fetched are left out. */
 export async function importsOf(path: string, text: string): Promise<SourceFile[]> {
   const found = new Map<string, SourceFile>([[path, { path, text }]]);
   for (const file of found.values())
@@ -37,6 +38,11 @@ export async function importsOf(path: string, text: string): Promise<SourceFile[
       if (source !== null) found.set(next, { path: next, text: source });
     }
   found.delete(path);
+  if (path.startsWith("scenes/game_")) {
+    const inC = path.replace(/js$/, "c");
+    const text = await readSource(inC).catch(() => null);
+    if (text !== null) found.set(inC, { path: inC, text });
+  }
   return [...found.values()];
 }
 

@@ -1,7 +1,7 @@
 /* cars.c: see cars.h. */
 #include "cars.h"
 
-#include "wire.h"
+#include "random.h"
 
 #include <thud/thud_make.h>
 #include <thud/thud_reads.h>
@@ -96,7 +96,7 @@ thud_result cars_step(thud_world *world, const uint64_t *inputs, void *state) {
 /* What is drawn for a player and a block of steps. */
 static uint64_t drawn(uint64_t seed, int player, int64_t block) {
     uint64_t state = seed ^ ((uint64_t)block * CARS_MAX + (uint64_t)player) << 8;
-    return wire_random(&state);
+    return random_next(&state);
 }
 
 uint64_t cars_input(uint64_t seed, int player, int64_t step) {

@@ -1,6 +1,6 @@
-/* cars.h: the game that is played over the simulated network: two to eight cars push a ball and
- * crates about a walled field, seen from above, without gravity. A car goes forwards and backwards
- * and turns; its wheels hold it from sliding sideways. */
+/* cars.h: the game that is played over networks: two to eight cars push a ball and crates about a
+ * walled field, seen from above, without gravity. A car goes forwards and backwards and turns; its
+ * wheels hold it from sliding sideways. cars.mjs is the same game in JavaScript, to the bit. */
 #ifndef THUD_NETWORK_CARS_H
 #define THUD_NETWORK_CARS_H
 

@@ -1,0 +1,171 @@
+/* test_lock_tree.c: trees of hinges and welds satisfy their joints and the equations of motion,
+ * and move as they do where the general method solves them. */
+#include "joint_support.h"
+
+#include "direct/lock_tree.h"
+
+#include <thud/thud_detection.h>
+
+enum { BODIES_MOST = 40, TREES = 2000 };
+
+static void random_pair(uint64_t *seed, double out[2]) {
+    out[0] = random_in(seed, -1, 1);
+    out[1] = random_in(seed, -1, 1);
+}
+
+/* A tree of bodies whose masses differ by up to 10^6; its root may be joined to a body outside that
+ * moves. */
+static int grow(td_lock_body *bodies, uint64_t *seed) {
+    int count = 1 + (int)random_in(seed, 0, BODIES_MOST);
+    bool held = random_in(seed, 0, 1) < 0.5;
+    for (int i = 0; i < count; i++) {
+        td_lock_body *t = &bodies[i];
+        *t = (td_lock_body){.parent = i ? (int)random_in(seed, 0, i) : -1,
+                            .joined = i || held,
+                            .weld = (i || held) && random_in(seed, 0, 1) < 0.3,
+                            .mass = pow(10, random_in(seed, -3, 3)),
+                            .turning = pow(10, random_in(seed, -3, 3))};
+        for (int k = 0; k < 3; k++) {
+            t->momentum[k] = random_in(seed, -1, 1) * (k < 2 ? t->mass : t->turning);
+            t->outside[k] = random_in(seed, -1, 1);
+        }
+        if (t->joined) {
+            random_pair(seed, t->arm_now);
+            random_pair(seed, t->holder_now);
+            random_pair(seed, t->target);
+            t->turn_target = random_in(seed, -1, 1);
+        }
+    }
+    return count;
+}
+
+/* What is left of a body's equation of motion: its momentum, minus that without joints, minus the
+ * impulses of the joints that it hangs from and of those that hang from it. */
+static void assert_in_balance(const td_lock_body *bodies, int count, int body) {
+    const td_lock_body *t = &bodies[body];
+    double left[3], size = 1e-12;
+    for (int k = 0; k < 3; k++) {
+        left[k] = (k < 2 ? t->mass : t->turning) * t->velocity[k] - t->momentum[k];
+        size += fabs(t->momentum[k]);
+    }
+    for (int i = 0; i < count; i++) {
+        const td_lock_body *joint = &bodies[i];
+        if ((i == body && joint->joined) || (i && joint->parent == body)) {
+            double sign = i == body ? 1 : -1;
+            const double *arm = i == body ? joint->arm_now : joint->holder_now;
+            left[0] -= sign * joint->impulse[0];
+            left[1] -= sign * joint->impulse[1];
+            left[2] -= sign * (arm[0] * joint->impulse[1] - arm[1] * joint->impulse[0] +
+                               joint->turn_impulse);
+            size += fabs(joint->impulse[0]) + fabs(joint->impulse[1]) + fabs(joint->turn_impulse);
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        near_to(left[k] / size, 0, 1e-8);
+    }
+}
+
+static void random_trees_keep_their_joints_and_their_balance(void **state) {
+    (void)state;
+    uint64_t seed = 5;
+    for (int n = 0; n < TREES; n++) {
+        td_lock_body bodies[BODIES_MOST];
+        int count = grow(bodies, &seed);
+        double fastest = 1;
+        assert_true(td_lock_tree_solve(bodies, count));
+        for (int i = 0; i < count; i++) {
+            fastest = fmax(fastest, fabs(bodies[i].velocity[2]));
+            assert_in_balance(bodies, count, i);
+            assert_true(bodies[i].weld || bodies[i].turn_impulse == 0);
+        }
+        assert_true(td_lock_tree_residual(bodies, count) < 1e-12 * fastest);
+        bodies[count / 2].target[0] += 1;
+        assert_true(!bodies[count / 2].joined || td_lock_tree_residual(bodies, count) > 0.9);
+    }
+}
+
+static void what_has_no_finite_solution_is_refused(void **state) {
+    (void)state;
+    td_lock_body body = {.parent = -1, .mass = 1, .turning = 1, .momentum = {0, 0, 1e9}};
+    assert_false(td_lock_tree_solve(&body, 1));
+    body.momentum[2] = 1;
+    assert_true(td_lock_tree_solve(&body, 1));
+    body.mass = NAN;
+    assert_false(td_lock_tree_solve(&body, 1));
+}
+
+/* A rope of twelve bars with two branches, of hinges and welds, that swings from its end; with
+ * `general`, a limit that is never reached is added to its first joint, so that the island is no
+ * tree of locks. Listed from its free end, so that the tree is turned over. */
+static thud_world *swing(const thud_quality *quality, bool general) {
+    thud_world_def def = def_of(quality);
+    def.gravity = (thud_vec2){0, -10};
+    def.sleeping = false;
+    def.detection = &thud_detection_overlap;
+    thud_world *world = make_world(def);
+    thud_body_id bar[14];
+    for (int i = 0; i < 12; i++) {
+        bar[i] = add_box(world, 11.5 - i, 0, 0.5f, 0.05f);
+    }
+    bar[12] = add_box(world, 4.5, -0.5, 0.05f, 0.5f);
+    bar[13] = add_box(world, 8.5, 0.5, 0.05f, 0.5f);
+    thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
+    for (int i = 0; i < 14; i++) {
+        thud_joint_kind kind = i % 4 == 2 ? THUD_JOINT_WELD : THUD_JOINT_HINGE;
+        bool last = i == 11, branch = i > 11;
+        thud_body_id other = branch ? bar[i == 12 ? 7 : 3] : last ? hook : bar[i + 1];
+        float half = i == 12 ? 0.5f : -0.5f;
+        thud_joint_def joint =
+            between(kind, bar[i], other, branch ? (thud_vec2){0, half} : (thud_vec2){-0.5f, 0},
+                    last ? (thud_vec2){0, 0} : (thud_vec2){0.5f, 0});
+        if (branch) {
+            joint.frame_b.position = (thud_vec2){0, 0};
+        }
+        joint.drive[THUD_DIRECTION_TURN].limited = general && last;
+        joint.drive[THUD_DIRECTION_TURN].lower = -3.1f;
+        joint.drive[THUD_DIRECTION_TURN].upper = 3.1f;
+        make(world, joint);
+    }
+    return world;
+}
+
+/* Sixty steps of both give the same motion: in the last one poses differ by no more than rounding
+ * to single precision grows to in a swing. */
+static void tree_moves_as_by_the_general_method(void **state) {
+    (void)state;
+    static const thud_quality *const firm[] = {&thud_quality_high, &thud_quality_exact};
+    for (int q = 0; q < 2; q++) {
+        thud_world *tree = swing(firm[q], false), *general = swing(firm[q], true);
+        for (int i = 0; i < 60; i++) {
+            OK(thud_world_step(tree));
+            OK(thud_world_step(general));
+            thud_stats a = thud_stats_of(tree), b = thud_stats_of(general);
+            assert_int_equal(a.direct_islands - a.soft_islands, 1);
+            assert_int_equal(b.direct_islands - b.soft_islands, 1);
+            assert_true(a.island_work < b.island_work); /* it was solved as a tree */
+            near_to(thud_step_error_of(tree).joint_gap_max, 0, 1e-5);
+        }
+        thud_measure m = thud_measure_of(tree), g = thud_measure_of(general);
+        near_to(m.kinetic_energy / g.kinetic_energy, 1, 1e-5);
+        near_to((m.potential_energy - g.potential_energy) / g.kinetic_energy, 0, 1e-5);
+        int count, other;
+        const thud_pose *a = thud_poses_of(tree, (thud_pos){0, 0}, 1, &count);
+        const thud_pose *b = thud_poses_of(general, (thud_pos){0, 0}, 1, &other);
+        assert_int_equal(count, other);
+        for (int i = 0; i < count; i++) {
+            near_to((double)a[i].x, (double)b[i].x, 1e-3);
+            near_to((double)a[i].y, (double)b[i].y, 1e-3);
+        }
+        thud_world_destroy(tree);
+        thud_world_destroy(general);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(random_trees_keep_their_joints_and_their_balance),
+        cmocka_unit_test(what_has_no_finite_solution_is_refused),
+        cmocka_unit_test(tree_moves_as_by_the_general_method),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,153 @@
+/**
+ * Tests matches between browsers: over WebRTC, with packets that are late and lost, all players’
+ * worlds stay the same.
+ */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { openVisitor, PHONE, runAxeInBothThemes } from "../support/page.mjs";
+import { until } from "../support/wait.mjs";
+
+/** The step up to which a match is played. */
+const LAST = 240;
+
+/** Sets a slider as a visitor does. */
+function slide(page, id, value) {
+  return page.locator(id).fill(String(value));
+}
+
+/** The last step of which all is known, with its hash, and the figures of the panel by their names. */
+function figures(page) {
+  return page.evaluate(() => {
+    const list = document.querySelector("#match-figures");
+    const texts = (tag) => [...list.querySelectorAll(tag)].map(({ textContent }) => textContent);
+    const values = texts("dd");
+    const rows = Object.fromEntries(texts("dt").map((name, i) => [name, values[i]]));
+    return { step: Number(list.dataset.step ?? -1), hash: list.dataset.hash, rows };
+  });
+}
+
+/** Opens two pages and connects them by a link and its answer, which are copied by hand. */
+async function connect(first, second) {
+  const host = await openVisitor({ browser: first }).open("?scene=sumo&panel=match");
+  await host.page.click("#match-invite");
+  const link = await host.page.inputValue("#match-link");
+  const { search, hash } = new URL(link);
+  const guest = await openVisitor({ browser: second }).open(search + hash);
+  await guest.page.click("#match-join");
+  await host.page.fill("#match-answer", await guest.page.inputValue("#match-link"));
+  await host.page.waitForSelector("#match-start:visible");
+  await guest.page.waitForSelector("#match-leave:visible");
+  return [host, guest];
+}
+
+test("chromium_and_firefox_play_a_match_over_a_bad_line_and_stay_the_same", async () => {
+  const both = await connect("chromium", "firefox");
+  const pages = both.map(({ page }) => page);
+  for (const page of pages) {
+    await slide(page, "#match-delay", 60);
+    await slide(page, "#match-loss", 10);
+  }
+  await pages[0].click("#match-start");
+  // Each drives to and fro by itself; what is final is compared step by step.
+  const seen = pages.map(() => new Map());
+  let held = false;
+  await until(
+    async () => {
+      held = !held;
+      for (const page of pages) {
+        await page.locator("#overlay").focus();
+        await (held ? page.keyboard.down("ArrowRight") : page.keyboard.up("ArrowRight"));
+      }
+      const told = await Promise.all(pages.map(figures));
+      told.forEach(({ step, hash }, i) => seen[i].set(step, hash));
+      return told;
+    },
+    (told) => told.every(({ step }) => step >= LAST),
+    `a match of ${LAST} steps`,
+  );
+  const common = [...seen[0].keys()].filter((step) => step > 0 && seen[1].has(step));
+  assert.ok(common.length > 0, "no step whose hash both have told");
+  for (const step of common) assert.equal(seen[0].get(step), seen[1].get(step), `step ${step}`);
+  for (const { page, errors } of both) {
+    const { rows } = await figures(page);
+    assert.ok(Number(rows["Equal states"]) > 5, JSON.stringify(rows));
+    assert.ok(Number(rows["Rollbacks"]) > 0, "nothing was late");
+    assert.ok(Number.parseInt(rows["There and back"], 10) >= 100, JSON.stringify(rows));
+    assert.equal(rows["Refused packets"], "0");
+    assert.equal(await page.textContent(".match .bad"), "");
+    assert.deepEqual(errors, []);
+  }
+  for (const { close } of both) await close();
+});
+
+test("answer_that_is_opened_as_a_link_reaches_the_tab_that_waits_and_who_leaves_is_missed", async () => {
+  const visitor = openVisitor();
+  const host = await visitor.open("?scene=sumo&panel=match");
+  await host.page.click("#match-invite");
+  await host.page.waitForSelector(".match .qr");
+  assert.deepEqual(await runAxeInBothThemes(host.page, "#dock"), []);
+  const { search, hash } = new URL(await host.page.inputValue("#match-link"));
+  const guest = await visitor.open(search + hash, PHONE);
+  await guest.page.tap("#match-join");
+  const answer = new URL(await guest.page.inputValue("#match-link"));
+  const tab = await host.page.context().newPage();
+  await tab.goto(answer.href);
+  await tab.waitForSelector('#match-offer:has-text("The answer has arrived")');
+  await tab.close();
+  await host.page.click("#match-start");
+  // On a phone the panel makes room for the buttons.
+  await guest.page.waitForSelector("#dock", { state: "hidden" });
+  await guest.page.waitForSelector('#message:has-text("Yours is the blue car")');
+  await until(() => figures(host.page), ({ step }) => step >= 30, "the match runs");
+  assert.deepEqual(await runAxeInBothThemes(host.page, "#dock"), []);
+  await guest.page.tap("[data-panel=match]");
+  await guest.page.tap("#match-leave");
+  await host.page.waitForSelector('#message:has-text("The match is over")');
+  await host.page.click("#match-leave");
+  // Both play alone again.
+  for (const { page, errors, close } of [host, guest]) {
+    await page.waitForSelector("#match-invite:visible");
+    await page.waitForSelector('#figures:has-text("Computer")');
+    assert.deepEqual(errors, []);
+    await close();
+  }
+});
+
+test("browsers_meet_in_a_room_of_the_server", async () => {
+  const visitor = openVisitor();
+  const host = await visitor.open("?scene=sumo&panel=match");
+  await host.page.fill("#match-room", "Our room");
+  await host.page.click("#match-meet");
+  await host.page.waitForSelector('#notice:has-text("letters from a to z")');
+  await host.page.fill("#match-room", "our-room");
+  await host.page.click("#match-meet");
+  const { search, hash } = new URL(await host.page.inputValue("#match-link"));
+  assert.equal(hash, "#invite=~our-room");
+  // Who invites has to be in the room before the other comes, who would invite as well.
+  await host.page.waitForResponse((response) => response.url().endsWith("our-room/answer"));
+  const guest = await visitor.open(search + hash);
+  await guest.page.click("#match-join");
+  for (const { page } of [host, guest]) await page.waitForSelector("#match-leave:visible");
+  assert.ok(await host.page.isVisible("#match-start"));
+  assert.ok(await guest.page.isHidden("#match-start"));
+  await guest.page.click("#match-leave");
+  await host.page.waitForSelector("#match-leave", { state: "hidden" });
+  for (const { errors, close } of [host, guest]) {
+    assert.deepEqual(errors, []);
+    await close();
+  }
+});
+
+test("damaged_invitation_says_so_and_an_answer_for_nobody_too", async () => {
+  const visitor = openVisitor();
+  const host = await visitor.open("?scene=sumo#invite=AAAA");
+  await host.page.waitForSelector('#match-offer:has-text("damaged")');
+  await host.page.click("#match-invite");
+  await host.page.fill("#match-answer", "Hello");
+  await host.page.waitForSelector('#notice:has-text("no answer")');
+  const link = await host.page.inputValue("#match-link");
+  await host.page.fill("#match-answer", link);
+  await host.page.waitForSelector('#notice:has-text("another invitation")');
+  assert.deepEqual(host.errors, []);
+  await host.close();
+});

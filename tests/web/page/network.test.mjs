@@ -1,0 +1,211 @@
+/**
+ * Tests the programs of examples/network: a native server that Node and Chromium join by WebSocket,
+ * and two native players over ENet. All of a game end with the same hash.
+ */
+import assert from "node:assert/strict";
+import { spawn, spawnSync } from "node:child_process";
+import { cpSync, existsSync, mkdirSync, mkdtempSync, rmSync, symlinkSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, test } from "node:test";
+import { WebSocket } from "../../../web/node_modules/ws/wrapper.mjs";
+import { playMixed } from "../support/mixed.mjs";
+import { root, thud } from "../support/package.mjs";
+import { browserOf, PATIENCE } from "../support/page.mjs";
+
+const engine = await thud.load();
+const builds = ["release", "release-clang"].map((name) => `${root}build/${name}/examples/network/`);
+const programOf = (name) => builds.map((folder) => folder + name).find(existsSync) ?? null;
+const skipOf = (program, name) =>
+  program ? false : `${name} is not built (./run test native, with what CMake says it needs)`;
+const [server, meeting] = [programOf("thud-serve"), programOf("thud-meet")];
+const withServer = { skip: skipOf(server, "thud-serve") };
+const withMeeting = { skip: skipOf(meeting, "thud-meet") };
+
+const mixed = programOf("../../tests/network/thud-mixed");
+
+/** The examples as a user has them, with the package and ws. */
+const folder = mkdtempSync(join(tmpdir(), "thud-network-"));
+cpSync(`${root}examples/network`, folder, { recursive: true, filter: (from) => !from.includes("node_modules") });
+mkdirSync(join(folder, "node_modules"));
+symlinkSync(`${root}web/package`, join(folder, "node_modules", "thud"), "dir");
+symlinkSync(`${root}web/node_modules/ws`, join(folder, "node_modules", "ws"), "dir");
+
+const running = new Set();
+after(() => {
+  for (const process of running) process.kill();
+  rmSync(folder, { recursive: true });
+});
+
+/** Starts a program. `says(pattern)` waits for a line; `ends()` for the end, and returns what it said. */
+function start(program, ...args) {
+  const child = spawn(program, args, { cwd: folder, stdio: ["ignore", "pipe", "pipe"] });
+  running.add(child);
+  let said = "";
+  let heard = () => {};
+  for (const stream of [child.stdout, child.stderr])
+    stream.on("data", (text) => {
+      said += text;
+      heard();
+    });
+  const ended = new Promise((resolve) =>
+    child.on("close", (code) => {
+      running.delete(child);
+      resolve(code);
+      heard();
+    }),
+  );
+  return {
+    child,
+    says: (pattern) =>
+      new Promise((resolve, reject) => {
+        heard = () => {
+          const found = pattern.exec(said);
+          if (found) resolve(found);
+          else if (!running.has(child)) reject(new Error(`${pattern} was not said: ${said}`));
+        };
+        heard();
+      }),
+    ends: async () => ({ code: await ended, said }),
+  };
+}
+
+const joinFromNode = (url, seed) => start(process.execPath, "join_node.mjs", "--server", url, "--seed", `${seed}`);
+
+async function serve(...args) {
+  const serving = start(server, "--port", "0", "--address", "127.0.0.1", "--rate", "600", ...args);
+  const [, url] = await serving.says(/waiting at (ws:\S+)/);
+  return { ...serving, url };
+}
+
+/** The hash that a program printed, which has ended well. */
+async function hashOf(program) {
+  const { code, said } = await program.ends();
+  assert.equal(code, 0, said);
+  return /^hash (\w{16})$/m.exec(said)[1];
+}
+
+test("node_plays_with_the_native_server", withServer, async () => {
+  const serving = await serve("--steps", "300");
+  const hash = await hashOf(joinFromNode(serving.url, 2));
+  assert.equal(await hashOf(serving), hash);
+});
+
+test("chromium_and_node_play_with_the_native_server", withServer, async () => {
+  const files = ["--page", folder, "--package", `${root}web/package/dist`];
+  const serving = await serve("--steps", "200", "--players", "3", ...files);
+  const context = await (await browserOf("chromium")).newContext();
+  const page = await context.newPage();
+  await page.goto(`${serving.url.replace("ws:", "http:")}/?seed=3`);
+  const hash = await hashOf(joinFromNode(serving.url, 2));
+  const isOver = () => /has ended|is over/.test(document.querySelector("#state").textContent);
+  await page.waitForFunction(isOver, null, { timeout: PATIENCE });
+  assert.equal(await page.textContent("#state"), `The game is over after 200 steps, hash ${hash}`);
+  await context.close();
+  assert.equal(await hashOf(serving), hash);
+});
+
+test("others_play_on_without_one_who_left", withServer, async () => {
+  const serving = await serve("--steps", "200", "--players", "3");
+  const player = joinFromNode(serving.url, 2);
+  await serving.says(/player 1 has joined/);
+  // It plays nothing, so that the others wait until it has left.
+  const idle = new WebSocket(serving.url, "thud");
+  await serving.says(/the game begins/);
+  await new Promise((resolve) => idle.once("message", resolve));
+  idle.close();
+  await serving.says(/player 2 has left before step 0/);
+  const hash = await hashOf(player);
+  assert.equal(await hashOf(serving), hash);
+});
+
+test("who_left_far_ahead_is_parted_with_in_time", withServer, async () => {
+  const from = (name) => import(join(folder, name));
+  const [{ Peer, seal }, { readLeave }] = [await from("peer.mjs"), await from("host.mjs")];
+  const { buildCars, carsInput, carsStep, createField, IDLE } = await from("cars.mjs");
+  const [STEPS, LEFT] = [150, 100];
+  const peer = new Peer(engine, { me: 0, players: 2, depth: 60, end: STEPS });
+  const leave = (player, count, step) => {
+    const inputs = Array.from({ length: count }, (_, i) => carsInput(3, player, step - count + i));
+    return seal(Uint8Array.from([0x54, 0x4e, 0x4c, 0x31, player, count, step, 0, 0, 0, ...inputs, 0, 0, 0, 0]));
+  };
+  for (const wrong of [leave(0, LEFT, LEFT), leave(2, LEFT, LEFT), leave(1, LEFT - 1, LEFT), leave(1, 9, 9).fill(0, 12)])
+    assert.equal(readLeave(peer, wrong), false);
+  assert.equal(readLeave(peer, leave(1, LEFT, LEFT)), true);
+  assert.equal(readLeave(peer, leave(1, LEFT, LEFT)), false);
+  const truth = createField(engine);
+  const step = carsStep(truth, buildCars(truth, 2));
+  for (let i = 0; i < STEPS; i++) {
+    peer.press(carsInput(3, 0, i));
+    peer.advance();
+    step([carsInput(3, 0, i), i < LEFT ? carsInput(3, 1, i) : IDLE]);
+  }
+  peer.advance();
+  assert.deepEqual([peer.isDone, peer.waits, peer.hash], [true, 0, truth.hash()]);
+  peer.close();
+  truth.close();
+});
+
+test("who_sends_other_bytes_is_disconnected", withServer, async () => {
+  const serving = await serve("--steps", "200", "--players", "3");
+  const player = joinFromNode(serving.url, 2);
+  await serving.says(/player 1 has joined/);
+  const rude = new WebSocket(serving.url, "thud");
+  await new Promise((resolve) => rude.once("message", resolve));
+  rude.send(new Uint8Array(400));
+  await new Promise((resolve) => rude.once("close", resolve));
+  const hash = await hashOf(player);
+  assert.equal(await hashOf(serving), hash);
+});
+
+test("two_players_meet_over_enet", withMeeting, async () => {
+  const host = start(meeting, "--listen", "0", "--steps", "300", "--rate", "600");
+  const [, port] = await host.says(/at port (\d+)/);
+  const hash = await hashOf(start(meeting, "--join", `127.0.0.1:${port}`, "--seed", "2"));
+  assert.equal(await hashOf(host), hash);
+});
+
+/** THUD_NETWORK_STEPS=100000 plays so many steps, and with each number of players. */
+const stepsWanted = process.env.THUD_NETWORK_STEPS;
+const withMixed = { skip: skipOf(mixed, "thud-mixed") };
+
+for (const players of stepsWanted ? [2, 3, 4, 5, 6, 7, 8] : [2, 3, 8])
+  test(`${players}_native_and_wasm_players_have_one_game_and_one_report`, withMixed, async (t) => {
+    const [steps, seed] = [Number(stepsWanted ?? 150), 10 + players];
+    const game = { program: mixed, examples: folder, thud: engine, players, steps, seed };
+    const { code, hash, report, counts, ends } = await playMixed(game);
+    t.diagnostic(JSON.stringify({ players, steps, ...counts, inWasm: ends.map(({ replayed }) => replayed) }));
+    assert.equal(code, 0);
+    assert.deepEqual([counts.differ, counts.refused], [0, 0]);
+    assert.ok(counts.replayed > 0 && counts.lost > 0 && counts.overtaken > 0);
+    for (const end of ends) {
+      assert.deepEqual([end.hash, end.differs, end.difference.step], [hash, -1, -1]);
+      assert.deepEqual(end.report, report);
+      assert.ok(end.replayed > 0);
+    }
+  });
+
+for (const [program, name, options, wrong] of [
+  [server, "thud-serve", withServer, [["--players", "9"], ["--steps", "many"], ["--port"], ["--fast"]]],
+  [meeting, "thud-meet", withMeeting, [[], ["--join", "here"], ["--listen", "99999"], ["--rate", "0"]]],
+  [process.execPath, "join_node", withServer, [["--seed", "-1"], ["--server", "here"], ["--fast"]]],
+])
+  test(`${name}_says_what_is_wrong`, options, () => {
+    const before = name === "join_node" ? ["join_node.mjs"] : [];
+    const run = (args) => spawnSync(program, [...before, ...args], { cwd: folder, encoding: "utf8" });
+    const help = run(["--help"]);
+    assert.equal(help.status, 0);
+    assert.match(help.stdout, /^usage: .*--help/s);
+    for (const args of wrong) {
+      const { status, stdout, stderr } = run(args);
+      assert.deepEqual([status, stdout], [2, ""], `${args}`);
+      assert.match(stderr, new RegExp(`${name}: .*${(args[0] ?? "--join").slice(2)}`), `${args}`);
+      assert.equal(stderr.trim().split("\n").length, 1);
+    }
+  });
+
+test("who_finds_no_server_is_told", withServer, async () => {
+  const { code, said } = await joinFromNode("ws://127.0.0.1:9", 1).ends();
+  assert.equal(code, 1);
+  assert.match(said, /no server answers at ws:\/\/127.0.0.1:9/);
+});

@@ -1,0 +1,62 @@
+/**
+ * Meeting in a room of the page's server (tools/rooms.mjs): invitations and answers go by themselves.
+ * Who comes first invites those who come later.
+ */
+import { unpackInvitation } from "./invitation";
+import type { Lobby } from "./lobby";
+
+/** Milliseconds between two looks at what the others have left, and looks for a connection. Chosen. */
+const PAUSE = 1000;
+const LOOKS = 10;
+
+/** Names of rooms, as in the server. */
+export const ROOM = /^[a-z0-9-]{1,40}$/;
+
+/** Whether the page's server has rooms; a static host has a file that says no. */
+export async function hasRooms(): Promise<boolean> {
+  try {
+    const { rooms } = (await (await fetch("rooms.json")).json()) as { rooms?: unknown };
+    return rooms === true;
+  } catch {
+    return false;
+  }
+}
+
+/** Goes into a room until `signal` ends that. Resolves when this browser need not look any more: it has
+ * answered an invitation, a match has begun, or there is no more place. */
+export async function meet(name: string, lobby: Lobby, signal: AbortSignal): Promise<void> {
+  const offer = await ask(name, "offer");
+  if (offer) {
+    const invitation = await unpackInvitation(offer);
+    if (invitation?.type !== "offer") throw new Error("The room has a damaged invitation.");
+    await ask(name, "answer", "PUT", await lobby.answer(invitation));
+    return;
+  }
+  try {
+    const goesOn = () => !signal.aborted && !lobby.playing && !lobby.isFull;
+    while (goesOn()) {
+      const before = lobby.connected;
+      await ask(name, "offer", "PUT", await lobby.invite());
+      let answer: string | null = null;
+      while (goesOn() && !answer) {
+        await pause();
+        answer = await ask(name, "answer");
+      }
+      const invitation = answer && (await unpackInvitation(answer));
+      if (!invitation || !(await lobby.accept(invitation))) continue;
+      for (let i = 0; i < LOOKS && goesOn() && lobby.connected === before; i++) await pause();
+    }
+  } finally {
+    await ask(name, "offer", "DELETE");
+  }
+}
+
+function pause(): Promise<void> {
+  return new Promise((done) => setTimeout(done, PAUSE));
+}
+
+async function ask(name: string, what: string, method = "GET", body?: string): Promise<string | null> {
+  const response = await fetch(`rooms/${name}/${what}`, { method, body });
+  if (!response.ok) throw new Error(`The server answers ${response.status}.`);
+  return response.status === 204 ? null : response.text();
+}
