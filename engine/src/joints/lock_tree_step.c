@@ -11,9 +11,9 @@
 #include "constraint/joint_hooks.h"
 #include "direct/elimination_order.h"
 #include "direct/joint_parts.h"
+#include "direct/lock_tree.h"
 #include "direct/step_parts.h"
 #include "joints/joint.h"
-#include "direct/lock_tree.h"
 
 /* The step of one island. Bodies are numbered as in lock_tree.h, the root first. */
 typedef struct tree_step {
@@ -30,7 +30,7 @@ typedef struct tree_step {
 } tree_step;
 
 /* What a solution costs for each body, in operations on 3 x 3 blocks: thud_quality.island_work.
- * Measured: an iteration takes as long for a body as that many blocks of sparse.c. */
+ * Measured in instructions, with what comes before and after the iterations. */
 enum { TREE_COST = 2 };
 
 /* ---- the tree ---- */
@@ -298,7 +298,7 @@ static void set_momenta(const tree_step *s) {
         td_lock_body *t = &s->bodies[i];
         double own = t->arm_now[0] * t->impulse[0] + t->arm_now[1] * t->impulse[1];
         double up = t->holder_now[0] * t->impulse[0] + t->holder_now[1] * t->impulse[1];
-        t->stiff = (t->stiff + half * own);
+        t->stiff += half * own;
         if (t->parent != TD_NONE) {
             s->bodies[t->parent].stiff -= half * up;
         }
