@@ -22,6 +22,7 @@ export default function ({ createWorld }) {
   // A world that is restored from it has the same bodies.
   const peers = [world, createWorld({ gravity: [0, 0] })].map((one) => ({ world: one, puck, strikers, isLast: false }));
   const [, theirs] = peers;
+  let own; // the world as the inputs have made it, a snapshot
 
   const game = {
     world,
@@ -34,6 +35,7 @@ export default function ({ createWorld }) {
     update({ held, pointer }) {
       if (held.restart) Object.assign(game.state, begin());
       const { state } = game;
+      world.restore(own); // what the page's tools have changed is no input, and does not stay
       if (!state.over) play(inputOf(held, pointer));
     },
 
@@ -41,6 +43,7 @@ export default function ({ createWorld }) {
       const { state } = game;
       state.score = scoreOf(world, puck, peers[0].rollback.state);
       state.over = state.score.some((goals) => goals >= GOALS);
+      own = world.snapshot();
     },
 
     /** Time has gone back: both peers get all inputs again that had arrived by then. */
@@ -55,6 +58,7 @@ export default function ({ createWorld }) {
           rollback.advance();
         });
       }
+      own = world.snapshot();
     },
 
     paint() {
@@ -102,6 +106,7 @@ export default function ({ createWorld }) {
       };
       peer.rollback = new Rollback(peer.world, { idle: [IDLE, IDLE], step, state: [0, 0], depth: 2 * LATEST });
     }
+    own = world.snapshot();
   }
 
   /** A step of both peers: what arrives, what each holds, and what is sent. */

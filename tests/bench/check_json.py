@@ -49,7 +49,7 @@ def check_scenes(bench, folder):
 def check_promise(bench, folder):
     results, table = results_of(bench, folder, "--scene", "gas:1000", "--steps", "3")
     scene, = results["scenes"]
-    assert scene["target"] == 7 and scene["steps"] == 3, scene
+    assert scene["target"] == 8 and scene["steps"] == 3, scene
     assert scene["verdict"].split(":")[0] in ("holds", "misses"), scene
     assert scene["verdict"] in table, table
     assert "rapier" not in results["about"] or len(scene["engines"]) == 3, scene

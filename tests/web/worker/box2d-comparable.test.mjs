@@ -274,6 +274,7 @@ const LACKING = {
   crane: ["greatest forces of springs of a slider (along)"],
   crates: ["rules between kinds"],
   flags: ["wind"],
+  game_rollback: ["what restore does"],
   lab_callbacks: ["listeners of contacts"],
   lab_terrain: ["the texture of the ground"],
   meetings: ["rules between kinds"],
