@@ -31,7 +31,7 @@ Builds and tests everything, or only the parts that are named:
               what the page's own code decides run in Firefox, too, and not in Chromium alone, and
               native players and those in WebAssembly play 10^4 steps over the worst network
 
-Two lanes run side by side: wasm and baseline; native, sanitizers and then page, to which all others
+Two lanes run side by side: wasm, sanitizers and baseline; native and then page, to which all others
 give way. What a part prints is in build/test/PART.log and shown as it ends.
 END
 }
@@ -298,9 +298,10 @@ test_everything() {
     # Without this the lanes would go on when the shell is interrupted.
     trap 'trap - TERM; kill -TERM 0' INT HUP
     say "Testing:$parts"
-    (give_way && run_lane wasm baseline) &
+    # Browsers wait much, and sanitizers do not: side by side they keep both processors busy.
+    (give_way && run_lane wasm sanitizers baseline) &
     (
-        (give_way && run_lane native sanitizers)
+        (give_way && run_lane native)
         run_lane page
     ) &
     ticks=0
