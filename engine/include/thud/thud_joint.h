@@ -37,7 +37,7 @@
  * than in the soft solver's result. If joints and contacts cannot both be satisfied so, or the
  * result would gain energy, the soft solver's result is kept. Where closing gaps lifts bodies,
  * their kinetic energy pays for it, so that a bridge or a rope that gives way does not swing up by
- * itself.
+ * itself; not so in islands with motors or springs, or joined to a body that the caller moves.
  *
  * Detection (thud_detection.h). If detection stops a body within a step, all bodies that locked
  * directions connect to it stop at the same fraction of their motions, and lose the speed that

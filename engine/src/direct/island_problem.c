@@ -150,10 +150,14 @@ int td_island_factoring_budget(const thud_world *w, int64_t cost) {
     return left < 0 ? 0 : left < ISLAND_FACTORINGS_MAX ? (int)left : ISLAND_FACTORINGS_MAX;
 }
 
+double td_gravity_speed(const thud_world *w) {
+    double x = (double)w->def.gravity.x, y = (double)w->def.gravity.y;
+    return w->def.time_step * __builtin_sqrt(x * x + y * y);
+}
+
 static td_direct problem_of(thud_world *w, const td_island *island) {
     td_islands *s = &w->islands;
     s->matrix.current = island->system;
-    double x = (double)w->def.gravity.x, y = (double)w->def.gravity.y;
     return (td_direct){.bodies = s->bodies.data,
                        .constraints = s->rows.data,
                        .matrix = &s->matrix,
@@ -163,7 +167,7 @@ static td_direct problem_of(thud_world *w, const td_island *island) {
                        .constraint_count = island->constraints,
                        .factoring_budget = td_island_factoring_budget(w, td_island_cost(island)),
                        .effort = INT64_MAX,
-                       .unit_speed = w->def.time_step * __builtin_sqrt(x * x + y * y)};
+                       .unit_speed = td_gravity_speed(w)};
 }
 
 td_island_work td_island_set_up(thud_world *w, const td_island *island) {

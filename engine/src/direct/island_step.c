@@ -241,9 +241,8 @@ static double solve_contacts(td_island_work *work, double tolerance) {
 }
 
 double td_island_tolerance(const thud_world *w) {
-    double x = (double)w->def.gravity.x, y = (double)w->def.gravity.y;
-    double gravity_speed = w->def.time_step * __builtin_sqrt(x * x + y * y); /* g h */
-    return td_max_double(TOLERANCE_SHARE * gravity_speed, TOLERANCE_MIN * (double)w->length_scale);
+    return td_max_double(TOLERANCE_SHARE * td_gravity_speed(w),
+                         TOLERANCE_MIN * (double)w->length_scale);
 }
 
 bool td_island_compute(td_island_work *work) {

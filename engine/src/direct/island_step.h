@@ -49,6 +49,8 @@ bool td_island_solve(thud_world *w, const td_island *island);
 /* The same for a problem that is set up already: computes the result and checks it, but writes
  * nothing. False if the soft solver's result has to be kept. */
 bool td_island_compute(td_island_work *work);
+/* The speed that gravity gives a body in a step, g h, length/s. */
+double td_gravity_speed(const thud_world *w);
 /* The tolerance of residuals, length/s. */
 double td_island_tolerance(const thud_world *w);
 /* Clamps each component of a velocity to the world's maximum speed, and the angular velocity to

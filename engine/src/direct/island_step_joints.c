@@ -386,19 +386,14 @@ static double energy_of_drives(const td_island_work *work) {
     return sum;
 }
 
-/* Whether the solution has more than TD_ENERGY_RATIO_MAX times the energy that it may have: the
- * larger of `there` (twice the energy at the start of the step, with that of motors and springs)
- * and twice the energy at the start of the last part, since a motor may move more than its own two
- * bodies; plus the energy that closing gaps and overlaps may add. Equality rows do no work
- * themselves. */
-static bool gains_energy(const td_island_work *work, double there) {
+/* The mass of the island times the square of the speed at which gaps and overlaps may close, for
+ * each of its bodies. */
+static double energy_of_closing(const td_island_work *work) {
     double mass = 0.0, pushed = work->correction_speed + work->problem.unit_speed;
     for (int i = 0; i < work->island->bodies; i++) {
         mass += 1.0 / work->problem.bodies[i].inverse_mass;
     }
-    there = td_max_double(there, energy_of(work, true));
-    double max = there + mass * pushed * pushed * work->island->bodies;
-    return !(energy_of(work, false) <= TD_ENERGY_RATIO_MAX * max);
+    return mass * pushed * pushed * work->island->bodies;
 }
 
 /* Twice the work that gravity, forces and damping do in a step that is divided into parts of length
@@ -443,7 +438,8 @@ static bool is_held(const td_island_work *work) {
 static void pay_for_closing(td_island_work *work, double allowed) {
     td_direct *d = &work->problem;
     double mass = 0.0, mean[2] = {0.0, 0.0};
-    for (int i = 0; i < work->island->bodies && !is_held(work); i++) {
+    bool held = is_held(work);
+    for (int i = 0; i < work->island->bodies && !held; i++) {
         double own = 1.0 / d->bodies[i].inverse_mass;
         mass += own;
         mean[0] += own * d->bodies[i].velocity[0];
@@ -460,18 +456,11 @@ static void pay_for_closing(td_island_work *work, double allowed) {
     }
 }
 
-/* Whether the moments of the step are far from balance and its energy has grown: `there` is twice
- * the kinetic energy at the start, with that of motors and springs. */
-static bool gains_out_of_balance(const td_island_work *work, double tolerance, double there) {
-    double gained = work_of_forces(work, work->time);
-    return work->unbalanced > TD_BALANCE_MAX * tolerance &&
-           energy_of(work, false) > there + gained + TD_GAIN_MAX * (there + td_abs(gained));
-}
-
 double td_island_solve_joints(td_island_work *work, double tolerance) {
     double missing = 0.0, whole = work->time;
-    double drives = energy_of_drives(work), start = energy_of(work, false) + drives;
-    double there = energy_of(work, true) + drives;
+    double drives = energy_of_drives(work);
+    td_island_energy energy = {.start = energy_of(work, false) + drives,
+                               .free = energy_of(work, true) + drives};
     int parts = td_island_parts(work);
     if (parts == 0) {
         return __builtin_inf();
@@ -501,22 +490,27 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
         scale_impulses(work, part + 1 < parts ? 0.5 : (double)parts);
     }
     work->w->islands.effort = work->problem.effort;
+    energy.work = work_of_forces(work, work->time);
     if (work->closed && td_finite(missing) && !is_driven(work)) {
-        pay_for_closing(work, start + work_of_forces(work, work->time));
+        pay_for_closing(work, energy.start + energy.work);
     }
-    missing = gains_out_of_balance(work, tolerance, start) ? __builtin_inf() : missing;
+    energy.now = energy_of(work, false);
+    if (td_gains_out_of_balance(&energy, work->unbalanced, tolerance)) {
+        missing = __builtin_inf();
+    }
     work->time = work->elapsed = whole;
     /* Long lever arms may have made numbers overflow; and a body with contacts must not have turned
      * further than its contacts' lever arms allow. */
-    missing = td_finite(energy_of(work, false)) && !td_island_turns_too_far(work) ? missing
-                                                                                  : __builtin_inf();
+    missing = td_finite(energy.now) && !td_island_turns_too_far(work) ? missing : __builtin_inf();
     work->turn_max = __builtin_inf();
     if (td_finite(missing) && missing > tolerance && !td_island_is_joints(work) &&
         td_island_sinks(work, tolerance * whole)) {
         missing = __builtin_inf();
     }
     if (td_island_is_joints(work)) {
-        missing = gains_energy(work, there) ? __builtin_inf() : missing;
+        energy.free = td_max_double(energy.free, energy_of(work, true));
+        energy.pushed = energy_of_closing(work);
+        missing = td_gains_energy(&energy) ? __builtin_inf() : missing;
         work->correction_speed = __builtin_inf();
         /* The number of factorisations depends on how fast the bodies turn, so that it does not
          * count as a slow step, which would predict that the island stays expensive. */

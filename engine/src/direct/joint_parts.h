@@ -3,6 +3,17 @@
 #ifndef TD_JOINT_PARTS_H
 #define TD_JOINT_PARTS_H
 
+#include "base/base.h"
+
+/* The energies that tell whether a result is plausible; each is twice the energy. */
+typedef struct td_island_energy {
+    double start, now; /* kinetic energy before and after the step; `start` with what motors and
+                          springs may add */
+    double work;       /* of gravity, forces and damping in the step */
+    double free;       /* kinetic energy without constraints: the largest of all parts */
+    double pushed;     /* what closing gaps and overlaps may add */
+} td_island_energy;
+
 /* A result is refused if its kinetic energy is more than this many times what the island had, or
  * could get from gravity, motors and springs. Chosen: an unstable result exceeds any factor, while
  * a whip of light bodies may have a few times the mean energy. */
@@ -37,6 +48,20 @@ enum { TD_NEWTON_ITERATIONS_MAX = 12 };
 #define TD_END_ERROR_MAX 4.0
 /* Share of the bodies' speed above which the closing of a gap is not negligible. Chosen. */
 #define TD_CLOSING_SHARE 1e-3
+
+/* Whether the result has more than TD_ENERGY_RATIO_MAX times the energy that it may have. A motor
+ * may move more than its own two bodies: hence `free`. Equality rows do no work themselves. */
+static inline bool td_gains_energy(const td_island_energy *e) {
+    return !(e->now <= TD_ENERGY_RATIO_MAX * (e->free + e->pushed));
+}
+
+/* Whether the moments of the step miss their balance by much, and its energy has grown.
+ * `unbalanced`: the speed by which they miss it (unbalanced_speed), length/s. */
+static inline bool td_gains_out_of_balance(const td_island_energy *e, double unbalanced,
+                                           double tolerance) {
+    return unbalanced > TD_BALANCE_MAX * tolerance &&
+           e->now > e->start + e->work + TD_GAIN_MAX * (e->start + td_abs(e->work));
+}
 
 /* Closing gaps moves bodies without giving them velocity. Where it lifts them against gravity, it
  * adds potential energy, and what is lifted again and again, as a bridge whose joints give way in

@@ -76,6 +76,7 @@ static bool list_joints(const tree_step *s, td_listed_body *list, int *held, int
     return true;
 }
 
+/* Puts a body of the list at an index of the tree. `link`: the joint to its parent, or TD_NONE. */
 static void place(const tree_step *s, td_listed_body *list, int number, int index, int parent,
                   int link) {
     list[number].place = index;
@@ -134,7 +135,8 @@ static bool take_joint(const tree_step *s, td_lock_body *t) {
     bool is_b = number_of(s, at.block->b[lane]) == t->number;
     bool holder_turns = t->parent == TD_NONE || s->bodies[t->parent].turns;
     double x = t->axis[0] = (double)at.block->nx[lane], y = t->axis[1] = (double)at.block->ny[lane];
-    double sign = t->sign = is_b ? 1.0 : -1.0, half = 0.5;
+    double sign = t->sign = is_b ? 1.0 : -1.0;
+    double half = 0.5; /* the impulses of the mean velocity are half of those of the step */
     t->block = at.block;
     t->lane = lane;
     double u = sign * (double)p->start_separation[lane],
@@ -399,8 +401,7 @@ static void restore_impulses(const tree_step *s) {
 static bool solve_end_velocity(tree_step *s, double elapsed) {
     bool anew = closes_gaps(s);
     s->closed |= anew;
-    double x = (double)s->w->def.gravity.x, y = (double)s->w->def.gravity.y;
-    double enough = TD_END_ERROR_MAX * s->w->def.time_step * __builtin_sqrt(x * x + y * y);
+    double enough = TD_END_ERROR_MAX * td_gravity_speed(s->w);
     turn_arms(s, true, elapsed);
     set_targets(s, false);
     if (!anew && td_lock_tree_residual(s->bodies, s->count) <= enough) {
@@ -484,20 +485,14 @@ static void pay_for_closing(const tree_step *s, double allowed) {
     }
 }
 
-/* Whether the result has more energy than the island may have got: `start` is twice its kinetic
- * energy before the step, `there` free_energy then (gains_energy and gains_out_of_balance of
- * island_step_joints.c). */
-static bool gains_energy(const tree_step *s, double start, double there) {
-    double mass = 0.0, now = energy_now(s), gained = work_of_forces(s);
+/* The mass of the island times the square of the speed at which gaps may close, for each of its
+ * bodies. */
+static double energy_of_closing(const tree_step *s) {
+    double mass = 0.0, pushed = s->closing + td_gravity_speed(s->w);
     for (int i = 0; i < s->count; i++) {
         mass += s->bodies[i].mass;
     }
-    double x = (double)s->w->def.gravity.x, y = (double)s->w->def.gravity.y;
-    double pushed = s->closing + s->w->def.time_step * __builtin_sqrt(x * x + y * y);
-    double most = td_max_double(there, free_energy(s)) + mass * pushed * pushed * s->count;
-    bool unbalanced = s->unbalanced > TD_BALANCE_MAX * s->tolerance &&
-                      now > start + gained + TD_GAIN_MAX * (start + td_abs(gained));
-    return unbalanced || !(now <= TD_ENERGY_RATIO_MAX * most);
+    return mass * pushed * pushed * s->count;
 }
 
 /* Writes a body and the lane of its joint. Returns whether the joint's load keeps the island
@@ -609,18 +604,20 @@ td_tree_outcome td_lock_tree_step(thud_world *w, const td_island *island) {
         return TD_TREE_SPENT;
     }
     int parts = parts_of(&s);
-    double start = 0.0, there = free_energy(&s);
-    for (int i = 0; i < s.count; i++) {
-        start += energy_at(&s.bodies[i], s.bodies[i].before);
-    }
+    td_island_energy energy = {.start = energy_now(&s), .free = free_energy(&s)};
     divide(&s, td_max_int(parts, 1));
     bool solved = parts > 0 && solve_parts(&s, parts);
     const double *outside = s.bodies[0].outside;
     bool pushed = outside[0] != 0.0 || outside[1] != 0.0 || outside[2] != 0.0;
+    energy.work = work_of_forces(&s);
     if (solved && s.closed && !pushed) {
-        pay_for_closing(&s, start + work_of_forces(&s));
+        pay_for_closing(&s, energy.start + energy.work);
     }
-    solved = solved && !gains_energy(&s, start, there);
+    energy.now = energy_now(&s);
+    energy.free = td_max_double(energy.free, free_energy(&s));
+    energy.pushed = energy_of_closing(&s);
+    solved = solved && !td_gains_energy(&energy) &&
+             !td_gains_out_of_balance(&energy, s.unbalanced, s.tolerance);
     w->stats.factorings += s.factorings;
     w->stats.island_work += (int64_t)s.factorings * TREE_COST * s.count;
     if (!solved) {
