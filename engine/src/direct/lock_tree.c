@@ -25,19 +25,19 @@ static void shift(double a[6], double g[3], double x, double y) {
     g[2] += g[0] * y - g[1] * x;
 }
 
-/* Eliminates the rotation that a hinge leaves free: a and g become M and m. All elements are read
- * before any is written: clang 14 for WebAssembly, at -Os, else vectorises the writes of g past
- * that of g[2]. */
+/* Eliminates the rotation that a hinge leaves free: a and g become M and m. All elements of g are
+ * read before one is written: clang 14, for WebAssembly and at -Os, otherwise computes g[0] and
+ * g[1] together in one vector, from a g[2] that has become 0 already. */
 static void release(td_lock_body *t, double a[6], double g[3]) {
     double xw = a[3], yw = a[4], w = g[2], per = 1.0 / a[5], x = per * xw, y = per * yw;
-    double moved_x = g[0] - x * w, moved_y = g[1] - y * w;
+    double rest_x = g[0] - x * w, rest_y = g[1] - y * w;
     t->per_turning = per;
     a[0] -= x * xw;
     a[1] -= x * yw;
     a[2] -= y * yw;
     a[3] = a[4] = a[5] = 0.0;
-    g[0] = moved_x;
-    g[1] = moved_y;
+    g[0] = rest_x;
+    g[1] = rest_y;
     g[2] = 0.0;
 }
 
