@@ -100,13 +100,17 @@ static void solve_trees(thud_world *w) {
     td_islands *s = &w->islands;
     int64_t reserved = reserved_effort(w);
     s->passes_over = false;
+    s->trees_residual = 0.0f;
     for (int i = 0; i < s->island.count; i++) {
         td_island *island = TD_AT(td_island, &s->island, i);
         reserved -= (int64_t)EFFORT_OF_BODY * island->bodies;
         s->effort -= reserved;
         island->tree = w->joint_hooks->solve_tree(w, island, NULL);
         s->effort += reserved;
-        s->passes_over |= island->tree == TD_TREE_SOLVED;
+        if (island->tree == TD_TREE_SOLVED) {
+            s->passes_over = true;
+            s->trees_residual = td_max_float(s->tree_residual, s->trees_residual);
+        }
     }
     if (s->passes_over) {
         mark_solved_lanes(w);
@@ -155,10 +159,13 @@ static void end(thud_world *w) {
         td_joint_subsystems_solve(w, last);
         s->adds_up = false;
     }
-    s->passes_over = false;
     if (w->stats.direct_islands > w->stats.soft_islands) {
         td_errors_recount(w);
     }
+    if (s->passes_over) { /* their lanes are left out of the count (joints/lock.c) */
+        w->errors.residual = td_max_float(s->trees_residual, w->errors.residual);
+    }
+    s->passes_over = false;
 }
 
 const thud_island_solver td_islands_of_joints = {find, begin, end};

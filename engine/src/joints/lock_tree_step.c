@@ -29,6 +29,7 @@ typedef struct tree_step {
     double unbalanced; /* greatest moment out of balance after a part, as a speed: length/s */
     double closing;    /* greatest speed at which a gap may be closed, length/s or rad/s */
     double speed_max;  /* of a body, length/s */
+    double residual;   /* greatest speed that a joint has at the end of a part, length/s */
     bool closed;       /* a part has closed gaps */
     int factorings, factorings_max;
 } tree_step;
@@ -440,8 +441,11 @@ static bool solve_end_velocity(tree_step *s, double elapsed) {
     double enough = TD_END_ERROR_MAX * td_gravity_speed(s->w);
     turn_arms(s, true, elapsed);
     set_targets(s, false);
-    if (!anew && td_lock_tree_residual(s->bodies, s->count) <= enough) {
-        return true;
+    if (!anew) {
+        s->residual = td_lock_tree_residual(s->bodies, s->count);
+        if (s->residual <= enough) {
+            return true;
+        }
     }
     for (int i = 0; i < s->count; i++) {
         td_lock_body *t = &s->bodies[i];
@@ -453,6 +457,7 @@ static bool solve_end_velocity(tree_step *s, double elapsed) {
     }
     keep_impulses(s);
     bool solved = solve(s);
+    s->residual = td_lock_tree_residual(s->bodies, s->count);
     if (!anew) {
         restore_impulses(s);
     }
@@ -673,6 +678,7 @@ td_tree_outcome td_lock_tree_step(thud_world *w, const td_island *island,
     for (int i = 0; i < s.count; i++) {
         keep_result(&s, &s.bodies[i], parts, td_at(&w->islands.results, island->first_body + i));
     }
+    w->islands.tree_residual = (float)s.residual;
     return TD_TREE_SOLVED;
 }
 
