@@ -564,7 +564,7 @@ class Engine:
                         own |= self.names_of_code(chunk)
         return headers, own - {"__AVX2__", "__SSSE3__", "TD_ISA", "TD_WIDE"}
 
-    VECTORS = {"f8", "i8", "u8", "f4", "i4", "d4", "l4", "v4"}
+    VECTORS = {"f8", "i8", "u8", "f4", "i4", "d4", "l4", "v4", "td_reals", "td_choice"}
 
     def has_vectors(self, chunk):
         return bool(used_by("".join(text for _, text in chunk)) & self.VECTORS)

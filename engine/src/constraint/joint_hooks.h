@@ -70,6 +70,8 @@ typedef struct td_joint_hooks {
      * writes its result to the world. */
     td_tree_outcome (*solve_tree)(thud_world *w, const struct td_island *island,
                                   const struct td_direct_body *known);
+    /* The same for all islands that td_islands lists: sets td_island.tree of each. */
+    void (*solve_trees)(thud_world *w);
     void (*write_tree)(thud_world *w, const struct td_island *island);
     /* direct/joint_islands.c: the direct solver that replaces thud_islands_direct in a world with
      * joints. */

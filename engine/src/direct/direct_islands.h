@@ -27,6 +27,7 @@ typedef struct td_island {
     int first_body, bodies, first_constraint, constraints;
     td_system system;
     td_tree_outcome tree;
+    int parts; /* of the step of a tree that is to be solved; else 0 */
 } td_island;
 
 typedef struct td_islands {
@@ -49,9 +50,8 @@ typedef struct td_islands {
     td_array results;    /* td_lock_result of direct/lock_tree.h, parallel to `slots`, likewise */
     bool passes_over; /* islands were solved as trees before the soft solver, which passes over the
                          blocks that have no other joints (td_block.solved) */
-    float tree_residual;  /* of the tree that was solved last: the greatest speed that a joint has
-                             after the step, length/s */
-    float trees_residual; /* of all that were solved before the soft solver */
+    float trees_residual; /* of the islands that were solved as trees: the greatest speed that a
+                             joint has after the step, length/s */
     td_array topology,
         topology_before;     /* int: the graph of all islands, which determines their elimination
                                 orders, and the graph for which the present orders were found */

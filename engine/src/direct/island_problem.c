@@ -144,9 +144,12 @@ static void take_constraint(td_island_work *work, int i) {
 }
 
 /* Where a time budget has lowered the number of substeps, island_work is lowered in proportion. */
+int64_t td_island_work_left(const thud_world *w) {
+    return w->quality.island_work / w->quality.substeps * w->substeps - w->stats.island_work;
+}
+
 int td_island_factoring_budget(const thud_world *w, int64_t cost) {
-    int64_t work = w->quality.island_work / w->quality.substeps * w->substeps;
-    int64_t left = (work - w->stats.island_work) / cost;
+    int64_t left = td_island_work_left(w) / cost;
     return left < 0 ? 0 : left < ISLAND_FACTORINGS_MAX ? (int)left : ISLAND_FACTORINGS_MAX;
 }
 

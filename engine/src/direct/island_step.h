@@ -33,6 +33,8 @@ void td_island_store_start(thud_world *w);
 /* Stores the warm-start impulses of constraint i in td_islands.impulses, summed over a whole step;
  * `from_soft`: they are the soft solver's, not the direct solver's. */
 void td_island_store_impulses(thud_world *w, int i, bool from_soft);
+/* What is left of the quality's island_work in this step. */
+int64_t td_island_work_left(const thud_world *w);
 /* The number of factorisations that the quality's island_work still allows in this step, for an
  * island in which one costs this much (td_island_cost). */
 int td_island_factoring_budget(const thud_world *w, int64_t cost);
@@ -88,9 +90,11 @@ double td_island_solve_joints(td_island_work *work, double tolerance);
 /* joints/lock_tree_step.c, linked only with joints: solves the step of an island whose constraints
  * are hinges and welds that form a tree, before the soft solver or after it. `known`: null, or the
  * island's bodies, whose free velocities have the impulses of contacts that are no constraints of
- * the island. Nothing but td_islands.results, .tree_residual and the statistics is written. */
+ * the island. Nothing but td_islands.results, .trees_residual and the statistics is written. */
 td_tree_outcome td_lock_tree_step(thud_world *w, const td_island *island,
                                   const td_direct_body *known);
+/* The same for all islands that are listed, those of the same shape side by side. */
+void td_lock_trees_step(thud_world *w);
 /* Writes the result of an island that was solved so to the world. */
 void td_lock_tree_write(thud_world *w, const td_island *island);
 

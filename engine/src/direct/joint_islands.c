@@ -34,7 +34,7 @@ static bool reserve_tree(thud_world *w) {
     return td_islands_reserve(w, &w->islands.tree, bodies) &&
            td_islands_reserve(w, &w->islands.results, w->body_of.count) &&
            td_islands_reserve(w, &w->islands.locks, bodies) &&
-           td_islands_reserve(w, &w->islands.listed, bodies);
+           td_islands_reserve(w, &w->islands.listed, td_max_int(bodies, w->islands.slots.count));
 }
 
 /* thud_island_solver.find: lists the islands of 1., and reserves memory for one island of 2. and 3.
@@ -98,19 +98,11 @@ static void mark_solved_lanes(thud_world *w) {
  * solver, which passes over their joints. */
 static void solve_trees(thud_world *w) {
     td_islands *s = &w->islands;
-    int64_t reserved = reserved_effort(w);
     s->passes_over = false;
     s->trees_residual = 0.0f;
+    w->joint_hooks->solve_trees(w);
     for (int i = 0; i < s->island.count; i++) {
-        td_island *island = TD_AT(td_island, &s->island, i);
-        reserved -= (int64_t)EFFORT_OF_BODY * island->bodies;
-        s->effort -= reserved;
-        island->tree = w->joint_hooks->solve_tree(w, island, NULL);
-        s->effort += reserved;
-        if (island->tree == TD_TREE_SOLVED) {
-            s->passes_over = true;
-            s->trees_residual = td_max_float(s->tree_residual, s->trees_residual);
-        }
+        s->passes_over |= TD_AT(td_island, &s->island, i)->tree == TD_TREE_SOLVED;
     }
     if (s->passes_over) {
         mark_solved_lanes(w);

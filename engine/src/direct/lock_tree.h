@@ -21,58 +21,79 @@
  * The parent gets M, and m - M t, at its end of the lever arm. (R. Featherstone, "The calculation
  * of robot dynamics using articulated-body inertias", 1983; here in the plane, and with the bodies'
  * own velocities in place of joint coordinates, so that gaps can be closed.) A weld, which also
- * locks the rotation, passes A and g on as they are. */
+ * locks the rotation, passes A and g on as they are.
+ *
+ * Trees of the same shape (as many bodies, each with the same parent and the same kind of joint)
+ * are solved side by side in the lanes of vectors. No lane depends on another, so that it does not
+ * matter to a tree which others are solved with it. */
 #ifndef TD_LOCK_TREE_H
 #define TD_LOCK_TREE_H
 
 #include "base/indices.h"
+#include "direct/reals.h"
 
-#include <stdbool.h>
-
-/* A body, with the joint by which it hangs from its parent. Vectors are in world axes. The
- * joint's gap and its impulse are those of the body relative to its parent. Lengths, masses and
+/* A body of each tree, with the joint by which it hangs from its parent. Vectors are in world axes.
+ * The joint's gap and its impulse are those of the body relative to its parent. Lengths, masses and
  * times are in the caller's units, angles in radians. */
 typedef struct td_lock_body {
-    /* ---- the tree: set once ---- */
-    int parent;             /* a smaller index; TD_NONE: the root */
-    int number, link;       /* numbers of the body and of the joint's constraint in their island */
-    struct td_block *block; /* the joint's lane (constraint/block.h) ... */
-    int lane;
-    double sign;       /* ... and 1 if the body is its side b, -1 if it is side a */
-    bool joined;       /* it has a joint: false for a root that is joined to nothing outside */
-    bool weld;         /* the joint locks rotation as well */
-    bool turns;        /* false: rotation is locked by the caller; its lever arms are 0 */
-    bool sweeps;       /* its rotation moves an anchor */
-    double mass;       /* without what hangs from it */
-    double inertia;    /* 1 where `turns` is false */
-    double outside[3]; /* of the root: the velocity of the body to which it is joined */
-    double arm[2];     /* from the centre of mass to the anchor, at the start of the step */
-    double holder[2];  /* the lever arm of the parent likewise */
-    double axis[2];    /* of the joint's frame, along which gaps close: joint.h */
-    double gap[2], turn_gap; /* at the start of the step; turn_gap of a weld, rad */
+    /* ---- the trees: set once ---- */
+    int parent;          /* a smaller index; TD_NONE: the root */
+    bool joined;         /* it has a joint: false for a root that is joined to nothing outside */
+    bool weld;           /* the joint locks rotation as well */
+    bool turns;          /* false: rotation is locked by the caller; its lever arms are 0 */
+    td_reals mass;       /* without what hangs from it */
+    td_reals inertia;    /* 1 where `turns` is false */
+    td_reals outside[3]; /* of the root: the velocity of the body to which it is joined */
+    td_reals arm[2];     /* from the centre of mass to the anchor, at the start of the step */
+    td_reals holder[2];  /* the lever arm of the parent likewise */
+    td_reals axis[2];    /* of the joint's frame, along which gaps close: joint.h */
+    td_reals gap[2], turn_gap; /* at the start of the step; turn_gap of a weld, rad */
 
     /* ---- a part of the step ---- */
-    double velocity[3];                     /* x, y, turn */
-    double before[3];                       /* velocity at the start of the part */
-    double gain[3];                         /* what forces add to the velocity in a part */
-    double moved[3];                        /* motion since the start of the step */
-    double arm_before[2], holder_before[2]; /* lever arms at the start of the part */
-    double rotation[2];                     /* cosine and sine by which they are turned */
-    double closing[2], turn_closing;        /* speed that the joint shall have: it closes the gap */
-    double impulse[2], turn_impulse;        /* on the body; -impulse acts on the parent */
-    double kept[3]; /* impulses that stay while further ones are solved for */
-    double stiff;   /* the geometric stiffness, while it is summed up */
-    double turned;  /* rate of turning in the iteration before, rad/s */
+    td_reals velocity[3];                     /* x, y, turn */
+    td_reals before[3];                       /* velocity at the start of the part */
+    td_reals gain[3];                         /* what forces add to the velocity in a part */
+    td_reals moved[3];                        /* motion since the start of the step */
+    td_reals arm_before[2], holder_before[2]; /* lever arms at the start of the part */
+    td_reals rotation[2];                     /* cosine and sine by which they are turned */
+    td_reals closing[2], turn_closing; /* speed that the joint shall have: it closes the gap */
+    td_reals impulse[2], turn_impulse; /* on the body; -impulse acts on the parent */
+    td_reals kept[3];                  /* impulses that stay while further ones are solved for */
+    td_reals stiff;                    /* the geometric stiffness, while it is summed up */
+    td_reals turned;                   /* rate of turning in the iteration before, rad/s */
 
     /* ---- one solution ---- */
-    double arm_now[2], holder_now[2]; /* lever arms of the rows */
-    double turning;                   /* moment of inertia, with the geometric stiffness */
-    double momentum[3];               /* without the impulses of joints */
-    double target[2], turn_target;    /* speeds of the joint */
-    double a[6];        /* A at the centre of mass: xx, xy, yy, xw, yw, ww; then at the anchor */
-    double g[3];        /* g likewise */
-    double per_turning; /* 1 / A_ww of a hinge */
+    td_reals arm_now[2], holder_now[2]; /* lever arms of the rows */
+    td_reals turning;                   /* moment of inertia, with the geometric stiffness */
+    td_reals momentum[3];               /* without the impulses of joints */
+    td_reals target[2], turn_target;    /* speeds of the joint */
+    td_reals a[6];        /* A at the centre of mass: xx, xy, yy, xw, yw, ww; then at the anchor */
+    td_reals g[3];        /* g likewise */
+    td_reals per_turning; /* 1 / A_ww of a hinge */
 } td_lock_body;
+
+/* What the world gives the step of trees; speeds in length/s. */
+typedef struct td_lock_step {
+    const struct thud_world *world;
+    double time;          /* the step, s */
+    double tolerance;     /* td_island_tolerance */
+    double enough;        /* residual at which Newton's method ends */
+    double end_enough;    /* speed that joints may have at the end of a part */
+    double speed_max;     /* of a body */
+    double gravity_speed; /* td_gravity_speed */
+} td_lock_step;
+
+/* Trees of the same shape, whose step is solved in the same number of parts. */
+typedef struct td_lock_trees {
+    td_lock_body *bodies;
+    int count; /* bodies of a tree */
+    int parts;
+    int factorings[TD_TREES]; /* out: solutions for each tree */
+    bool solved[TD_TREES];    /* out: the result is good */
+    bool used[TD_TREES];      /* in: false for lanes without a tree */
+    td_reals closing;         /* in: greatest speed at which a gap may be closed */
+    td_reals residual;        /* out: greatest speed that a joint has at the end of the step */
+} td_lock_trees;
 
 /* The result of a step: what is written to the world of a body and of the joint by which it hangs.
  * Impulses are those of a substep, along and across the joint's frame and its turn. */
@@ -85,20 +106,35 @@ typedef struct td_lock_result {
     struct td_block *block; /* null: the body has no joint of its own */
 } td_lock_result;
 
-/* A body of an island by its number there. The island's list is made breadth first, so that in a
- * tree every body but the first has one joint to a body that is listed before it. */
+/* The bodies of an island as a tree. The island's list is made breadth first, so that in a tree
+ * every body but the first has one joint to a body that is listed before it. */
 typedef struct td_listed_body {
+    /* By number in the island: */
     int before, link; /* that body, and the number of that joint's constraint in the island */
     int place;        /* the body's index in the tree */
+    /* By index in the tree: */
+    int number, parent;     /* the body's number in the island, and the index of its parent */
+    int joint;              /* number of the joint to its parent, or to the outside; or TD_NONE */
+    struct td_block *block; /* the joint's lane (constraint/block.h), or null ... */
+    int lane;
+    double sign;              /* ... and 1 if the body is its side b, -1 if it is side a */
+    bool turns, weld, sweeps; /* sweeps: the body's rotation moves an anchor; see td_lock_body */
+    double mass, inertia, velocity[3], gain[3], outside[3];
+    double arm[2], holder[2], axis[2], gap[2], turn_gap, impulse[3];
 } td_listed_body;
 
-/* Solves for the velocities and the impulses of the joints, with the lever arms, momenta and
- * targets that are set. False where a number is not finite, or a rate of turning is above
- * THUD_ANGULAR_SPEED_MAX. */
-bool td_lock_tree_solve(td_lock_body *bodies, int count);
-
+/* wide_lock_tree.c: solves for the velocities and the impulses of the joints, with the lever arms,
+ * momenta and targets that are set, in the trees of *which. Leaves in it those where all numbers
+ * are finite and no rate of turning is above THUD_ANGULAR_SPEED_MAX; the velocities of the others
+ * become 0. */
+typedef void td_lock_tree_solve_fn(td_lock_body *bodies, int count, td_choice *which);
+TD_DECLARE_WIDE(td_lock_tree_solve_fn, td_lock_tree_solve);
 /* The greatest speed by which a joint misses its target, a length per second; of a weld's rotation,
  * radians per second. */
-double td_lock_tree_residual(const td_lock_body *bodies, int count);
+typedef void td_lock_tree_residual_fn(const td_lock_body *bodies, int count, td_reals *residual);
+TD_DECLARE_WIDE(td_lock_tree_residual_fn, td_lock_tree_residual);
+/* joints/wide_lock_tree_parts.c: solves all parts of the step. */
+typedef void td_lock_tree_parts_fn(td_lock_trees *trees, const td_lock_step *step);
+TD_DECLARE_WIDE(td_lock_tree_parts_fn, td_lock_tree_parts);
 
 #endif

@@ -104,10 +104,9 @@ double td_joint_closing_speed(double gap, double unit, double time) {
 /* Rotations within a part of a step are small, rad. Up to this angle the Taylor series below have
  * errors below 2^-52 of their values: the terms left out are x^10 / 11! of the sine, x^12 / 12! of
  * the cosine. */
-#define SERIES_ANGLE_MAX 0.125
 
 void td_joint_sincos(double angle, double *s, double *c) {
-    if (!(td_abs(angle) <= SERIES_ANGLE_MAX)) {
+    if (!(td_abs(angle) <= TD_SERIES_ANGLE_MAX)) {
         td_sincos(angle, s, c);
         return;
     }

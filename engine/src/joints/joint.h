@@ -168,6 +168,9 @@ static inline double td_gap_unit(const thud_world *w, bool is_angle) {
 /* The speed that closes a gap within `time`, at most TD_JOINT_CLOSING_SPEED units a second. `unit`:
  * td_gap_unit. */
 double td_joint_closing_speed(double gap, double unit, double time);
+/* The angle up to which td_joint_sincos takes the series. */
+#define TD_SERIES_ANGLE_MAX 0.125
+
 /* Square of half a rotation, rad^2, below which its chord counts as long as its arc: sin(x) / x is
  * 1 - x^2 / 6, here within 2e-13 of 1. Avoids 0 / 0. */
 #define TD_CHORD_IS_ARC 1e-12

@@ -1,11 +1,10 @@
-/* lock_tree_step.c: solves the step of a direct island whose constraints are hinges and welds,
- * without limits, springs or motors, that form a tree joined to the world at one body at most.
+/* lock_tree_step.c: the steps of direct islands whose constraints are hinges and welds, without
+ * limits, springs or motors, that form a tree joined to the world at one body at most.
  *
- * The method is that of direct/island_step_joints.c: parts, in each the mean velocities v by
- * Newton's method, with lever arms averaged over the motion (discrete gradients) and the geometric
- * stiffness; then the velocities at the end, 2 v - v_before. That file solves it for any island; in
- * a tree of locks the rows need no matrix (lock_tree.h), so that an iteration takes a fraction of
- * the time. Whatever is refused here is solved there. */
+ * The method is that of direct/island_step_joints.c, which solves any island; in a tree of locks
+ * the rows need no matrix (lock_tree.h), and islands that are trees of the same shape are solved
+ * side by side (wide_lock_tree_parts.c). This file turns islands into such trees and back. Whatever
+ * is refused here is solved there. */
 #include "direct/island_step.h"
 
 #include "constraint/joint_hooks.h"
@@ -17,50 +16,49 @@
 
 #include <string.h>
 
-/* The step of one island. Bodies are numbered as in lock_tree.h, the root first. */
-typedef struct tree_step {
-    thud_world *w;
-    const td_island *island;
-    const td_direct_body *known; /* null, or the bodies with the impulses of contacts */
-    td_lock_body *bodies;
-    int count;
-    double part;       /* length of a part, s */
-    double tolerance;  /* td_island_tolerance, length/s */
-    double unbalanced; /* greatest moment out of balance after a part, as a speed: length/s */
-    double closing;    /* greatest speed at which a gap may be closed, length/s or rad/s */
-    double speed_max;  /* of a body, length/s */
-    double residual;   /* greatest speed that a joint has at the end of a part, length/s */
-    bool closed;       /* a part has closed gaps */
-    int factorings, factorings_max;
-} tree_step;
-
 /* What a solution costs for each body, in operations on 3 x 3 blocks: thud_quality.island_work.
- * Measured in instructions, with what comes before and after the iterations. */
-enum { TREE_COST = 2 };
-/* The budget of a linkage (joint_subsystems.c), beside the island budget of the step, as many
- * factorisations times TD_BUDGET_OF_JOINTS. Chosen: a chain that whips is solved in many parts. */
-enum { LINKAGE_BUDGET = 64 };
+ * Measured in instructions, of a tree that is solved alone. */
+enum { TREE_COST = 1 };
+/* Solutions that a part is expected to take: by this measure trees are left to the soft solver
+ * where the budget of a step is too small. Measured on swinging chains at default. */
+enum { SOLUTIONS_OF_PART = 3 };
 
-/* ---- the tree ---- */
+/* Islands that are solved side by side. */
+typedef struct tree_group {
+    thud_world *w;
+    td_lock_trees trees;
+    td_lock_step step;
+    const td_island *island[TD_TREES];
+    const td_listed_body *list[TD_TREES];
+    bool kept[TD_TREES]; /* the tree is solved, and its result kept */
+    int used;            /* number of islands */
+} tree_group;
+
+/* ---- an island as a tree ---- */
 
 /* The number in the island of a lane's body, or TD_NONE if it does not move. */
-static int number_of(const tree_step *s, uint32_t side) {
+static int number_of(const thud_world *w, const td_island *island, uint32_t side) {
     td_awake_slot slot = td_slot_of_side(side);
-    return td_inv_mass_of(s->w, slot) > 0.0f ? td_island_number(s->w, s->island, slot) : TD_NONE;
+    return td_inv_mass_of(w, slot) > 0.0f ? td_island_number(w, island, slot) : TD_NONE;
+}
+
+/* The constraint of the island's joint number `link`. */
+static const td_constraint *joint_at(const thud_world *w, const td_island *island, int link) {
+    int index = td_int_at(&w->islands.constraints, island->first_constraint + link);
+    return td_constraint_at(w, index);
 }
 
 /* Lists the joint of every body to the one before it, and finds the body that is joined to a body
  * outside of the island: *held and *hold, its joint; TD_NONE where there is none. False where a
  * constraint is no lock of a point, or the joints do not form a tree. */
-static bool list_joints(const tree_step *s, td_listed_body *list, int *held, int *hold) {
-    const thud_world *w = s->w;
-    for (int i = 0; i < s->count; i++) {
-        list[i] = (td_listed_body){TD_NONE, TD_NONE, TD_NONE};
+static bool list_joints(const thud_world *w, const td_island *island, td_listed_body *list,
+                        int *held, int *hold) {
+    for (int i = 0; i < island->bodies; i++) {
+        list[i].before = list[i].link = list[i].place = TD_NONE;
     }
     *held = *hold = TD_NONE;
-    for (int i = 0; i < s->island->constraints; i++) {
-        int index = td_int_at(&w->islands.constraints, s->island->first_constraint + i);
-        const td_constraint *constraint = td_constraint_at(w, index);
+    for (int i = 0; i < island->constraints; i++) {
+        const td_constraint *constraint = joint_at(w, island, i);
         if (constraint->kind != TD_CONSTRAINT_LOCK) {
             return false;
         }
@@ -68,7 +66,8 @@ static bool list_joints(const tree_step *s, td_listed_body *list, int *held, int
         const td_point *p = at.block->point;
         bool is_point = p[0].normal_mass[at.lane] > 0.0f && p[1].normal_mass[at.lane] > 0.0f &&
                         td_lock_rows_at(at.block)->frame_turns[at.lane] <= 0.0f;
-        int a = number_of(s, at.block->a[at.lane]), b = number_of(s, at.block->b[at.lane]);
+        int a = number_of(w, island, at.block->a[at.lane]);
+        int b = number_of(w, island, at.block->b[at.lane]);
         int later = td_max_int(a, b), before = td_min_int(a, b);
         if (!is_point || (before != TD_NONE ? list[later].link : *held) != TD_NONE) {
             return false;
@@ -84,27 +83,27 @@ static bool list_joints(const tree_step *s, td_listed_body *list, int *held, int
     return true;
 }
 
-/* Puts a body of the list at an index of the tree. `link`: the joint to its parent, or TD_NONE. */
-static void place(const tree_step *s, td_listed_body *list, int number, int index, int parent,
-                  int link) {
+/* Puts a body of the list at an index of the tree. `joint`: that to its parent, or TD_NONE. */
+static void place(td_listed_body *list, int number, int index, int parent, int joint) {
     list[number].place = index;
-    s->bodies[index] =
-        (td_lock_body){.number = number, .parent = parent, .link = link, .joined = link != TD_NONE};
+    list[index].number = number;
+    list[index].parent = parent;
+    list[index].joint = joint;
 }
 
 /* Numbers the bodies so that each comes after its parent. The root is the body that is joined to
  * the outside: the bodies from it to the first of the list are turned over, so that each hangs from
  * the one that hung from it. */
-static void set_order(const tree_step *s, td_listed_body *list, int held, int hold) {
-    int placed = 0, link = hold;
+static void set_order(td_listed_body *list, int count, int held, int hold) {
+    int placed = 0, joint = hold;
     for (int n = held == TD_NONE ? 0 : held; n != TD_NONE; n = list[n].before) {
-        place(s, list, n, placed, placed ? placed - 1 : TD_NONE, link);
-        link = list[n].link;
+        place(list, n, placed, placed ? placed - 1 : TD_NONE, joint);
+        joint = list[n].link;
         placed++;
     }
-    for (int n = 0; n < s->count; n++) {
+    for (int n = 0; n < count; n++) {
         if (list[n].place == TD_NONE) {
-            place(s, list, n, placed++, list[list[n].before].place, list[n].link);
+            place(list, n, placed++, list[list[n].before].place, list[n].link);
         }
     }
 }
@@ -112,36 +111,38 @@ static void set_order(const tree_step *s, td_listed_body *list, int held, int ho
 /* What forces, damping and the known impulses of contacts add to the mean velocity of a body in the
  * step. Without the last two it is half of what forces add in all substeps; td_island_free_velocity
  * gives the same, but for rounding. */
-static void take_gain(const tree_step *s, td_lock_body *t, const td_body *body,
-                      td_awake_slot slot) {
-    const float *substep_gain = td_row(&s->w->substep_gain, slot);
+static void take_gain(const thud_world *w, const td_island *island, const td_direct_body *known,
+                      td_listed_body *t) {
+    td_awake_slot slot = td_slot_in(&w->islands.slots, island->first_body + t->number);
+    const td_body *body = td_body_at(w, td_body_of(w, slot));
+    const float *substep_gain = td_row(&w->substep_gain, slot);
     bool damped = body->linear_damping > 0.0f || body->angular_damping > 0.0f;
     double before[3], free[3];
-    if (s->known) {
-        memcpy(free, s->known[t->number].free, sizeof free);
+    if (known) {
+        memcpy(free, known[t->number].free, sizeof free);
     } else if (damped) {
-        td_island_free_velocity(s->w, s->island, t->number, before, free);
+        td_island_free_velocity(w, island, t->number, before, free);
     }
     for (int k = 0; k < 3; k++) {
-        double gain = 0.5 * s->w->substeps * (double)substep_gain[k];
-        t->gain[k] = s->known || damped ? free[k] - t->before[k] : gain;
+        double gain = 0.5 * w->substeps * (double)substep_gain[k];
+        t->gain[k] = known || damped ? free[k] - t->velocity[k] : gain;
     }
-}
-
-/* Sets mass and velocities of a body, for a step of one part. */
-static void take_body(const tree_step *s, td_lock_body *t) {
-    const td_islands *islands = &s->w->islands;
-    int place = s->island->first_body + t->number;
-    td_awake_slot slot = td_slot_in(&islands->slots, place);
-    const td_body *body = td_body_at(s->w, td_body_of(s->w, slot));
-    const float *start = td_at(&islands->island_start_velocity, place);
-    for (int k = 0; k < 3; k++) {
-        t->velocity[k] = t->before[k] = (double)start[k];
-    }
-    take_gain(s, t, body, slot);
     t->turns = body->inv_inertia > 0.0f;
     t->mass = 1.0 / (double)body->inv_mass;
     t->inertia = t->turns ? 1.0 / (double)body->inv_inertia : 1.0;
+}
+
+/* Sets mass and velocities of a body. */
+static void take_body(const thud_world *w, const td_island *island, const td_direct_body *known,
+                      td_listed_body *t) {
+    const float *start = td_at(&w->islands.island_start_velocity, island->first_body + t->number);
+    for (int k = 0; k < 3; k++) {
+        t->velocity[k] = (double)start[k];
+        t->outside[k] = 0.0;
+    }
+    take_gain(w, island, known, t);
+    t->block = NULL;
+    t->sweeps = t->weld = false;
 }
 
 /* A lever arm from its crosses with the directions u and v of a joint's frame. */
@@ -151,17 +152,16 @@ static void arm_of(double x, double y, float cross_u, float cross_v, bool turns,
     arm[1] = y * v - x * u;
 }
 
-/* Sets the joint of a body, likewise. False where it welds a body that does not turn. */
-static bool take_joint(const tree_step *s, td_lock_body *t) {
-    td_lane at =
-        td_lane_of(s->w, td_constraint_at(s->w, td_int_at(&s->w->islands.constraints,
-                                                          s->island->first_constraint + t->link)));
+/* Sets the joint of a body. False where it welds a body that does not turn. */
+static bool take_joint(const thud_world *w, const td_island *island, td_listed_body *list, int i) {
+    td_listed_body *t = &list[i], *parent = t->parent == TD_NONE ? NULL : &list[t->parent];
+    td_lane at = td_lane_of(w, joint_at(w, island, t->joint));
     const td_point *p = &at.block->point[0], *q = &at.block->point[1];
     const td_lock_rows *rows = td_lock_rows_at(at.block);
-    const float *impulses = td_at(&s->w->islands.impulses, s->island->first_constraint + t->link);
+    const float *impulses = td_at(&w->islands.impulses, island->first_constraint + t->joint);
     int lane = at.lane;
-    bool is_b = number_of(s, at.block->b[lane]) == t->number;
-    bool holder_turns = t->parent == TD_NONE || s->bodies[t->parent].turns;
+    bool is_b = number_of(w, island, at.block->b[lane]) == t->number;
+    bool holder_turns = !parent || parent->turns;
     double x = t->axis[0] = (double)at.block->nx[lane], y = t->axis[1] = (double)at.block->ny[lane];
     double sign = t->sign = is_b ? 1.0 : -1.0;
     double half = 0.5; /* the impulses of the mean velocity are half of those of the step */
@@ -178,509 +178,325 @@ static bool take_joint(const tree_step *s, td_lock_body *t) {
     t->impulse[0] = half * sign * (x * (double)impulses[0] - y * (double)impulses[1]);
     t->impulse[1] = half * sign * (y * (double)impulses[0] + x * (double)impulses[1]);
     t->weld = at.block->tangent_mass[lane] > 0.0f;
-    if (t->weld) {
-        double turn_sign = sign * (double)rows->turn_sign[lane];
-        t->turn_gap = turn_sign * (double)rows->start_turn_gap[lane];
-        t->turn_impulse = half * turn_sign * (double)impulses[TD_DIRECT_TANGENT];
-    }
-    if (t->parent == TD_NONE) {
+    double turn_sign = sign * (double)rows->turn_sign[lane];
+    t->turn_gap = t->weld ? turn_sign * (double)rows->start_turn_gap[lane] : 0.0;
+    t->impulse[2] = t->weld ? half * turn_sign * (double)impulses[TD_DIRECT_TANGENT] : 0.0;
+    t->sweeps |= !td_arm_is_centred(w, t->arm[0], t->arm[1]);
+    if (parent) {
+        parent->sweeps |= !td_arm_is_centred(w, t->holder[0], t->holder[1]);
+    } else {
         const float *outside =
-            td_row(&s->w->velocity, td_slot_of_side((is_b ? at.block->a : at.block->b)[lane]));
+            td_row(&w->velocity, td_slot_of_side((is_b ? at.block->a : at.block->b)[lane]));
         for (int k = 0; k < 3; k++) {
             t->outside[k] = (double)outside[k];
         }
     }
-    t->sweeps |= !td_arm_is_centred(s->w, t->arm[0], t->arm[1]);
-    if (t->parent != TD_NONE) {
-        s->bodies[t->parent].sweeps |= !td_arm_is_centred(s->w, t->holder[0], t->holder[1]);
-    }
     return !t->weld || (t->turns && holder_turns);
 }
 
-/* The number of parts that the present velocities require: from the fastest rotation that moves an
- * anchor. */
-static int parts_of(const tree_step *s) {
-    double fastest = 0.0;
-    for (int i = 0; i < s->count; i++) {
-        const td_lock_body *t = &s->bodies[i];
-        fastest = t->sweeps ? td_max_double(fastest, td_abs(t->velocity[2])) : fastest;
-    }
-    return td_parts_of(s->w, s->island, fastest, true, 0.0);
-}
-
-/* ---- a part ---- */
-
-/* Turns a lever arm by the rotation of its body. */
-static void turn_arm(const double rotation[2], const double from[2], double to[2]) {
-    to[0] = rotation[0] * from[0] - rotation[1] * from[1];
-    to[1] = rotation[1] * from[0] + rotation[0] * from[1];
-}
-
-/* The rotation by `angle`, or, with `mean`, its average while it grows to `angle`: by half of it,
- * shortened by the ratio of chord to arc, so that an arm times the rotation is the chord by which
- * its end moves. */
-static void rotation_of(double angle, bool mean, double rotation[2]) {
-    double half = mean ? 0.5 * angle : angle;
-    td_joint_sincos(half, &rotation[1], &rotation[0]);
-    if (mean && half * half >= TD_CHORD_IS_ARC) {
-        double shorter = rotation[1] / half;
-        rotation[0] *= shorter;
-        rotation[1] *= shorter;
-    }
-}
-
-/* Sets arm_now and holder_now: at the end of the part, from its motion so far (`ended`), or
- * averaged over the part at the present mean velocities. */
-static void turn_arms(const tree_step *s, bool ended, double elapsed) {
-    for (int i = 0; i < s->count; i++) {
-        td_lock_body *t = &s->bodies[i];
-        double outside[2];
-        const double *holder = outside;
-        rotation_of(ended ? t->moved[2] : s->part * t->velocity[2], !ended, t->rotation);
-        if (t->parent == TD_NONE) {
-            rotation_of(t->outside[2] * (ended ? elapsed : s->part), !ended, outside);
-        } else {
-            holder = s->bodies[t->parent].rotation;
-        }
-        turn_arm(t->rotation, ended ? t->arm : t->arm_before, t->arm_now);
-        turn_arm(holder, ended ? t->holder : t->holder_before, t->holder_now);
-    }
-}
-
-/* The gap of a body's joint after the motion so far, with these lever arms. */
-static void gap_of(const tree_step *s, const td_lock_body *t, const double arm[2],
-                   const double holder[2], double elapsed, double gap[2]) {
-    for (int k = 0; k < 2; k++) {
-        double held =
-            t->parent == TD_NONE ? elapsed * t->outside[k] : s->bodies[t->parent].moved[k];
-        gap[k] =
-            t->gap[k] + (t->moved[k] - held) + (arm[k] - t->arm[k]) - (holder[k] - t->holder[k]);
-    }
-}
-
-/* The gap of a weld's rotation, likewise. */
-static double turn_gap_of(const tree_step *s, const td_lock_body *t, double elapsed) {
-    double held = t->parent == TD_NONE ? elapsed * t->outside[2] : s->bodies[t->parent].moved[2];
-    return t->turn_gap + (t->moved[2] - held);
-}
-
-static void scale_impulse(td_lock_body *t, double by) {
-    t->impulse[0] *= by;
-    t->impulse[1] *= by;
-    t->turn_impulse *= by;
-}
-
-/* Begins a part with the velocities at the end of the part before, and sets the speeds at which the
- * gaps close in it. `elapsed`: time from the start of the step. */
-static void begin_part(tree_step *s, double elapsed) {
-    const thud_world *w = s->w;
-    double unit = (double)w->length_scale;
-    for (int i = 0; i < s->count; i++) {
-        td_lock_body *t = &s->bodies[i];
-        for (int k = 0; k < 3; k++) {
-            t->before[k] = t->velocity[k];
-        }
-        for (int k = 0; k < 2; k++) {
-            t->arm_before[k] = elapsed > 0.0 ? t->arm_now[k] : t->arm[k];
-            t->holder_before[k] = elapsed > 0.0 ? t->holder_now[k] : t->holder[k];
-        }
-        if (!t->joined) {
-            continue;
-        }
-        double gap[2], x = t->axis[0], y = t->axis[1];
-        gap_of(s, t, t->arm_before, t->holder_before, elapsed, gap);
-        double u = td_joint_part_closing(w, x * gap[0] + y * gap[1], unit, s->part);
-        double v = td_joint_part_closing(w, x * gap[1] - y * gap[0], unit, s->part);
-        t->closing[0] = x * u - y * v;
-        t->closing[1] = y * u + x * v;
-        if (t->weld) {
-            t->turn_closing = td_joint_part_closing(w, turn_gap_of(s, t, elapsed), 1.0, s->part);
-        }
-    }
-}
-
-/* Solves for the velocities. False where a number is not finite, a rotation is too fast for td_sin,
- * or the budget of work is spent. */
-static bool solve(tree_step *s) {
-    int64_t *effort = &s->w->islands.effort;
-    if (s->factorings == s->factorings_max || *effort < TREE_COST * s->count) {
+/* The island as a tree, in `list`. False where it is none. */
+static bool take_tree(const thud_world *w, const td_island *island, const td_direct_body *known,
+                      td_listed_body *list) {
+    int held, hold;
+    if (!list_joints(w, island, list, &held, &hold)) {
         return false;
     }
-    *effort -= TREE_COST * s->count;
-    s->factorings++;
-    return td_lock_tree_solve(s->bodies, s->count);
-}
-
-/* Sets the joints' targets: the closing of their gaps, or no speed. */
-static void set_targets(const tree_step *s, bool close) {
-    for (int i = 0; i < s->count; i++) {
-        td_lock_body *t = &s->bodies[i];
-        t->target[0] = close ? t->closing[0] : 0.0;
-        t->target[1] = close ? t->closing[1] : 0.0;
-        t->turn_target = close ? t->turn_closing : 0.0;
-    }
-}
-
-/* The moments of inertia with the geometric stiffness of the joints' impulses (island_step_joints.c
- * describes it), and the momenta without those impulses. */
-static void set_momenta(const tree_step *s) {
-    double half = 0.5 * s->part;
-    for (int i = s->count - 1; i >= 0; i--) {
-        td_lock_body *t = &s->bodies[i];
-        double own = t->arm_now[0] * t->impulse[0] + t->arm_now[1] * t->impulse[1];
-        double up = t->holder_now[0] * t->impulse[0] + t->holder_now[1] * t->impulse[1];
-        t->stiff += half * own;
-        if (t->parent != TD_NONE) {
-            s->bodies[t->parent].stiff -= half * up;
+    set_order(list, island->bodies, held, hold);
+    bool sound = true;
+    for (int i = 0; i < island->bodies; i++) {
+        take_body(w, island, known, &list[i]);
+        if (list[i].joint != TD_NONE) {
+            sound &= take_joint(w, island, list, i);
         }
-        double more = t->turns ? td_max_double(t->stiff, TD_STIFFNESS_MIN * t->inertia) : 0.0;
-        t->turning = t->inertia + more;
-        t->momentum[0] = t->mass * (t->before[0] + t->gain[0]);
-        t->momentum[1] = t->mass * (t->before[1] + t->gain[1]);
-        t->momentum[2] = t->inertia * (t->before[2] + t->gain[2]) + more * t->velocity[2];
-        t->turned = t->velocity[2];
-        t->stiff = 0.0;
     }
+    return sound;
 }
 
-/* The greatest speed by which geometric stiffness has kept a body from turning freely
- * (island_step_joints.c). */
-static double unbalanced_speed(const tree_step *s) {
-    double worst = 0.0;
-    for (int i = 0; i < s->count; i++) {
-        const td_lock_body *t = &s->bodies[i];
-        double moment = (t->turning - t->inertia) * (t->velocity[2] - t->turned);
-        worst = td_max_double(worst, moment * moment / (t->inertia * t->mass));
-    }
-    return __builtin_sqrt(worst);
+/* The number of parts that velocities require whose fastest rotation that moves an anchor is
+ * `fastest`, rad/s. */
+static int parts_for(const thud_world *w, const td_island *island, double fastest) {
+    return td_parts_of(w, island, fastest, true, 0.0);
 }
 
-/* The mean velocities of a part, by Newton's method. False where it does not converge. */
-static bool solve_mean_velocity(tree_step *s) {
-    bool everywhere = s->w->quality.overlap_limit == 0.0f;
-    double enough = (everywhere ? TD_RESIDUAL_EXACT : 1.0) * s->tolerance;
-    double unbalanced = 0.0;
-    set_targets(s, true);
-    for (int n = 0;; n++) {
-        turn_arms(s, false, 0.0);
-        double missing = n ? td_lock_tree_residual(s->bodies, s->count) : 0.0;
-        bool last = n == TD_NEWTON_ITERATIONS_MAX;
-        if (n && missing <= (last ? s->tolerance : enough) &&
-            (last || unbalanced <= TD_BALANCE_ENOUGH * s->tolerance)) {
-            s->unbalanced = td_max_double(s->unbalanced, unbalanced);
-            return true;
+/* The number of parts that the velocities before the step require; 0: too many. */
+static int parts_before(const thud_world *w, const td_island *island, const td_listed_body *list) {
+    double fastest = 0.0;
+    for (int i = 0; i < island->bodies; i++) {
+        double rate = td_abs(list[i].velocity[2]);
+        fastest = list[i].sweeps ? td_max_double(fastest, rate) : fastest;
+    }
+    return parts_for(w, island, fastest);
+}
+
+/* ---- a group ---- */
+
+static tree_group group_of(thud_world *w) {
+    double tolerance = td_island_tolerance(w);
+    bool everywhere = w->quality.overlap_limit == 0.0f;
+    return (tree_group){.w = w,
+                        .trees = {.bodies = w->islands.locks.data},
+                        .step = {.world = w,
+                                 .time = w->def.time_step,
+                                 .tolerance = tolerance,
+                                 .enough = (everywhere ? TD_RESIDUAL_EXACT : 1.0) * tolerance,
+                                 .gravity_speed = td_gravity_speed(w),
+                                 .end_enough = TD_END_ERROR_MAX * td_gravity_speed(w),
+                                 .speed_max = (double)(w->def.maximum_speed * w->length_scale)}};
+}
+
+/* Whether two trees have the same shape. */
+static bool are_alike(const td_listed_body *one, const td_listed_body *other, int count) {
+    bool alike = true;
+    for (int i = 0; i < count && alike; i++) {
+        const td_listed_body *t = &one[i], *u = &other[i];
+        alike = t->parent == u->parent && (t->joint == TD_NONE) == (u->joint == TD_NONE) &&
+                t->weld == u->weld && t->turns == u->turns;
+    }
+    return alike;
+}
+
+/* Sets the shape of the trees from the list of one of them, and clears what set_lane does not set.
+ */
+static void set_shape(tree_group *g, const td_listed_body *list, int parts) {
+    td_reals zero = td_reals_all(0.0);
+    g->trees.parts = parts;
+    memset(g->trees.used, 0, sizeof g->trees.used);
+    for (int i = 0; i < g->trees.count; i++) {
+        td_lock_body *t = &g->trees.bodies[i];
+        if (!i) {
+            *t = (td_lock_body){0};
         }
-        set_momenta(s);
-        if (last || !solve(s)) {
-            return false;
-        }
-        unbalanced = unbalanced_speed(s);
-    }
-}
-
-/* td_island_clamp_velocity */
-static void clamp_velocity(const tree_step *s, double velocity[3]) {
-    for (int k = 0; k < 3; k++) {
-        double max = k < 2 ? s->speed_max : (double)THUD_ANGULAR_SPEED_MAX;
-        velocity[k] = velocity[k] > max ? max : velocity[k] < -max ? -max : velocity[k];
-    }
-}
-
-/* Moves the bodies at their mean velocities, and extrapolates these to the end of the part. */
-static void move(tree_step *s) {
-    for (int i = 0; i < s->count; i++) {
-        td_lock_body *t = &s->bodies[i];
-        clamp_velocity(s, t->velocity);
         for (int k = 0; k < 3; k++) {
-            t->moved[k] += s->part * t->velocity[k];
-            t->velocity[k] = 2.0 * t->velocity[k] - t->before[k];
+            t->moved[k] = zero;
         }
-        scale_impulse(t, 2.0);
+        t->turn_closing = t->turn_impulse = t->stiff = zero;
+        t->parent = list[i].parent;
+        t->joined = list[i].joint != TD_NONE;
+        t->weld = list[i].weld;
+        t->turns = list[i].turns;
     }
 }
 
-/* Whether gaps close at a speed that is not negligible beside the bodies' own (closes_gaps of
- * island_step_joints.c). */
-static bool closes_gaps(const tree_step *s) {
-    double worst = 0.0, fastest = 0.0;
-    for (int i = 0; i < s->count; i++) {
-        const td_lock_body *t = &s->bodies[i];
-        double x = td_abs(t->closing[0]), y = td_abs(t->closing[1]);
-        worst = td_max_double(worst, td_max_double(td_abs(t->turn_closing), td_max_double(x, y)));
-        fastest = td_max_double(fastest, t->before[0] * t->before[0] + t->before[1] * t->before[1]);
-    }
-    return worst > s->tolerance + TD_CLOSING_SHARE * __builtin_sqrt(fastest);
-}
-
-/* Keeps the present impulses while further ones are solved for. */
-static void keep_impulses(const tree_step *s) {
-    for (int i = 0; i < s->count; i++) {
-        td_lock_body *t = &s->bodies[i];
-        t->kept[0] = t->impulse[0];
-        t->kept[1] = t->impulse[1];
-        t->kept[2] = t->turn_impulse;
-    }
-}
-
-/* Adds the impulses that were kept. */
-static void restore_impulses(const tree_step *s) {
-    for (int i = 0; i < s->count; i++) {
-        td_lock_body *t = &s->bodies[i];
-        t->impulse[0] += t->kept[0];
-        t->impulse[1] += t->kept[1];
-        t->turn_impulse += t->kept[2];
-    }
-}
-
-/* The velocities at the end of a part: all joints anew where gaps were closed; otherwise the
- * impulses of the mean velocity stay, and what velocities miss is corrected where it is too much.
- * `elapsed`: time from the start of the step. */
-static bool solve_end_velocity(tree_step *s, double elapsed) {
-    bool anew = closes_gaps(s);
-    s->closed |= anew;
-    double enough = TD_END_ERROR_MAX * td_gravity_speed(s->w);
-    turn_arms(s, true, elapsed);
-    set_targets(s, false);
-    if (!anew) {
-        s->residual = td_lock_tree_residual(s->bodies, s->count);
-        if (s->residual <= enough) {
-            return true;
-        }
-    }
-    for (int i = 0; i < s->count; i++) {
-        td_lock_body *t = &s->bodies[i];
-        t->turning = t->inertia;
+/* Sets the lane of a tree from its list. */
+static void set_lane(tree_group *g, int tree) {
+    const td_listed_body *list = g->list[tree];
+    double closing = 0.0;
+    for (int i = 0; i < g->trees.count; i++) {
+        const td_listed_body *from = &list[i];
+        td_lock_body *t = &g->trees.bodies[i];
+        t->mass[tree] = from->mass;
+        t->inertia[tree] = from->inertia;
         for (int k = 0; k < 3; k++) {
-            double free = anew ? t->before[k] + 2.0 * t->gain[k] : t->velocity[k];
-            t->momentum[k] = (k < 2 ? t->mass : t->inertia) * free;
+            t->velocity[k][tree] = from->velocity[k];
+            t->gain[k][tree] = from->gain[k];
+        }
+        for (int k = 0; k < 3 && !i; k++) {
+            t->outside[k][tree] = from->outside[k];
+        }
+        for (int k = 0; k < 2 && t->joined; k++) {
+            t->arm[k][tree] = from->arm[k];
+            t->holder[k][tree] = from->holder[k];
+            t->axis[k][tree] = from->axis[k];
+            t->gap[k][tree] = from->gap[k];
+            t->impulse[k][tree] = from->impulse[k];
+            closing = td_max_double(closing, td_abs(from->gap[k]) / g->step.time);
+        }
+        if (t->weld) {
+            t->turn_gap[tree] = from->turn_gap;
+            t->turn_impulse[tree] = from->impulse[2];
         }
     }
-    keep_impulses(s);
-    bool solved = solve(s);
-    s->residual = td_lock_tree_residual(s->bodies, s->count);
-    if (!anew) {
-        restore_impulses(s);
-    }
-    return solved;
+    double most = (double)(TD_JOINT_CLOSING_SPEED * g->w->length_scale);
+    g->trees.closing[tree] = td_min_double(closing, most);
+    g->trees.used[tree] = true;
 }
 
-/* ---- the result ---- */
-
-/* Twice the kinetic energy of a velocity. */
-static double energy_at(const td_lock_body *t, const double v[3]) {
-    return t->mass * (v[0] * v[0] + v[1] * v[1]) + (t->turns ? t->inertia * v[2] * v[2] : 0.0);
+/* The number of parts that the velocities after the step require. */
+static int parts_after(const tree_group *g, int tree) {
+    const td_listed_body *list = g->list[tree];
+    double fastest = 0.0;
+    for (int i = 0; i < g->trees.count; i++) {
+        double rate = td_abs(g->trees.bodies[i].velocity[2][tree]);
+        fastest = list[i].sweeps ? td_max_double(fastest, rate) : fastest;
+    }
+    return parts_for(g->w, g->island[tree], fastest);
 }
 
-/* Twice the kinetic energy of the larger of two velocities, component by component: before a part,
- * and after it without joints. */
-static double free_energy(const tree_step *s) {
-    double sum = 0.0;
-    for (int i = 0; i < s->count; i++) {
-        const td_lock_body *t = &s->bodies[i];
-        double v[3];
-        for (int k = 0; k < 3; k++) {
-            v[k] = td_max_double(td_abs(t->before[k]), td_abs(t->before[k] + t->gain[k]));
-        }
-        sum += energy_at(t, v);
-    }
-    return sum;
-}
-
-/* Twice the work that gravity, forces and damping have done in the step. */
-static double work_of_forces(const tree_step *s) {
-    double work = 0.0;
-    for (int i = 0; i < s->count; i++) {
-        const td_lock_body *t = &s->bodies[i];
-        work += t->mass * (t->gain[0] * t->moved[0] + t->gain[1] * t->moved[1]);
-        work += t->turns ? t->inertia * t->gain[2] * t->moved[2] : 0.0;
-    }
-    return 4.0 * work / s->part; /* a part adds 2 gain to a velocity */
-}
-
-static double energy_now(const tree_step *s) {
-    double sum = 0.0;
-    for (int i = 0; i < s->count; i++) {
-        sum += energy_at(&s->bodies[i], s->bodies[i].velocity);
-    }
-    return sum;
-}
-
-/* Takes from the velocities the energy that closing gaps has added: td_share_after_closing.
- * `allowed` is twice the kinetic energy that the island may have. */
-static void pay_for_closing(const tree_step *s, double allowed) {
-    double mass = 0.0, mean[2] = {0.0, 0.0};
-    for (int i = 0; i < s->count && !s->bodies[0].joined; i++) {
-        const td_lock_body *t = &s->bodies[i];
-        mass += t->mass;
-        mean[0] += t->mass * t->velocity[0];
-        mean[1] += t->mass * t->velocity[1];
-    }
-    double whole = mass > 0.0 ? (mean[0] * mean[0] + mean[1] * mean[1]) / mass : 0.0;
-    double share = td_share_after_closing(energy_now(s) - whole, allowed - whole);
-    for (int i = 0; i < s->count; i++) {
-        td_lock_body *t = &s->bodies[i];
-        for (int k = 0; k < 3; k++) {
-            double kept = k < 2 && mass > 0.0 ? mean[k] / mass : 0.0;
-            t->velocity[k] = kept + share * (t->velocity[k] - kept);
-        }
-    }
-}
-
-/* The mass of the island times the square of the speed at which gaps may close, for each of its
- * bodies. */
-static double energy_of_closing(const tree_step *s) {
-    double mass = 0.0, pushed = s->closing + td_gravity_speed(s->w);
-    for (int i = 0; i < s->count; i++) {
-        mass += s->bodies[i].mass;
-    }
-    return mass * pushed * pushed * s->count;
+/* The gap of a body's joint after the step: what both bodies have moved, and the lever arms. */
+static double gap_after(const td_lock_trees *trees, const td_lock_body *t, int k, int tree,
+                        double time) {
+    double held =
+        t->parent == TD_NONE ? time * t->outside[k][tree] : trees->bodies[t->parent].moved[k][tree];
+    double moved = t->moved[k][tree] - held;
+    return k == 2 ? t->turn_gap[tree] + moved
+                  : t->gap[k][tree] + moved + (t->arm_now[k][tree] - t->arm[k][tree]) -
+                        (t->holder_now[k][tree] - t->holder[k][tree]);
 }
 
 /* Keeps the result of a body and of its joint. */
-static void keep_result(const tree_step *s, td_lock_body *t, int parts, td_lock_result *result) {
-    *result = (td_lock_result){.slot = td_slot_in(&s->w->islands.slots,
-                                                  s->island->first_body + t->number),
-                               .block = t->joined ? t->block : NULL,
-                               .lane = t->lane};
-    clamp_velocity(s, t->velocity);
+static void keep_result(const tree_group *g, int i, int tree, td_lock_result *result) {
+    const td_listed_body *from = &g->list[tree][i];
+    const td_lock_body *t = &g->trees.bodies[i];
+    const thud_world *w = g->w;
+    *result = (td_lock_result){.slot = td_slot_in(&w->islands.slots,
+                                                  g->island[tree]->first_body + from->number),
+                               .block = from->block,
+                               .lane = from->lane};
     for (int k = 0; k < 3; k++) {
-        result->velocity[k] = (float)t->velocity[k];
-        result->moved[k] = (float)t->moved[k];
+        result->velocity[k] = (float)t->velocity[k][tree];
+        result->moved[k] = (float)t->moved[k][tree];
     }
     if (!t->joined) {
         return;
     }
-    double gap[2], x = t->axis[0], y = t->axis[1], of_substep = (double)parts / s->w->substeps;
-    double sign = t->sign, turn_sign = sign * (double)td_lock_rows_at(t->block)->turn_sign[t->lane];
-    gap_of(s, t, t->arm_now, t->holder_now, s->w->def.time_step, gap);
-    result->impulse[0] = (float)(of_substep * sign * (x * t->impulse[0] + y * t->impulse[1]));
-    result->impulse[1] = (float)(of_substep * sign * (x * t->impulse[1] - y * t->impulse[0]));
-    result->impulse[TD_DIRECT_TANGENT] = (float)(of_substep * turn_sign * t->turn_impulse);
-    result->separation[0] = (float)(sign * (x * gap[0] + y * gap[1]));
-    result->separation[1] = (float)(sign * (x * gap[1] - y * gap[0]));
-    result->turn_gap = (float)(turn_sign * turn_gap_of(s, t, s->w->def.time_step));
+    double x = from->axis[0], y = from->axis[1], sign = from->sign;
+    double turn_sign = sign * (double)td_lock_rows_at(from->block)->turn_sign[from->lane];
+    double of_substep = (double)g->trees.parts / w->substeps;
+    double along = t->impulse[0][tree], across = t->impulse[1][tree];
+    double gap_x = gap_after(&g->trees, t, 0, tree, g->step.time);
+    double gap_y = gap_after(&g->trees, t, 1, tree, g->step.time);
+    result->impulse[0] = (float)(of_substep * sign * (x * along + y * across));
+    result->impulse[1] = (float)(of_substep * sign * (x * across - y * along));
+    result->impulse[TD_DIRECT_TANGENT] = (float)(of_substep * turn_sign * t->turn_impulse[tree]);
+    result->separation[0] = (float)(sign * (x * gap_x + y * gap_y));
+    result->separation[1] = (float)(sign * (x * gap_y - y * gap_x));
+    result->turn_gap = (float)(turn_sign * gap_after(&g->trees, t, 2, tree, g->step.time));
 }
 
-/* The island as a tree, in `s`. False where it is none. */
-static bool set_up(tree_step *s) {
-    td_islands *islands = &s->w->islands;
-    td_listed_body *list = islands->listed.data;
-    int held, hold;
-    if (!list_joints(s, list, &held, &hold)) {
-        return false;
+/* Keeps the result of a tree. */
+static void keep_tree(tree_group *g, int tree) {
+    td_islands *s = &g->w->islands;
+    for (int i = 0; i < g->trees.count; i++) {
+        keep_result(g, i, tree, td_at(&s->results, g->island[tree]->first_body + i));
     }
-    set_order(s, list, held, hold);
-    bool sound = true;
-    s->closing = s->unbalanced = 0.0;
-    s->closed = false;
-    for (int i = 0; i < s->count; i++) {
-        td_lock_body *t = &s->bodies[i];
-        take_body(s, t);
-        if (t->joined) {
-            sound &= take_joint(s, t);
-            for (int k = 0; k < 2; k++) {
-                double speed = td_abs(t->gap[k]) / s->w->def.time_step;
-                s->closing = td_max_double(s->closing, speed);
+    s->trees_residual = td_max_float((float)g->trees.residual[tree], s->trees_residual);
+    g->kept[tree] = true;
+}
+
+/* Solves the trees whose lanes are set. Keeps their results; where velocities after the step
+ * require more parts than it had, sets their number in `parts` instead, else 0. */
+static void run(tree_group *g, int parts[TD_TREES]) {
+    TD_PICK_WIDE(g->w, td_lock_tree_parts)(&g->trees, &g->step);
+    for (int tree = 0; tree < TD_TREES; tree++) {
+        parts[tree] = 0;
+        if (!g->trees.used[tree]) {
+            continue;
+        }
+        int solutions = g->trees.factorings[tree];
+        g->w->stats.factorings += solutions;
+        g->w->stats.island_work += (int64_t)solutions * TREE_COST * g->trees.count;
+        int required = g->trees.solved[tree] ? parts_after(g, tree) : 0;
+        if (required > g->trees.parts) {
+            parts[tree] = required;
+        } else if (required > 0) {
+            keep_tree(g, tree);
+        }
+    }
+}
+
+/* Solves the trees of the group. Those whose velocities after the step require more parts are
+ * solved once more, in as many; then the result is kept whatever it would require. */
+static void solve_group(tree_group *g, int parts) {
+    int more[TD_TREES], ignored[TD_TREES];
+    g->trees.count = g->island[0]->bodies;
+    set_shape(g, g->list[0], parts);
+    for (int tree = 0; tree < g->used; tree++) {
+        g->kept[tree] = false;
+        set_lane(g, tree);
+    }
+    run(g, more);
+    for (int first = 0; first < g->used; first++) {
+        int required = more[first];
+        if (required == 0) {
+            continue;
+        }
+        set_shape(g, g->list[first], required);
+        for (int tree = first; tree < g->used; tree++) {
+            if (more[tree] == required) {
+                set_lane(g, tree);
+                more[tree] = 0;
+            }
+        }
+        run(g, ignored);
+        for (int tree = first; tree < g->used; tree++) {
+            if (ignored[tree] > 0) {
+                keep_tree(g, tree);
             }
         }
     }
-    double most = (double)(TD_JOINT_CLOSING_SPEED * s->w->length_scale);
-    s->closing = td_min_double(s->closing, most);
-    return sound;
-}
-
-/* Divides gains and impulses among the parts. */
-static void divide(tree_step *s, int parts) {
-    s->part = s->w->def.time_step / parts;
-    for (int i = 0; i < s->count; i++) {
-        td_lock_body *t = &s->bodies[i];
-        for (int k = 0; k < 3; k++) {
-            t->gain[k] /= parts;
-        }
-        scale_impulse(t, 1.0 / parts);
-    }
-}
-
-/* Solves all parts. False where one fails. */
-static bool solve_parts(tree_step *s, int parts) {
-    bool solved = true;
-    for (int part = 0; part < parts && solved; part++) {
-        for (int i = 0; i < s->count && part; i++) {
-            scale_impulse(&s->bodies[i], 0.5); /* those of the end are of the whole part */
-        }
-        begin_part(s, part * s->part);
-        solved = solve_mean_velocity(s);
-        if (solved) {
-            move(s);
-            solved = solve_end_velocity(s, (part + 1) * s->part);
-        }
-    }
-    return solved;
-}
-
-/* Solves the step in so many parts. False where a part fails, or the result is not plausible. */
-static bool solve_step(tree_step *s, int parts) {
-    td_island_energy energy = {.start = energy_now(s), .free = free_energy(s)};
-    divide(s, parts);
-    if (!solve_parts(s, parts)) {
-        return false;
-    }
-    const double *outside = s->bodies[0].outside;
-    bool pushed = outside[0] != 0.0 || outside[1] != 0.0 || outside[2] != 0.0;
-    energy.work = work_of_forces(s);
-    if (s->closed && !pushed) {
-        pay_for_closing(s, energy.start + energy.work);
-    }
-    energy.now = energy_now(s);
-    energy.free = parts > 1 ? td_max_double(energy.free, free_energy(s)) : energy.free;
-    energy.pushed = energy_of_closing(s);
-    return !td_gains_energy(&energy) &&
-           !td_gains_out_of_balance(&energy, s->unbalanced, s->tolerance);
-}
-
-/* Solves the step in as many parts as the velocities before it require; and once more where those
- * after it require more. Returns the number of parts, 0 where none leads to a result. */
-static int solve_in_parts(tree_step *s) {
-    int parts = parts_of(s);
-    bool solved = parts > 0 && solve_step(s, parts);
-    int required = solved ? parts_of(s) : 0;
-    if (required > parts) {
-        set_up(s);
-        solved = solve_step(s, required);
-        parts = required;
-    }
-    return solved && required > 0 ? parts : 0;
 }
 
 td_tree_outcome td_lock_tree_step(thud_world *w, const td_island *island,
                                   const td_direct_body *known) {
-    tree_step s = {.w = w,
-                   .island = island,
-                   .known = known,
-                   .bodies = w->islands.locks.data,
-                   .count = island->bodies,
-                   .tolerance = td_island_tolerance(w),
-                   .speed_max = (double)(w->def.maximum_speed * w->length_scale)};
-    int left = known ? LINKAGE_BUDGET : td_island_factoring_budget(w, (int64_t)TREE_COST * s.count);
-    s.factorings_max = TD_BUDGET_OF_JOINTS * left;
-    if (!set_up(&s)) {
-        return TD_TREE_REFUSED;
-    }
-    if (left == 0) {
+    td_listed_body *list = w->islands.listed.data;
+    if (!known && td_island_work_left(w) <= 0) {
         return TD_TREE_SPENT;
     }
-    int parts = solve_in_parts(&s);
-    w->stats.factorings += s.factorings;
-    w->stats.island_work += (int64_t)s.factorings * TREE_COST * s.count;
+    int parts = take_tree(w, island, known, list) ? parts_before(w, island, list) : 0;
     if (parts == 0) {
-        return s.factorings == s.factorings_max ? TD_TREE_SPENT : TD_TREE_REFUSED;
+        return TD_TREE_REFUSED;
     }
-    for (int i = 0; i < s.count; i++) {
-        keep_result(&s, &s.bodies[i], parts, td_at(&w->islands.results, island->first_body + i));
-    }
-    w->islands.tree_residual = (float)s.residual;
-    return TD_TREE_SOLVED;
+    tree_group g = group_of(w);
+    g.island[0] = island;
+    g.list[0] = list;
+    g.used = 1;
+    solve_group(&g, parts);
+    return g.kept[0] ? TD_TREE_SOLVED : TD_TREE_REFUSED;
 }
+
+/* The list of an island, in td_islands.listed. */
+static td_listed_body *list_at(const thud_world *w, const td_island *island) {
+    return TD_AT(td_listed_body, &w->islands.listed, island->first_body);
+}
+
+/* Takes islands as trees. Sets td_island.parts of those that are to be solved, and `tree` of the
+ * others. What trees may spend is divided by what they are expected to take, so that it does not
+ * matter which of them are solved side by side. */
+static void take_trees(thud_world *w) {
+    int64_t left = td_island_work_left(w);
+    for (int i = 0; i < w->islands.island.count; i++) {
+        td_island *island = TD_AT(td_island, &w->islands.island, i);
+        td_listed_body *list = list_at(w, island);
+        island->parts = 0;
+        island->tree = left > 0 ? TD_TREE_REFUSED : TD_TREE_SPENT;
+        if (left > 0 && take_tree(w, island, NULL, list)) {
+            island->parts = parts_before(w, island, list);
+            left -= (int64_t)island->parts * SOLUTIONS_OF_PART * TREE_COST * island->bodies;
+        }
+    }
+}
+
+/* Islands after the first of a group among which the others are looked for. Chosen. */
+enum { ISLANDS_AHEAD = 64 };
+
+void td_lock_trees_step(thud_world *w) {
+    tree_group g = group_of(w);
+    take_trees(w);
+    td_island *islands = w->islands.island.data;
+    for (int i = 0; i < w->islands.island.count; i++) {
+        td_island *members[TD_TREES], *first = &islands[i];
+        int end = td_min_int(i + ISLANDS_AHEAD, w->islands.island.count), parts = first->parts;
+        g.used = 0;
+        for (int j = i; j < end && parts > 0 && g.used < TD_TREES; j++) {
+            td_island *island = &islands[j];
+            const td_listed_body *list = list_at(w, island);
+            if (island->parts == parts && island->bodies == first->bodies &&
+                are_alike(list_at(w, first), list, island->bodies)) {
+                g.island[g.used] = members[g.used] = island;
+                g.list[g.used++] = list;
+                island->parts = 0;
+            }
+        }
+        if (g.used) {
+            solve_group(&g, parts);
+        }
+        for (int tree = 0; tree < g.used; tree++) {
+            members[tree]->tree = g.kept[tree] ? TD_TREE_SOLVED : TD_TREE_REFUSED;
+        }
+    }
+}
+
+/* ---- the result ---- */
 
 /* Writes the result of a joint to its lane. Returns whether its load keeps the island direct;
  * `known`: that of another joint does. */

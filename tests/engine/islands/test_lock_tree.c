@@ -8,13 +8,25 @@
 
 enum { BODIES_MOST = 40, TREES = 2000 };
 
-static void random_pair(uint64_t *seed, double out[2]) {
-    out[0] = random_in(seed, -1, 1);
-    out[1] = random_in(seed, -1, 1);
+/* A number for each tree. */
+static td_reals random_reals(uint64_t *seed) {
+    td_reals x;
+    for (int tree = 0; tree < TD_TREES; tree++) {
+        x[tree] = random_in(seed, -1, 1);
+    }
+    return x;
 }
 
-/* A tree of bodies whose masses differ by up to 10^6; its root may be joined to a body outside that
- * moves. */
+static td_reals random_power(uint64_t *seed) {
+    td_reals x = random_reals(seed);
+    for (int tree = 0; tree < TD_TREES; tree++) {
+        x[tree] = pow(10, 3 * x[tree]);
+    }
+    return x;
+}
+
+/* Trees of the same shape, of bodies whose masses differ by up to 10^6; their root may be joined to
+ * a body outside that moves. */
 static int grow(td_lock_body *bodies, uint64_t *seed) {
     int count = 1 + (int)random_in(seed, 0, BODIES_MOST);
     bool held = random_in(seed, 0, 1) < 0.5;
@@ -22,47 +34,66 @@ static int grow(td_lock_body *bodies, uint64_t *seed) {
         td_lock_body *t = &bodies[i];
         *t = (td_lock_body){.parent = i ? (int)random_in(seed, 0, i) : -1,
                             .joined = i || held,
-                            .weld = (i || held) && random_in(seed, 0, 1) < 0.3,
-                            .mass = pow(10, random_in(seed, -3, 3)),
-                            .turning = pow(10, random_in(seed, -3, 3))};
+                            .weld = (i || held) && random_in(seed, 0, 1) < 0.3};
+        t->mass = random_power(seed);
+        t->turning = random_power(seed);
         for (int k = 0; k < 3; k++) {
-            t->momentum[k] = random_in(seed, -1, 1) * (k < 2 ? t->mass : t->turning);
-            t->outside[k] = random_in(seed, -1, 1);
+            t->momentum[k] = random_reals(seed) * (k < 2 ? t->mass : t->turning);
+            t->outside[k] = random_reals(seed);
         }
-        if (t->joined) {
-            random_pair(seed, t->arm_now);
-            random_pair(seed, t->holder_now);
-            random_pair(seed, t->target);
-            t->turn_target = random_in(seed, -1, 1);
+        for (int k = 0; k < 2 && t->joined; k++) {
+            t->arm_now[k] = random_reals(seed);
+            t->holder_now[k] = random_reals(seed);
+            t->target[k] = random_reals(seed);
         }
+        t->turn_target = random_reals(seed);
     }
     return count;
 }
 
 /* What is left of a body's equation of motion: its momentum, minus that without joints, minus the
  * impulses of the joints that it hangs from and of those that hang from it. */
-static void assert_in_balance(const td_lock_body *bodies, int count, int body) {
+static void assert_in_balance(const td_lock_body *bodies, int count, int body, int tree) {
     const td_lock_body *t = &bodies[body];
     double left[3], size = 1e-12;
     for (int k = 0; k < 3; k++) {
-        left[k] = (k < 2 ? t->mass : t->turning) * t->velocity[k] - t->momentum[k];
-        size += fabs(t->momentum[k]);
+        double inertia = (k < 2 ? t->mass : t->turning)[tree];
+        left[k] = inertia * t->velocity[k][tree] - t->momentum[k][tree];
+        size += fabs(t->momentum[k][tree]);
     }
     for (int i = 0; i < count; i++) {
         const td_lock_body *joint = &bodies[i];
         if ((i == body && joint->joined) || (i && joint->parent == body)) {
             double sign = i == body ? 1 : -1;
-            const double *arm = i == body ? joint->arm_now : joint->holder_now;
-            left[0] -= sign * joint->impulse[0];
-            left[1] -= sign * joint->impulse[1];
-            left[2] -= sign * (arm[0] * joint->impulse[1] - arm[1] * joint->impulse[0] +
-                               joint->turn_impulse);
-            size += fabs(joint->impulse[0]) + fabs(joint->impulse[1]) + fabs(joint->turn_impulse);
+            const td_reals *arm = i == body ? joint->arm_now : joint->holder_now;
+            double x = joint->impulse[0][tree], y = joint->impulse[1][tree];
+            double turn = joint->turn_impulse[tree];
+            left[0] -= sign * x;
+            left[1] -= sign * y;
+            left[2] -= sign * (arm[0][tree] * y - arm[1][tree] * x + turn);
+            size += fabs(x) + fabs(y) + fabs(turn);
         }
     }
     for (int k = 0; k < 3; k++) {
         near_to(left[k] / size, 0, 1e-8);
     }
+}
+
+/* The variants that this processor runs. */
+static void solve(td_lock_body *bodies, int count, td_choice *which) {
+    const struct {
+        bool wide;
+    } of = {false};
+    TD_PICK_WIDE(&of, td_lock_tree_solve)(bodies, count, which);
+}
+
+static double residual(const td_lock_body *bodies, int count, int tree) {
+    const struct {
+        bool wide;
+    } of = {false};
+    td_reals all;
+    TD_PICK_WIDE(&of, td_lock_tree_residual)(bodies, count, &all);
+    return all[tree];
 }
 
 static void random_trees_keep_their_joints_and_their_balance(void **state) {
@@ -71,27 +102,67 @@ static void random_trees_keep_their_joints_and_their_balance(void **state) {
     for (int n = 0; n < TREES; n++) {
         td_lock_body bodies[BODIES_MOST];
         int count = grow(bodies, &seed);
-        double fastest = 1;
-        assert_true(td_lock_tree_solve(bodies, count));
-        for (int i = 0; i < count; i++) {
-            fastest = fmax(fastest, fabs(bodies[i].velocity[2]));
-            assert_in_balance(bodies, count, i);
-            assert_true(bodies[i].weld || bodies[i].turn_impulse == 0);
+        td_choice which = ~(td_choice){0};
+        solve(bodies, count, &which);
+        for (int tree = 0; tree < TD_TREES; tree++) {
+            double fastest = 1;
+            assert_true(which[tree]);
+            for (int i = 0; i < count; i++) {
+                fastest = fmax(fastest, fabs(bodies[i].velocity[2][tree]));
+                assert_in_balance(bodies, count, i, tree);
+                assert_true(bodies[i].weld || bodies[i].turn_impulse[tree] == 0);
+            }
+            assert_true(residual(bodies, count, tree) < 1e-12 * fastest);
         }
-        assert_true(td_lock_tree_residual(bodies, count) < 1e-12 * fastest);
         bodies[count / 2].target[0] += 1;
-        assert_true(!bodies[count / 2].joined || td_lock_tree_residual(bodies, count) > 0.9);
+        assert_true(!bodies[count / 2].joined || residual(bodies, count, 0) > 0.9);
+    }
+}
+
+/* A tree that is not chosen keeps its velocities and impulses, and one that fails does not touch
+ * the other. */
+static void trees_side_by_side_do_not_depend_on_each_other(void **state) {
+    (void)state;
+    uint64_t seed = 6;
+    for (int n = 0; n < TREES; n++) {
+        td_lock_body together[BODIES_MOST], alone[BODIES_MOST];
+        int count = grow(together, &seed), last = TD_TREES - 1;
+        bool kept = n % 2;
+        memcpy(alone, together, sizeof alone);
+        td_choice all = ~(td_choice){0}, one = {0};
+        one[last] = -1;
+        if (kept) {
+            all[0] = 0;
+        } else {
+            together[count - 1].momentum[0][0] = NAN;
+        }
+        solve(together, count, &all);
+        solve(alone, count, &one);
+        assert_true(all[last] && one[last] && !all[0]);
+        for (int i = 0; i < count; i++) {
+            for (int k = 0; k < 3; k++) {
+                assert_true(together[i].velocity[k][last] == alone[i].velocity[k][last]);
+                assert_true(together[i].velocity[k][0] == 0);
+            }
+            for (int k = 0; k < 2; k++) {
+                assert_true(together[i].impulse[k][last] == alone[i].impulse[k][last]);
+                assert_true(!kept || together[i].impulse[k][0] == 0);
+            }
+        }
     }
 }
 
 static void what_has_no_finite_solution_is_refused(void **state) {
     (void)state;
-    td_lock_body body = {.parent = -1, .mass = 1, .turning = 1, .momentum = {0, 0, 1e9}};
-    assert_false(td_lock_tree_solve(&body, 1));
-    body.momentum[2] = 1;
-    assert_true(td_lock_tree_solve(&body, 1));
-    body.mass = NAN;
-    assert_false(td_lock_tree_solve(&body, 1));
+    td_reals one = td_reals_all(1);
+    td_lock_body body = {.parent = -1, .mass = one, .turning = one};
+    const double turns[] = {1e9, NAN, 1};
+    for (int i = 0; i < 3; i++) {
+        td_choice which = {-1};
+        body.momentum[2] = td_reals_all(turns[i]);
+        solve(&body, 1, &which);
+        assert_int_equal(which[0], i == 2 ? -1 : 0);
+    }
 }
 
 /* A rope of twelve bars with two branches, of hinges and welds, that swings from its end; with
@@ -164,6 +235,7 @@ static void tree_moves_as_by_the_general_method(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_trees_keep_their_joints_and_their_balance),
+        cmocka_unit_test(trees_side_by_side_do_not_depend_on_each_other),
         cmocka_unit_test(what_has_no_finite_solution_is_refused),
         cmocka_unit_test(tree_moves_as_by_the_general_method),
     };

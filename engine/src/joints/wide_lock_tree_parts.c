@@ -1,0 +1,475 @@
+/* wide_lock_tree_parts.c: solves the step of trees of locks (lock_tree.h), part by part.
+ *
+ * The method is that of direct/island_step_joints.c: in each part the mean velocities v by Newton's
+ * method, with lever arms averaged over the motion (discrete gradients) and the geometric
+ * stiffness; then the velocities at the end, 2 v - v_before. A tree that has converged, or failed,
+ * keeps its velocities and impulses while the others of its vector go on. */
+#include "base/trig.h"
+#include "direct/joint_parts.h"
+#include "direct/lock_tree.h"
+#include "joints/joint.h"
+
+/* The step of the trees of a vector. */
+typedef struct tree_step {
+    td_lock_body *bodies;
+    int count;
+    const td_lock_step *of;
+    double part;         /* length of a part, s */
+    td_choice going;     /* trees whose step has not failed */
+    td_choice closed;    /* a part has closed gaps */
+    td_reals unbalanced; /* greatest moment out of balance after a part, as a speed: length/s */
+    td_reals residual;   /* greatest speed that a joint has at the end of a part, length/s */
+    int *factorings;     /* solutions, by tree */
+} tree_step;
+
+TD_INLINE td_choice nothing(void) {
+    return (td_choice){0};
+}
+
+/* ---- rotation ---- */
+
+/* Sine and cosine, by their series where the angle is small (td_joint_sincos). */
+TD_INLINE void sincos_of(td_reals angle, td_reals *s, td_reals *c) {
+    td_reals xx = angle * angle;
+    *s = angle *
+         (1.0 + xx * (-1.0 / 6 + xx * (1.0 / 120 + xx * (-1.0 / 5040 + xx * (1.0 / 362880)))));
+    *c =
+        1.0 + xx * (-0.5 + xx * (1.0 / 24 + xx * (-1.0 / 720 + xx * (1.0 / 40320 - xx / 3628800))));
+    td_choice large = ~(td_choice)(td_reals_abs(angle) <= TD_SERIES_ANGLE_MAX);
+    for (int i = 0; i < TD_TREES && td_choice_any(large); i++) {
+        if (large[i]) {
+            double sine, cosine;
+            td_sincos(angle[i], &sine, &cosine);
+            (*s)[i] = sine;
+            (*c)[i] = cosine;
+        }
+    }
+}
+
+/* The rotation by `angle`, or, with `mean`, its average while it grows to `angle`: by half of it,
+ * shortened by the ratio of chord to arc, so that an arm times the rotation is the chord by which
+ * its end moves. */
+TD_INLINE void rotation_of(td_reals angle, bool mean, td_reals rotation[2]) {
+    td_reals half = mean ? 0.5 * angle : angle;
+    sincos_of(half, &rotation[1], &rotation[0]);
+    if (mean) {
+        td_choice bent = (td_choice)(half * half >= TD_CHORD_IS_ARC);
+        td_reals shorter = td_reals_pick(bent, rotation[1] / half, td_reals_all(1.0));
+        rotation[0] *= shorter;
+        rotation[1] *= shorter;
+    }
+}
+
+/* Turns a lever arm by the rotation of its body. */
+TD_INLINE void turn_arm(const td_reals rotation[2], const td_reals from[2], td_reals to[2]) {
+    to[0] = rotation[0] * from[0] - rotation[1] * from[1];
+    to[1] = rotation[1] * from[0] + rotation[0] * from[1];
+}
+
+/* Sets arm_now and holder_now: at the end of the part, from its motion so far (`ended`), or
+ * averaged over the part at the present mean velocities. */
+TD_INLINE void turn_arms(const tree_step *s, bool ended, double elapsed) {
+    for (int i = 0; i < s->count; i++) {
+        td_lock_body *t = &s->bodies[i];
+        td_reals outside[2];
+        const td_reals *holder = outside;
+        rotation_of(ended ? t->moved[2] : s->part * t->velocity[2], !ended, t->rotation);
+        if (t->parent == TD_NONE) {
+            rotation_of(t->outside[2] * (ended ? elapsed : s->part), !ended, outside);
+        } else {
+            holder = s->bodies[t->parent].rotation;
+        }
+        turn_arm(t->rotation, ended ? t->arm : t->arm_before, t->arm_now);
+        turn_arm(holder, ended ? t->holder : t->holder_before, t->holder_now);
+    }
+}
+
+static void turn_arms_to_the_mean(const tree_step *s) {
+    turn_arms(s, false, 0.0);
+}
+
+static void turn_arms_to_the_end(const tree_step *s, double elapsed) {
+    turn_arms(s, true, elapsed);
+}
+
+/* ---- a part ---- */
+
+/* What the body that holds the joint has moved so far. */
+TD_INLINE td_reals held_motion(const tree_step *s, const td_lock_body *t, double elapsed, int k) {
+    return t->parent == TD_NONE ? elapsed * t->outside[k] : s->bodies[t->parent].moved[k];
+}
+
+TD_INLINE void scale_impulse(td_lock_body *t, double by) {
+    t->impulse[0] *= by;
+    t->impulse[1] *= by;
+    t->turn_impulse *= by;
+}
+
+TD_INLINE td_reals closing_of(const tree_step *s, td_reals gap, double unit) {
+    td_reals closing = td_reals_all(0.0);
+    for (int i = 0; i < TD_TREES; i++) {
+        closing[i] = s->going[i] ? td_joint_part_closing(s->of->world, gap[i], unit, s->part) : 0.0;
+    }
+    return closing;
+}
+
+/* Begins a part with the velocities at the end of the part before, and sets the speeds at which the
+ * gaps close in it. `elapsed`: time from the start of the step. */
+static void begin_part(const tree_step *s, double elapsed) {
+    double unit = (double)s->of->world->length_scale;
+    for (int i = 0; i < s->count; i++) {
+        td_lock_body *t = &s->bodies[i];
+        td_reals gap[2], x = t->axis[0], y = t->axis[1];
+        for (int k = 0; k < 3; k++) {
+            t->before[k] = t->velocity[k];
+        }
+        for (int k = 0; k < 2; k++) {
+            t->arm_before[k] = elapsed > 0.0 ? t->arm_now[k] : t->arm[k];
+            t->holder_before[k] = elapsed > 0.0 ? t->holder_now[k] : t->holder[k];
+            gap[k] = t->gap[k] + (t->moved[k] - held_motion(s, t, elapsed, k)) +
+                     (t->arm_before[k] - t->arm[k]) - (t->holder_before[k] - t->holder[k]);
+        }
+        if (!t->joined) {
+            continue;
+        }
+        td_reals u = closing_of(s, x * gap[0] + y * gap[1], unit);
+        td_reals v = closing_of(s, x * gap[1] - y * gap[0], unit);
+        t->closing[0] = x * u - y * v;
+        t->closing[1] = y * u + x * v;
+        if (t->weld) {
+            td_reals turned = t->moved[2] - held_motion(s, t, elapsed, 2);
+            t->turn_closing = closing_of(s, t->turn_gap + turned, 1.0);
+        }
+    }
+}
+
+/* Solves for the velocities of the trees of `which`. Those that fail leave the step. */
+TD_INLINE void solve(tree_step *s, td_choice which) {
+    for (int i = 0; i < TD_TREES; i++) {
+        s->factorings[i] += which[i] != 0;
+    }
+    td_choice solved = which;
+    TD_WIDE(td_lock_tree_solve)(s->bodies, s->count, &solved);
+    s->going &= ~which | solved;
+}
+
+TD_INLINE td_reals residual_of(const tree_step *s) {
+    td_reals residual;
+    TD_WIDE(td_lock_tree_residual)(s->bodies, s->count, &residual);
+    return residual;
+}
+
+/* Sets the joints' targets: the closing of their gaps, or no speed. */
+static void set_targets(const tree_step *s, bool close) {
+    td_reals zero = td_reals_all(0.0);
+    for (int i = 0; i < s->count; i++) {
+        td_lock_body *t = &s->bodies[i];
+        t->target[0] = close ? t->closing[0] : zero;
+        t->target[1] = close ? t->closing[1] : zero;
+        t->turn_target = close ? t->turn_closing : zero;
+    }
+}
+
+/* The moments of inertia with the geometric stiffness of the joints' impulses (island_step_joints.c
+ * describes it), and the momenta without those impulses. */
+static void set_momenta(const tree_step *s) {
+    double half = 0.5 * s->part;
+    td_reals zero = td_reals_all(0.0);
+    for (int i = s->count - 1; i >= 0; i--) {
+        td_lock_body *t = &s->bodies[i];
+        td_reals own = t->arm_now[0] * t->impulse[0] + t->arm_now[1] * t->impulse[1];
+        td_reals up = t->holder_now[0] * t->impulse[0] + t->holder_now[1] * t->impulse[1];
+        t->stiff += half * own;
+        if (t->parent != TD_NONE) {
+            s->bodies[t->parent].stiff -= half * up;
+        }
+        td_reals more = t->turns ? td_reals_max(t->stiff, TD_STIFFNESS_MIN * t->inertia) : zero;
+        t->turning = t->inertia + more;
+        t->momentum[0] = t->mass * (t->before[0] + t->gain[0]);
+        t->momentum[1] = t->mass * (t->before[1] + t->gain[1]);
+        t->momentum[2] = t->inertia * (t->before[2] + t->gain[2]) + more * t->velocity[2];
+        t->turned = t->velocity[2];
+        t->stiff = zero;
+    }
+}
+
+/* The greatest speed by which geometric stiffness has kept a body from turning freely
+ * (island_step_joints.c). */
+TD_INLINE td_reals unbalanced_speed(const tree_step *s) {
+    td_reals worst = td_reals_all(0.0);
+    for (int i = 0; i < s->count; i++) {
+        const td_lock_body *t = &s->bodies[i];
+        td_reals moment = (t->turning - t->inertia) * (t->velocity[2] - t->turned);
+        worst = td_reals_max(worst, moment * moment / (t->inertia * t->mass));
+    }
+    for (int i = 0; i < TD_TREES; i++) {
+        worst[i] = __builtin_sqrt(worst[i]);
+    }
+    return worst;
+}
+
+/* The mean velocities of a part, by Newton's method. A tree that does not converge leaves the step.
+ */
+static void solve_mean_velocity(tree_step *s) {
+    td_reals unbalanced = td_reals_all(0.0);
+    td_choice left = s->going;
+    set_targets(s, true);
+    for (int n = 0; n <= TD_NEWTON_ITERATIONS_MAX; n++) {
+        turn_arms_to_the_mean(s);
+        if (n) {
+            td_reals missing = residual_of(s);
+            bool last = n == TD_NEWTON_ITERATIONS_MAX;
+            td_choice near = (td_choice)(missing <= (last ? s->of->tolerance : s->of->enough));
+            td_choice balanced = (td_choice)(unbalanced <= TD_BALANCE_ENOUGH * s->of->tolerance);
+            left &= ~(last ? near : near & balanced);
+        }
+        if (!td_choice_any(left)) {
+            break;
+        }
+        if (n == TD_NEWTON_ITERATIONS_MAX) {
+            s->going &= ~left;
+            break;
+        }
+        set_momenta(s);
+        solve(s, left);
+        unbalanced = td_reals_pick(left, unbalanced_speed(s), unbalanced);
+        left &= s->going;
+    }
+    s->unbalanced = td_reals_max(s->unbalanced, unbalanced);
+}
+
+/* td_island_clamp_velocity */
+TD_INLINE td_reals clamp(td_reals x, double most) {
+    td_reals max = td_reals_all(most);
+    x = td_reals_pick((td_choice)(x > max), max, x);
+    return td_reals_pick((td_choice)(x < -max), -max, x);
+}
+
+static void clamp_velocity(const tree_step *s, td_lock_body *t) {
+    t->velocity[0] = clamp(t->velocity[0], s->of->speed_max);
+    t->velocity[1] = clamp(t->velocity[1], s->of->speed_max);
+    t->velocity[2] = clamp(t->velocity[2], (double)THUD_ANGULAR_SPEED_MAX);
+}
+
+/* Moves the bodies at their mean velocities, and extrapolates these to the end of the part. */
+static void move(const tree_step *s) {
+    for (int i = 0; i < s->count; i++) {
+        td_lock_body *t = &s->bodies[i];
+        clamp_velocity(s, t);
+        for (int k = 0; k < 3; k++) {
+            t->moved[k] += s->part * t->velocity[k];
+            t->velocity[k] = 2.0 * t->velocity[k] - t->before[k];
+        }
+        scale_impulse(t, 2.0);
+    }
+}
+
+/* Whether gaps close at a speed that is not negligible beside the bodies' own (closes_gaps of
+ * island_step_joints.c). */
+TD_INLINE td_choice closes_gaps(const tree_step *s) {
+    td_reals worst = td_reals_all(0.0), fastest = worst;
+    for (int i = 0; i < s->count; i++) {
+        const td_lock_body *t = &s->bodies[i];
+        td_reals x = td_reals_abs(t->closing[0]), y = td_reals_abs(t->closing[1]);
+        worst = td_reals_max(worst, td_reals_max(x, y));
+        worst = td_reals_max(worst, td_reals_abs(t->turn_closing));
+        fastest = td_reals_max(fastest, t->before[0] * t->before[0] + t->before[1] * t->before[1]);
+    }
+    for (int i = 0; i < TD_TREES; i++) {
+        fastest[i] = __builtin_sqrt(fastest[i]);
+    }
+    return (td_choice)(worst > s->of->tolerance + TD_CLOSING_SHARE * fastest);
+}
+
+/* The velocities at the end of a part: all joints anew where gaps were closed; otherwise the
+ * impulses of the mean velocity stay, and what velocities miss is corrected where it is too much.
+ * `elapsed`: time from the start of the step. */
+static void solve_end_velocity(tree_step *s, double elapsed) {
+    td_choice anew = closes_gaps(s);
+    td_reals zero = td_reals_all(0.0);
+    s->closed |= anew;
+    turn_arms_to_the_end(s, elapsed);
+    set_targets(s, false);
+    s->residual = residual_of(s);
+    td_choice which = (anew | (td_choice)(s->residual > s->of->end_enough)) & s->going;
+    if (!td_choice_any(which)) {
+        return;
+    }
+    for (int i = 0; i < s->count; i++) {
+        td_lock_body *t = &s->bodies[i];
+        t->turning = t->inertia;
+        for (int k = 0; k < 3; k++) {
+            td_reals free = td_reals_pick(anew, t->before[k] + 2.0 * t->gain[k], t->velocity[k]);
+            t->momentum[k] = (k < 2 ? t->mass : t->inertia) * free;
+        }
+        t->kept[0] = t->impulse[0];
+        t->kept[1] = t->impulse[1];
+        t->kept[2] = t->turn_impulse;
+    }
+    solve(s, which);
+    for (int i = 0; i < s->count; i++) {
+        td_lock_body *t = &s->bodies[i];
+        t->impulse[0] += td_reals_pick(which & ~anew, t->kept[0], zero);
+        t->impulse[1] += td_reals_pick(which & ~anew, t->kept[1], zero);
+        t->turn_impulse += td_reals_pick(which & ~anew, t->kept[2], zero);
+    }
+    s->residual = residual_of(s);
+}
+
+/* Solves all parts. Divides gains and impulses among them first. */
+static void solve_parts(tree_step *s, int parts) {
+    for (int i = 0; i < s->count; i++) {
+        td_lock_body *t = &s->bodies[i];
+        for (int k = 0; k < 3; k++) {
+            t->gain[k] /= (double)parts;
+        }
+        scale_impulse(t, 1.0 / parts);
+    }
+    for (int part = 0; part < parts && td_choice_any(s->going); part++) {
+        for (int i = 0; i < s->count && part; i++) {
+            scale_impulse(&s->bodies[i], 0.5); /* those of the end are of the whole part */
+        }
+        begin_part(s, part * s->part);
+        solve_mean_velocity(s);
+        move(s);
+        solve_end_velocity(s, (part + 1) * s->part);
+    }
+}
+
+/* ---- energy ---- */
+
+/* Twice the kinetic energy of a velocity. */
+TD_INLINE td_reals energy_at(const td_lock_body *t, const td_reals v[3]) {
+    td_reals energy = t->mass * (v[0] * v[0] + v[1] * v[1]);
+    return t->turns ? energy + t->inertia * v[2] * v[2] : energy;
+}
+
+TD_INLINE td_reals energy_now(const tree_step *s) {
+    td_reals sum = td_reals_all(0.0);
+    for (int i = 0; i < s->count; i++) {
+        sum += energy_at(&s->bodies[i], s->bodies[i].velocity);
+    }
+    return sum;
+}
+
+/* Twice the kinetic energy of the larger of two velocities, component by component: before a part,
+ * and after it without joints. */
+TD_INLINE td_reals free_energy(const tree_step *s) {
+    td_reals sum = td_reals_all(0.0);
+    for (int i = 0; i < s->count; i++) {
+        const td_lock_body *t = &s->bodies[i];
+        td_reals v[3];
+        for (int k = 0; k < 3; k++) {
+            v[k] =
+                td_reals_max(td_reals_abs(t->before[k]), td_reals_abs(t->before[k] + t->gain[k]));
+        }
+        sum += energy_at(t, v);
+    }
+    return sum;
+}
+
+/* Twice the work that gravity, forces and damping have done in the step. */
+TD_INLINE td_reals work_of_forces(const tree_step *s) {
+    td_reals work = td_reals_all(0.0);
+    for (int i = 0; i < s->count; i++) {
+        const td_lock_body *t = &s->bodies[i];
+        work += t->mass * (t->gain[0] * t->moved[0] + t->gain[1] * t->moved[1]);
+        work += t->turns ? t->inertia * t->gain[2] * t->moved[2] : td_reals_all(0.0);
+    }
+    return 4.0 * work / s->part; /* a part adds 2 gain to a velocity */
+}
+
+/* Takes from the velocities the energy that closing gaps has added: td_share_after_closing.
+ * `allowed` is twice the kinetic energy that a tree may have. Trees that are joined to a body that
+ * moves are left as they are. */
+TD_INLINE void pay_for_closing(const tree_step *s, td_reals allowed) {
+    td_reals zero = td_reals_all(0.0), mass = zero, mean[2] = {zero, zero}, whole = zero;
+    const td_lock_body *root = &s->bodies[0];
+    bool loose = !root->joined;
+    for (int i = 0; i < s->count && loose; i++) {
+        const td_lock_body *t = &s->bodies[i];
+        mass += t->mass;
+        mean[0] += t->mass * t->velocity[0];
+        mean[1] += t->mass * t->velocity[1];
+    }
+    if (loose) {
+        whole = (mean[0] * mean[0] + mean[1] * mean[1]) / mass;
+        mean[0] /= mass;
+        mean[1] /= mass;
+    }
+    td_reals now = energy_now(s), share = td_reals_all(1.0);
+    for (int i = 0; i < TD_TREES; i++) {
+        bool pushed =
+            root->outside[0][i] != 0.0 || root->outside[1][i] != 0.0 || root->outside[2][i] != 0.0;
+        if (s->closed[i] && !pushed) {
+            share[i] = td_share_after_closing(now[i] - whole[i], allowed[i] - whole[i]);
+        }
+    }
+    for (int i = 0; i < s->count; i++) {
+        td_lock_body *t = &s->bodies[i];
+        for (int k = 0; k < 3; k++) {
+            td_reals kept = k < 2 ? mean[k] : zero;
+            t->velocity[k] = kept + share * (t->velocity[k] - kept);
+        }
+    }
+}
+
+/* The mass of a tree times the square of the speed at which gaps may close, for each of its bodies.
+ */
+TD_INLINE td_reals energy_of_closing(const tree_step *s, td_reals closing) {
+    td_reals mass = td_reals_all(0.0), pushed = closing + s->of->gravity_speed;
+    for (int i = 0; i < s->count; i++) {
+        mass += s->bodies[i].mass;
+    }
+    return mass * pushed * pushed * (double)s->count;
+}
+
+/* ---- the step ---- */
+
+/* The results that are plausible. */
+TD_INLINE void check_energy(const td_lock_trees *trees, const tree_step *s, td_reals start,
+                            td_reals free, td_reals work, bool *solved) {
+    td_reals now = energy_now(s), pushed = energy_of_closing(s, trees->closing);
+    free = td_reals_max(free, free_energy(s));
+    for (int i = 0; i < TD_TREES; i++) {
+        td_island_energy energy = {.start = start[i],
+                                   .now = now[i],
+                                   .work = work[i],
+                                   .free = free[i],
+                                   .pushed = pushed[i]};
+        solved[i] = s->going[i] && !td_gains_energy(&energy) &&
+                    !td_gains_out_of_balance(&energy, s->unbalanced[i], s->of->tolerance);
+    }
+}
+
+td_lock_tree_parts_fn TD_WIDE(td_lock_tree_parts);
+void TD_WIDE(td_lock_tree_parts)(td_lock_trees *trees, const td_lock_step *step) {
+    tree_step s = {.bodies = trees->bodies,
+                   .count = trees->count,
+                   .of = step,
+                   .part = step->time / trees->parts,
+                   .going = nothing(),
+                   .closed = nothing(),
+                   .factorings = trees->factorings};
+    for (int i = 0; i < TD_TREES; i++) {
+        trees->factorings[i] = 0;
+        s.going[i] = trees->used[i] ? -1 : 0;
+    }
+    td_reals start = energy_now(&s);
+    for (int i = 0; i < s.count; i++) {
+        for (int k = 0; k < 3; k++) {
+            s.bodies[i].before[k] = s.bodies[i].velocity[k];
+        }
+    }
+    td_reals free = free_energy(&s);
+    solve_parts(&s, trees->parts);
+    td_reals work = work_of_forces(&s);
+    if (td_choice_any(s.closed & s.going)) {
+        pay_for_closing(&s, start + work);
+    }
+    check_energy(trees, &s, start, free, work, trees->solved);
+    for (int i = 0; i < s.count; i++) {
+        clamp_velocity(&s, &s.bodies[i]);
+    }
+    trees->residual = s.residual;
+}
