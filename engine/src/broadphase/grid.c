@@ -124,7 +124,7 @@ static uint32_t table_size_for(int64_t n) {
 
 /* Sets each level's cell width and table; returns the length of `starts`. A table has at least two
  * cells a shape; a level is hashed where its rectangle has more than twice as many cells as that.
- * The slack is 1/16 of the cell: with more, cells hold more shapes, which all are tested; with
+ * The slack is half of the cell: with more, cells hold more shapes, which all are tested; with
  * less, shapes leave their cells sooner, and the grid is built again. Both chosen; not tuned. */
 static int choose_tables(td_proxy_set *grid, bool few_moved) {
     int first = 0, starts = 0;
@@ -135,7 +135,7 @@ static int choose_tables(td_proxy_set *grid, bool few_moved) {
         if (!level->count) {
             continue;
         }
-        level->slack = few_moved ? (int32_t)(level->cell / 16) : 0;
+        level->slack = few_moved ? (int32_t)(level->cell / 2) : 0;
         level->cell += 2 + 2 * (int64_t)level->slack;
         /* Less than 1 / cell by 2^-16 of it: rounding must never put shapes that overlap two cells
          * apart. 2 quanta of the width are for the rounding of the centres. */

@@ -45,6 +45,10 @@ void td_pairs_filter(thud_world *w, int first) {
     pairs->count = kept_count;
 }
 
+/* So few pairs are sorted by insertion: clearing and adding up the tables of a radix sort takes
+ * longer. Chosen; not tuned. */
+enum { INSERTED_MAX = 32 };
+
 /* The radix sort goes by digits of 8 bits: its table of 256 counts fits the first cache. */
 enum { DIGIT_BITS = 8, BUCKETS = 1 << DIGIT_BITS };
 
@@ -65,6 +69,11 @@ static void sort_pass(const td_new_pair *from, td_new_pair *to, int count, bool 
     }
 }
 
+/* By which pairs are sorted: shape a, then shape b. */
+static int64_t key_of(const td_new_pair *pair) {
+    return (int64_t)pair->a << 32 | pair->b;
+}
+
 bool td_pairs_sort(thud_world *w) {
     td_array *pairs = &w->scratch.pairs;
     int count = pairs->count;
@@ -72,10 +81,20 @@ bool td_pairs_sort(thud_world *w) {
         return false;
     }
     td_new_pair *from = pairs->data, *to = count ? from + count : from;
+    bool few = count <= INSERTED_MAX;
     for (int i = 0; i < count; i++) {
-        if (from[i].a > from[i].b) {
-            from[i] = (td_new_pair){from[i].b, from[i].a, from[i].child};
+        td_new_pair pair = from[i];
+        if (pair.a > pair.b) {
+            pair = (td_new_pair){pair.b, pair.a, pair.child};
         }
+        int at = i;
+        for (; few && at > 0 && key_of(&from[at - 1]) > key_of(&pair); at--) {
+            from[at] = from[at - 1];
+        }
+        from[at] = pair;
+    }
+    if (few) {
+        return true;
     }
     for (int second = 1; second >= 0; second--) {
         for (int shift = 0; w->shapes.count >> shift > 0; shift += DIGIT_BITS) {

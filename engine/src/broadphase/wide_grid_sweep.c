@@ -35,6 +35,18 @@ TD_INLINE bool scan_cells(scan *s, const td_level *level, uint32_t cell, uint32_
     return true;
 }
 
+/* Tests the shapes in `rows` rows of n cells, the first from (column, row) on. */
+TD_INLINE bool scan_rows(scan *s, const td_level *level, int64_t column, int64_t row, uint32_t n,
+                         int64_t rows, scan_filter which) {
+    uint32_t cell = td_grid_cell(level, column, row);
+    for (; rows > 0; rows--, cell += level->row) {
+        if (!scan_cells(s, level, cell, n, which)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* Tests all shapes of a level. */
 TD_INLINE bool scan_level(scan *s, const td_level *level, scan_filter which) {
     if (!reserve_hits(s, level->count)) {
@@ -87,12 +99,7 @@ TD_INLINE bool scan_neighbourhood(scan *s, const td_level *level, double x, doub
         return scan_level(s, level, which);
     }
     int64_t column = (int64_t)(x * level->inv_cell), row = (int64_t)(y * level->inv_cell);
-    for (int64_t r = row - 1; r <= row + 1; r++) {
-        if (!scan_cells(s, level, td_grid_cell(level, column - 1, r), 3, which)) {
-            return false;
-        }
-    }
-    return true;
+    return scan_rows(s, level, column - 1, row - 1, 3, 3, which);
 }
 
 /* Whether two of the rows of n cells from (column, row) on share cells of a hashed table, so that a
@@ -154,12 +161,7 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b,
         (level->hashed && rows_overlap(level, c0, r0, (uint32_t)(c1 - c0 + 1), r1 - r0 + 1))) {
         return scan_level(s, level, which);
     }
-    for (int64_t r = r0; r <= r1; r++) {
-        if (!scan_cells(s, level, td_grid_cell(level, c0, r), (uint32_t)(c1 - c0 + 1), which)) {
-            return false;
-        }
-    }
-    return true;
+    return scan_rows(s, level, c0, r0, (uint32_t)(c1 - c0 + 1), r1 - r0 + 1, which);
 }
 
 /* Tests the i-th shape against the levels other than its own. `every`: every shape searches, so
