@@ -140,8 +140,8 @@ static int choose_tables(td_proxy_set *grid, bool few_moved) {
         /* Less than 1 / cell by 2^-16 of it: rounding must never put shapes that overlap two cells
          * apart. 2 quanta of the width are for the rounding of the centres. */
         level->inv_cell = (1.0 - 1.0 / 65536.0) / (double)level->cell;
-        int64_t columns = td_grid_index(grid->end_x, grid->origin_x, level->inv_cell) + 3;
-        int64_t rows = td_grid_index(grid->end_y, grid->origin_y, level->inv_cell) + 3;
+        int64_t columns = td_grid_index(grid->end_x - grid->origin_x, level->inv_cell) + 3;
+        int64_t rows = td_grid_index(grid->end_y - grid->origin_y, level->inv_cell) + 3;
         uint32_t table = table_size_for(2 * (int64_t)level->count);
         int64_t max = 2 * (int64_t)table;
         level->hashed = columns > max || rows > max || columns * rows > max;
@@ -263,8 +263,8 @@ static bool build(thud_world *w, td_proxy_set *grid, bool few_moved) {
 /* Whether the middle of a moved shape's bounds, along one axis, is within the slack of its anchor.
  */
 static bool is_near_anchor(int32_t anchor, int32_t low, int32_t high, int32_t slack) {
-    int32_t drift = td_wrap_sub(td_middle(low, high), anchor);
-    return drift <= slack && drift >= -slack;
+    uint32_t drift = (uint32_t)td_wrap_sub(td_middle(low, high), anchor);
+    return drift + (uint32_t)slack <= 2u * (uint32_t)slack;
 }
 
 /* The level of the shape at an index of `ids`. */

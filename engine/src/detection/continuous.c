@@ -240,8 +240,8 @@ static bool begin_sweep(sweep *s, thud_world *w, td_awake_slot slot, td_array *h
     s->hits = hits;
     s->memory = memory;
     td_position end = td_pose_at(w, s->body)->center;
-    s->swept.start = (td_position){end.x - td_length_from(w, delta[0]),
-                                   end.y - td_length_from(w, delta[1])};
+    s->swept.start =
+        (td_position){end.x - td_length_from(w, delta[0]), end.y - td_length_from(w, delta[1])};
     s->swept.bounds = swept_bounds(s, end);
     s->swept.far = false;
     return find_obstacles(s);
