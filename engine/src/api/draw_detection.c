@@ -23,8 +23,8 @@ void td_draw_cells(const td_drawing *d) {
             int64_t x = td_unwrap(b->min_x, at->x) + td_wrap_sub(b->max_x, b->min_x) / 2;
             int64_t y = td_unwrap(b->min_y, at->y) + td_wrap_sub(b->max_y, b->min_y) / 2;
             /* Two cells may have the same hash; their column and row tell them apart. */
-            x = td_grid_index(x, grid->origin_x, level->inv_cell);
-            y = td_grid_index(y, grid->origin_y, level->inv_cell);
+            x = td_grid_index(x - grid->origin_x, level->inv_cell);
+            y = td_grid_index(y - grid->origin_y, level->inv_cell);
             if (i > level->first && x == column && y == row) {
                 continue;
             }

@@ -124,7 +124,7 @@ static uint32_t table_size_for(int64_t n) {
 
 /* Sets each level's cell width and table; returns the length of `starts`. A table has at least two
  * cells a shape; a level is hashed where its rectangle has more than twice as many cells as that.
- * The slack is 1/16 of the cell: with more, cells hold more shapes, which all are tested; with
+ * The slack is half of the cell: with more, cells hold more shapes, which all are tested; with
  * less, shapes leave their cells sooner, and the grid is built again. Both chosen; not tuned. */
 static int choose_tables(td_proxy_set *grid, bool few_moved) {
     int first = 0, starts = 0;
@@ -135,13 +135,13 @@ static int choose_tables(td_proxy_set *grid, bool few_moved) {
         if (!level->count) {
             continue;
         }
-        level->slack = few_moved ? (int32_t)(level->cell / 16) : 0;
+        level->slack = few_moved ? (int32_t)(level->cell / 2) : 0;
         level->cell += 2 + 2 * (int64_t)level->slack;
         /* Less than 1 / cell by 2^-16 of it: rounding must never put shapes that overlap two cells
          * apart. 2 quanta of the width are for the rounding of the centres. */
         level->inv_cell = (1.0 - 1.0 / 65536.0) / (double)level->cell;
-        int64_t columns = td_grid_index(grid->end_x, grid->origin_x, level->inv_cell) + 3;
-        int64_t rows = td_grid_index(grid->end_y, grid->origin_y, level->inv_cell) + 3;
+        int64_t columns = td_grid_index(grid->end_x - grid->origin_x, level->inv_cell) + 3;
+        int64_t rows = td_grid_index(grid->end_y - grid->origin_y, level->inv_cell) + 3;
         uint32_t table = table_size_for(2 * (int64_t)level->count);
         int64_t max = 2 * (int64_t)table;
         level->hashed = columns > max || rows > max || columns * rows > max;
@@ -263,8 +263,8 @@ static bool build(thud_world *w, td_proxy_set *grid, bool few_moved) {
 /* Whether the middle of a moved shape's bounds, along one axis, is within the slack of its anchor.
  */
 static bool is_near_anchor(int32_t anchor, int32_t low, int32_t high, int32_t slack) {
-    int32_t drift = td_wrap_sub(td_middle(low, high), anchor);
-    return drift <= slack && drift >= -slack;
+    uint32_t drift = (uint32_t)td_wrap_sub(td_middle(low, high), anchor);
+    return drift + (uint32_t)slack <= 2u * (uint32_t)slack;
 }
 
 /* The level of the shape at an index of `ids`. */

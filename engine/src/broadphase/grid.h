@@ -76,11 +76,11 @@ typedef bool td_grid_measure_fn(const td_shape_proxy *proxy, td_grid_measures *m
 /* Fills `cell` from x, y and level. */
 typedef void td_grid_cells_fn(const td_level *levels, td_grid_measures *measures);
 
-/* floor((coarse - origin) * inv_cell): the column or row of a coordinate in bounds quanta. */
-static inline int64_t td_grid_index(int64_t coarse, int64_t origin, double inv_cell) {
-    double x = (double)(coarse - origin) * inv_cell;
-    int64_t i = (int64_t)x;
-    return (double)i > x ? i - 1 : i;
+/* The column or row at a distance from the origin, bounds quanta. No centre that was sorted is
+ * below the origin, so that truncation rounds down; a shape that has moved there since keeps its
+ * cell. */
+static inline int64_t td_grid_index(int64_t distance, double inv_cell) {
+    return (int64_t)((double)distance * inv_cell);
 }
 
 /* The index of a cell in its level's table: see above. */

@@ -45,15 +45,28 @@ void td_pairs_filter(thud_world *w, int first) {
     pairs->count = kept_count;
 }
 
+/* So few pairs are sorted by insertion: clearing and adding up the tables of a radix sort takes
+ * longer. Chosen; not tuned. */
+enum { INSERTED_MAX = 32 };
+
+/* By which pairs are sorted: shape a, then shape b. */
+static uint64_t key_of(const td_new_pair *pair) {
+    return (uint64_t)(uint32_t)pair->a << 32 | (uint32_t)pair->b;
+}
+
 /* The radix sort goes by digits of 8 bits: its table of 256 counts fits the first cache. */
 enum { DIGIT_BITS = 8, BUCKETS = 1 << DIGIT_BITS };
 
-/* One stable pass of a radix sort, by the digit at bit `shift` of shape a, or of shape b where
- * `second`. */
-static void sort_pass(const td_new_pair *from, td_new_pair *to, int count, bool second, int shift) {
+/* The digit of a pair's key at bit `shift`. */
+static unsigned digit_of(const td_new_pair *pair, int shift) {
+    return (unsigned)(key_of(pair) >> shift) & (BUCKETS - 1);
+}
+
+/* One stable pass of a radix sort, by the digit at bit `shift`. */
+static void sort_pass(const td_new_pair *from, td_new_pair *to, int count, int shift) {
     int starts[BUCKETS] = {0}, sum = 0;
     for (int i = 0; i < count; i++) {
-        starts[(second ? from[i].b : from[i].a) >> shift & (BUCKETS - 1)]++;
+        starts[digit_of(&from[i], shift)]++;
     }
     for (int i = 0; i < BUCKETS; i++) {
         int here = starts[i];
@@ -61,7 +74,7 @@ static void sort_pass(const td_new_pair *from, td_new_pair *to, int count, bool 
         sum += here;
     }
     for (int i = 0; i < count; i++) {
-        to[starts[(second ? from[i].b : from[i].a) >> shift & (BUCKETS - 1)]++] = from[i];
+        to[starts[digit_of(&from[i], shift)]++] = from[i];
     }
 }
 
@@ -72,14 +85,23 @@ bool td_pairs_sort(thud_world *w) {
         return false;
     }
     td_new_pair *from = pairs->data, *to = count ? from + count : from;
+    bool few = count <= INSERTED_MAX;
     for (int i = 0; i < count; i++) {
-        if (from[i].a > from[i].b) {
-            from[i] = (td_new_pair){from[i].b, from[i].a, from[i].child};
+        td_new_pair pair = from[i];
+        pair.a = td_min_int(from[i].a, from[i].b);
+        pair.b = td_max_int(from[i].a, from[i].b);
+        int at = i;
+        for (; few && at > 0 && key_of(&from[at - 1]) > key_of(&pair); at--) {
+            from[at] = from[at - 1];
         }
+        from[at] = pair;
     }
-    for (int second = 1; second >= 0; second--) {
-        for (int shift = 0; w->shapes.count >> shift > 0; shift += DIGIT_BITS) {
-            sort_pass(from, to, count, second, shift);
+    if (few) {
+        return true;
+    }
+    for (int shift = 0; shift < 64; shift += DIGIT_BITS) {
+        if (w->shapes.count >> shift % 32 > 0) { /* else the digit is 0 in all keys */
+            sort_pass(from, to, count, shift);
             td_new_pair *t = from;
             from = to;
             to = t;

@@ -35,6 +35,18 @@ TD_INLINE bool scan_cells(scan *s, const td_level *level, uint32_t cell, uint32_
     return true;
 }
 
+/* Tests the shapes in `rows` rows of n cells, the first from (column, row) on. */
+TD_INLINE bool scan_rows(scan *s, const td_level *level, int64_t column, int64_t row, uint32_t n,
+                         int64_t rows, scan_filter which) {
+    uint32_t cell = td_grid_cell(level, column, row);
+    for (; rows > 0; rows--, cell += level->row) {
+        if (!scan_cells(s, level, cell, n, which)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* Tests all shapes of a level. */
 TD_INLINE bool scan_level(scan *s, const td_level *level, scan_filter which) {
     if (!reserve_hits(s, level->count)) {
@@ -80,29 +92,21 @@ TD_INLINE bool scan_half(scan *s, const td_level *level, int i, uint32_t cell, b
 }
 
 /* Tests the shapes of a coarser level in the 3 x 3 cells about a centre, which is given in bounds
- * quanta from the grid's origin and not negative. */
+ * quanta from the grid's origin and not negative. These rows share no cell of a hashed table: two
+ * of three consecutive ones are at least 0.23 of the table apart, which has 64 cells or more. */
 TD_INLINE bool scan_neighbourhood(scan *s, const td_level *level, double x, double y,
                                   scan_filter which) {
     if (level->count <= SCAN_WHOLE_MAX) {
         return scan_level(s, level, which);
     }
     int64_t column = (int64_t)(x * level->inv_cell), row = (int64_t)(y * level->inv_cell);
-    for (int64_t r = row - 1; r <= row + 1; r++) {
-        if (!scan_cells(s, level, td_grid_cell(level, column - 1, r), 3, which)) {
-            return false;
-        }
-    }
-    return true;
+    return scan_rows(s, level, column - 1, row - 1, 3, 3, which);
 }
 
 /* Whether two of the rows of n cells from (column, row) on share cells of a hashed table, so that a
- * shape could be found twice. The rows of a 3 x 3 window never do: two of three consecutive rows
- * are at least 0.23 of the table apart, which has 64 cells or more. */
+ * shape could be found twice. */
 TD_INLINE bool rows_overlap(const td_level *level, int64_t column, int64_t row, uint32_t n,
                             int64_t rows) {
-    if (n <= 3 && rows <= 3) {
-        return false;
-    }
     if (rows > HASHED_ROWS_MAX || n > (level->mask + 1) / 2) {
         return true;
     }
@@ -136,30 +140,26 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b,
     if (x0 > grid->end_x || x1 < grid->origin_x || y0 > grid->end_y || y1 < grid->origin_y) {
         return true;
     }
-    int64_t c0 = td_grid_index(x0, grid->origin_x, level->inv_cell);
-    int64_t c1 = td_grid_index(x1, grid->origin_x, level->inv_cell);
-    int64_t r0 = td_grid_index(y0, grid->origin_y, level->inv_cell);
-    int64_t r1 = td_grid_index(y1, grid->origin_y, level->inv_cell);
+    /* No centre is below the origin. */
+    int64_t c0 = td_grid_index(x0 < grid->origin_x ? 0 : x0 - grid->origin_x, level->inv_cell);
+    int64_t r0 = td_grid_index(y0 < grid->origin_y ? 0 : y0 - grid->origin_y, level->inv_cell);
+    int64_t c1 = td_grid_index(x1 - grid->origin_x, level->inv_cell);
+    int64_t r1 = td_grid_index(y1 - grid->origin_y, level->inv_cell);
     if (!level->hashed) {
-        int64_t columns = level->row, rows = (int64_t)(level->mask + 1) / columns;
-        c0 = c0 < 0 ? 0 : c0;
-        r0 = r0 < 0 ? 0 : r0;
+        int64_t columns = level->row, cells = (int64_t)level->mask + 1;
         c1 = c1 > columns - 2 ? columns - 2 : c1;
-        r1 = r1 > rows - 2 ? rows - 2 : r1;
+        if ((r1 + 2) * columns > cells) { /* rare; spares the others the division */
+            r1 = cells / columns - 2;
+        }
     }
-    if (c1 < c0 || r1 < r0) {
+    if (c1 < c0) {
         return true;
     }
     if (c1 - c0 + 1 > level->count || r1 - r0 + 1 > level->count ||
         (level->hashed && rows_overlap(level, c0, r0, (uint32_t)(c1 - c0 + 1), r1 - r0 + 1))) {
         return scan_level(s, level, which);
     }
-    for (int64_t r = r0; r <= r1; r++) {
-        if (!scan_cells(s, level, td_grid_cell(level, c0, r), (uint32_t)(c1 - c0 + 1), which)) {
-            return false;
-        }
-    }
-    return true;
+    return scan_rows(s, level, c0, r0, (uint32_t)(c1 - c0 + 1), r1 - r0 + 1, which);
 }
 
 /* Tests the i-th shape against the levels other than its own. `every`: every shape searches, so
@@ -185,22 +185,14 @@ TD_INLINE bool scan_other_levels(scan *s, int own, int i, td_position near_posit
     return true;
 }
 
-/* The number of levels that have shapes. */
-static int levels_in_use(const td_proxy_set *grid) {
-    int used = 0;
-    for (int l = 0; l < TD_LEVELS; l++) {
-        used += grid->levels[l].count > 0;
-    }
-    return used;
-}
-
 td_sweep_fn TD_WIDE(td_grid_sweep);
 bool TD_WIDE(td_grid_sweep)(const td_proxy_set *grid, td_memory *memory,
                             const td_shape_proxy *proxy, td_array *hits, td_hits_fn *report,
                             void *context, int64_t *tested) {
     scan s = begin_scan(grid, memory, hits);
     const int32_t *cells = grid->cells.data;
-    bool every = td_sweeps_every(grid), one_level = levels_in_use(grid) == 1;
+    bool every = td_sweeps_every(grid);
+    bool one_level = grid->levels[TD_LEVELS - 1].count == grid->ids.count;
     for (int l = 0; l < TD_LEVELS; l++) {
         const td_level *level = &grid->levels[l];
         if (level->count == 0) {

@@ -65,12 +65,6 @@ static int lanes_a_block(int bin) {
     return bin != TD_SLEEPING && bin % TD_COLOURS == TD_OVERFLOW ? 1 : TD_LANES;
 }
 
-/* The number of blocks that `lanes` lanes of the bin need. */
-static int blocks_for(int bin, int lanes) {
-    int size = lanes_a_block(bin);
-    return (lanes + size - 1) / size;
-}
-
 /* Takes an empty block from the pool, where one must be reserved. Returns its index. */
 static int take_block(thud_world *w, int kind) {
     td_slots *pool = pool_of(w, kind);
@@ -132,6 +126,8 @@ static int bin_grow(thud_world *w, int kind, int index, int *lane) {
         bin->tail = block;
     }
     w->scratch.sequenced &= !full;
+    int *bin_end = &w->scratch.bin_end[index / TD_COLOURS];
+    *bin_end = td_max_int(*bin_end, index + 1);
     bin->lanes++;
     *lane = td_block_at(w, kind, bin->tail)->used++;
     return bin->tail;
@@ -204,21 +200,8 @@ static void place(thud_world *w, int index, int bin) {
     constraint->slot = block * TD_LANES + lane;
 }
 
-/* Numbers of lanes by which bins are to grow. */
-typedef int lane_counts[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND];
-
-/* Reserves the blocks that bins need when they grow by `grown`. False when memory is short. */
-static bool reserve_grown(thud_world *w, lane_counts grown) {
-    int more[TD_FORM_COUNT] = {0};
-    for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
-        for (int bin = 0; bin < TD_BINS_A_KIND && w->kinds[kind]; bin++) {
-            if (grown[kind][bin]) {
-                int lanes = w->bins[kind][bin].lanes;
-                more[w->kinds[kind]->form] +=
-                    blocks_for(bin, lanes + grown[kind][bin]) - blocks_for(bin, lanes);
-            }
-        }
-    }
+/* Reserves so many blocks of each form. False when memory is short. */
+static bool reserve_blocks(thud_world *w, const int more[TD_FORM_COUNT]) {
     for (int form = 0; form < TD_FORM_COUNT; form++) {
         if (!td_slots_reserve(&w->memory, &w->pool[form], more[form])) {
             return false;
@@ -241,12 +224,7 @@ bool td_lanes_reserve_sleeping(thud_world *w) {
             more[w->kinds[kind]->form] += used + 1;
         }
     }
-    for (int form = 0; form < TD_FORM_COUNT; form++) {
-        if (!td_slots_reserve(&w->memory, &w->pool[form], more[form])) {
-            return false;
-        }
-    }
-    return true;
+    return reserve_blocks(w, more);
 }
 
 /* How many constraints ahead of the loop each record is prefetched: far enough that the record
@@ -299,7 +277,8 @@ bool td_lanes_place(thud_world *w, const int *constraints, int count) {
     if (count == 0) {
         return true;
     }
-    lane_counts grown = {0};
+    int lanes[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND]; /* set for the few bins that get some */
+    int more[TD_FORM_COUNT] = {0};
     if (!td_array_reserve(&w->memory, &w->scratch.lane_bins, count)) {
         return false;
     }
@@ -307,9 +286,13 @@ bool td_lanes_place(thud_world *w, const int *constraints, int count) {
     for (int i = 0; i < count; i++) {
         const td_constraint *constraint = td_constraint_at(w, constraints[i]);
         bins[i] = choose_bin(w, constraint);
-        grown[constraint->kind][bins[i]]++;
+        lanes[constraint->kind][bins[i]] = w->bins[constraint->kind][bins[i]].lanes;
     }
-    if (!reserve_grown(w, grown)) {
+    for (int i = 0; i < count; i++) {
+        int kind = td_constraint_at(w, constraints[i])->kind;
+        more[w->kinds[kind]->form] += lanes[kind][bins[i]]++ % lanes_a_block(bins[i]) == 0;
+    }
+    if (!reserve_blocks(w, more)) {
         for (int i = 0; i < count; i++) {
             release_bin(w, td_constraint_at(w, constraints[i]), bins[i]);
         }
@@ -478,12 +461,14 @@ bool td_lanes_sequence(thud_world *w) {
     w->stats.colours = 0;
     int kinds[TD_CONSTRAINT_KINDS];
     int used = kinds_in_order(w, kinds);
-    for (int bin = 0; bin < 2 * TD_COLOURS; bin++) {
-        int before = w->scratch.blocks.count;
-        for (int i = 0; i < used; i++) {
-            list_bin(w, kinds[i], bin);
+    for (int half = 0; half < 2; half++) {
+        for (int bin = half * TD_COLOURS; bin < w->scratch.bin_end[half]; bin++) {
+            int before = w->scratch.blocks.count;
+            for (int i = 0; i < used; i++) {
+                list_bin(w, kinds[i], bin);
+            }
+            w->stats.colours += w->scratch.blocks.count > before;
         }
-        w->stats.colours += w->scratch.blocks.count > before;
     }
     w->stats.blocks = w->scratch.blocks.count;
     if (!cut_chunks(w)) {

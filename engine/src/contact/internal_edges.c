@@ -160,6 +160,10 @@ static bool is_ghost(const td_neighbourhood *s, double nx, double ny, double str
 static bool is_open(const thud_world *w, const td_block *block, int lane) {
     const td_shape_proxy *a = td_shape_proxy_at(w, block->shape_a[lane]);
     float nx = block->nx[lane], ny = block->ny[lane];
+    if (nx == 0.0f && a->s == 0.0f) { /* above or below an upright box: a short cut */
+        unsigned upright = a->c * ny > 0.0f ? TD_FACE_TOP : TD_FACE_BOTTOM;
+        return !(block->mark[lane].internal_edges >> upright & 1);
+    }
     float u = a->c * nx + a->s * ny, v = a->c * ny - a->s * nx;
     float x = u < 0.0f ? -u : u, y = v < 0.0f ? -v : v;
     unsigned face = x > y ? (u > 0.0f ? TD_FACE_RIGHT : TD_FACE_LEFT)
@@ -378,11 +382,9 @@ static void correct_lane(thud_world *w, td_block *block, int kind, int lane) {
 
 /* td_internal_edge_ops.amend. */
 static void correct_block(thud_world *w, td_block *block, int kind) {
-    td_lane_marks marked = {.internal_edges = UINT8_MAX};
-    if (td_pair_is_on_line(kind) || !td_any_lane_marked(block, marked)) {
-        return; /* terrain_manifold.c takes the sealed ends into account */
-    }
-    for (int lane = 0; lane < block->used; lane++) {
+    /* terrain_manifold.c takes the sealed ends of lines into account. */
+    int lanes = td_pair_is_on_line(kind) ? 0 : block->used;
+    for (int lane = 0; lane < lanes; lane++) {
         if (block->mark[lane].internal_edges && (block->touching >> lane & 1) &&
             !is_open(w, block, lane)) {
             correct_lane(w, block, kind, lane);

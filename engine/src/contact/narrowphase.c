@@ -84,8 +84,13 @@ static bool begin_contacts(thud_world *w) {
 typedef struct colliding {
     thud_world *w;
     td_job job;
-    td_phase phase; /* the present one; each worker has a copy */
 } colliding;
+
+/* One worker's place in it. */
+typedef struct colliding_phase {
+    thud_world *w;
+    td_phase phase;
+} colliding_phase;
 
 /* Chunks list blocks with separated lanes in disjoint pieces of one array: each has room for one
  * more than its blocks, hence `first + index`. */
@@ -107,7 +112,7 @@ static void collide_chunks(thud_world *w, int first, int end) {
 
 /* A part of the phase (a td_chunk_fn). */
 static void collide_part(void *work, int part) {
-    const colliding *c = work;
+    const colliding_phase *c = work;
     int first = c->phase.first + part;
     collide_chunks(c->w, first, first + td_phase_step(&c->phase));
 }
@@ -115,7 +120,8 @@ static void collide_part(void *work, int part) {
 /* A worker: takes chunks until none is left. It takes them by the phases of the solver, so that it
  * works on the same blocks there: they need not travel to the cache of another processor. */
 static void collide_as_worker(void *argument) {
-    colliding *shared = argument, own = {.w = shared->w};
+    colliding *shared = argument;
+    colliding_phase own = {.w = shared->w};
     td_worker worker = td_worker_arrive(&shared->job);
     int chunks = own.w->scratch.chunks.count;
     if (!td_worker_shares(&worker)) {
@@ -131,7 +137,8 @@ static void collide_as_worker(void *argument) {
 
 /* Computes the manifolds of all lanes, and joins the lists of the chunks. */
 static void collide_lanes(thud_world *w) {
-    colliding c = {.w = w};
+    colliding c;
+    c.w = w;
     td_job_begin(&c.job, td_workers_for_blocks(w));
     td_job_run(w, &c.job, collide_as_worker, &c);
     for (int i = 0; i < w->scratch.runs.count; i++) {

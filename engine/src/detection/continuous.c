@@ -229,20 +229,28 @@ void td_hold_at(thud_world *w, td_awake_slot slot, double time) {
     td_body_place_shapes(w, body);
 }
 
-/* Begins the sweep of a body, whose pose at the start of the step is `start`. Returns whether
- * something is near it. */
-static inline bool begin_sweep(sweep *s, const td_pose *start) {
-    s->body = td_body_of(s->w, s->slot);
-    s->swept.start = start->center;
-    s->swept.bounds = swept_bounds(s, td_pose_at(s->w, s->body)->center);
+/* Begins the sweep of a body. Returns whether something is near it. Most have nothing near, so that
+ * it sets no more than that takes. */
+static bool begin_sweep(sweep *s, thud_world *w, td_awake_slot slot, td_array *hits,
+                        td_memory *memory) {
+    const float *delta = td_row(&w->delta, slot);
+    s->w = w;
+    s->slot = slot;
+    s->body = td_body_of(w, slot);
+    s->hits = hits;
+    s->memory = memory;
+    td_position end = td_pose_at(w, s->body)->center;
+    s->swept.start =
+        (td_position){end.x - td_length_from(w, delta[0]), end.y - td_length_from(w, delta[1])};
+    s->swept.bounds = swept_bounds(s, end);
+    s->swept.far = false;
     return find_obstacles(s);
 }
 
 bool td_fast_meets(thud_world *w, td_awake_slot slot, td_array *hits, td_memory *memory) {
-    td_pose start = td_start_pose(w, slot);
-    sweep s = {.w = w, .slot = slot, .hits = hits, .memory = memory};
+    sweep s;
     const td_body *body = td_body_at(w, td_body_of(w, slot));
-    return body->detection->rank == TD_RANK_CONTINUOUS && begin_sweep(&s, &start);
+    return body->detection->rank == TD_RANK_CONTINUOUS && begin_sweep(&s, w, slot, hits, memory);
 }
 
 void td_fast_fetch(const thud_world *w, int i) {
@@ -258,17 +266,13 @@ void td_fast_fetch(const thud_world *w, int i) {
  * order of time, whatever the order of the broadphase, and not for hits after the one that stops
  * the body. Bodies that joints tie to it go back to the same time. */
 static void stop_at_first_hit(thud_world *w, td_awake_slot slot) {
-    td_pose start = td_start_pose(w, slot);
-    sweep s = {.w = w,
-               .slot = slot,
-               .next = {.time = -1.0},
-               .hits = &w->scratch.ahead,
-               .memory = &w->memory};
-    if (!begin_sweep(&s, &start)) {
+    sweep s;
+    if (!begin_sweep(&s, w, slot, &w->scratch.ahead, &w->memory)) {
         return;
     }
     float c, sine;
-    td_angle_turn(start.angle, &c, &sine);
+    td_angle_turn(td_start_pose(w, slot).angle, &c, &sine);
+    s.next = (sweep_hit){.time = -1.0};
     int first = td_body_at(w, s.body)->first_shape;
     do {
         s.last = s.next;

@@ -19,6 +19,8 @@ typedef struct td_scratch {
     td_array runs;                /* td_run: sequences of `blocks` of one bin */
     int points;                   /* of all `blocks`, one or two each: a measure of their work */
     bool sequenced;               /* `blocks` and `runs` list all blocks of the awake bins */
+    int bin_end[3];               /* bins from here on have no lanes: of two moving bodies, of a
+                                     static one, asleep */
     td_array separated;           /* td_block *: with a lane whose shapes no longer touch */
     td_array chunks;              /* td_chunk: pieces of `runs`, which workers take one by one */
     td_array begins, ends;        /* int: contacts that begin or end in this step */
