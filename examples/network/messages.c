@@ -209,6 +209,7 @@ int message_write_welcome(const message_welcome *w, unsigned char *out) {
     put(&c, (uint64_t)w->events, 2);
     put(&c, w->absent, 4);
     put(&c, (uint64_t)w->bytes, 4);
+    put(&c, (uint64_t)w->more, 4);
     return message_seal(out, (int)(c.out - out));
 }
 
@@ -225,10 +226,11 @@ bool message_read_welcome(const unsigned char *bytes, int count, message_welcome
                              .step = (int64_t)message_number(bytes + 18, 4),
                              .events = (int)message_number(bytes + 22, 2),
                              .absent = (uint32_t)message_number(bytes + 24, 4),
-                             .bytes = (int64_t)message_number(bytes + 28, 4)};
+                             .bytes = (int64_t)message_number(bytes + 28, 4),
+                             .more = (int64_t)message_number(bytes + 32, 4)};
     return out->players >= 2 && out->players <= MESSAGE_PLAYERS_MAX && out->own < MESSAGE_NUMBERS &&
            out->rate > 0 && out->depth > 0 && out->depth <= MESSAGE_LEAD_MAX &&
-           out->absent >> out->players == 0 && out->bytes <= GAME_MAX &&
+           out->absent >> out->players == 0 && out->bytes <= GAME_MAX && out->more <= out->bytes &&
            (out->bytes > 0 || out->step == 0);
 }
 

@@ -24,8 +24,9 @@
  *     is known again
  *     welcome: "TNW2"; 1, the receiver's number; 1, players; 2, steps a second; 2, depth of the
  *     rollback; 4, steps of the game, 0: no end; 4, its seed; 4, the step before which the receiver
- *     begins; 2, events that are over by then; 4, who is absent, by bits; 4, bytes of the game
- *     part of a game: "TNG1"; 4, its place in the game; its bytes */
+ *     begins; 2, events that are over by then; 4, who is absent, by bits; 4, bytes of the game; 4,
+ * how many of these, the last ones, the program has added part of a game: "TNG1"; 4, its place in
+ * the game; its bytes */
 #ifndef THUD_NETWORK_MESSAGES_H
 #define THUD_NETWORK_MESSAGES_H
 
@@ -45,7 +46,7 @@ enum {
     MESSAGE_LEAD_MAX = 1000,
     MESSAGE_SUM = 4,
     MESSAGE_HELLO_BYTES = 17,
-    MESSAGE_WELCOME_BYTES = 36,
+    MESSAGE_WELCOME_BYTES = 40,
     MESSAGE_PART_BYTES_MAX = 8 + MESSAGE_PART + MESSAGE_SUM
 };
 
@@ -112,6 +113,7 @@ typedef struct message_welcome {
     int events;
     uint32_t absent;
     int64_t bytes; /* of the game, which follow in parts; 0: it begins with the first step */
+    int64_t more;  /* how many of these, the last ones, the program has added */
 } message_welcome;
 
 int message_write_welcome(const message_welcome *welcome, unsigned char *out);

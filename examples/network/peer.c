@@ -6,8 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Who joins enters so many steps after that was announced, when it is behind by no more than as
- * many; chosen. */
+/* Who joins enters so many steps after that was announced; chosen. */
 enum { NOTICE = 12 };
 
 /* A round trip is shorter, and a packet is held no longer, milliseconds. */
@@ -379,7 +378,8 @@ static thud_result announce(peer *p, bool enters, int player, int64_t step) {
 /* Whether a player can enter: it has caught up, and everybody has what it did before it left. */
 static bool can_enter(const peer *p, int player, int64_t step) {
     const peer_link *own = &p->links[player];
-    bool can = own->is_joining && own->has[p->me] >= steps_of(p) - NOTICE &&
+    /* What it has is known as late as a message takes to it and back. */
+    bool can = own->is_joining && own->has[p->me] >= steps_of(p) - p->depth / 2 &&
                (p->end == 0 || step < p->end) && p->events_applied == p->event_count;
     for (int i = 0; i < MESSAGE_NUMBERS && can; i++) {
         const peer_link *link = &p->links[i];

@@ -19,7 +19,7 @@ const markOf = (text: string) => new DataView(new TextEncoder().encode(text).buf
 const [PACKET, HELLO, WELCOME, GAME] = ["TNP3", "TNH1", "TNW2", "TNG1"].map(markOf);
 const HEAD = 22;
 const [TIMED, EVENTFUL] = [1, 2];
-const [WELCOME_BYTES, HELLO_BYTES, GAME_HEAD] = [36, 17, 8];
+const [WELCOME_BYTES, HELLO_BYTES, GAME_HEAD] = [40, 17, 8];
 
 /** A player has left (`enters` false), or enters, before a step. */
 export interface PlayerEvent {
@@ -67,6 +67,8 @@ export interface Welcome {
   absent: number;
   /** Bytes of the game, which follow in parts; 0: it begins with the first step. */
   bytes: number;
+  /** How many of these, the last ones, the program has added. */
+  more: number;
 }
 
 const viewOf = (bytes: Uint8Array) => new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
@@ -204,6 +206,7 @@ export function writeWelcome(welcome: Welcome, game: Uint8Array = new Uint8Array
   view.setUint16(22, welcome.events, true);
   view.setUint32(24, welcome.absent, true);
   view.setUint32(28, game.length, true);
+  view.setUint32(32, welcome.more, true);
   const messages = [seal(bytes, WELCOME!)];
   for (let from = 0; from < game.length; from += PART) {
     const piece = game.subarray(from, from + PART);
@@ -221,12 +224,13 @@ function readWelcome(bytes: Uint8Array): Welcome | null {
   const welcome = {
     ...{ own: bytes[4]!, players: bytes[5]!, rate: view.getUint16(6, true), depth: view.getUint16(8, true) },
     ...{ end: view.getUint32(10, true), seed: view.getUint32(14, true), step: view.getUint32(18, true) },
-    ...{ events: view.getUint16(22, true), absent: view.getUint32(24, true), bytes: view.getUint32(28, true) },
+    ...{ events: view.getUint16(22, true), absent: view.getUint32(24, true) },
+    ...{ bytes: view.getUint32(28, true), more: view.getUint32(32, true) },
   };
   const { own, players, rate, depth, step, absent } = welcome;
   const isRight =
     players >= 2 && players < NUMBERS && own < NUMBERS && rate > 0 && depth > 0 && depth <= 1000 &&
-    absent < 2 ** players && welcome.bytes <= GAME_MAX && (welcome.bytes > 0 || step === 0);
+    absent < 2 ** players && welcome.bytes <= GAME_MAX && welcome.more <= welcome.bytes && (welcome.bytes > 0 || step === 0);
   return isRight ? welcome : null;
 }
 
@@ -234,9 +238,18 @@ function readWelcome(bytes: Uint8Array): Welcome | null {
 export class WelcomeReader {
   /** Null until it has come. */
   welcome: Welcome | null = null;
-  /** The game; null where it begins with the first step. */
-  game: Uint8Array | null = null;
+  #bytes = new Uint8Array();
   #has = 0;
+
+  /** The game; null where it begins with the first step. */
+  get game(): Uint8Array | null {
+    return this.welcome?.bytes ? this.#bytes.subarray(0, this.welcome.bytes - this.welcome.more) : null;
+  }
+
+  /** What the program has added to it. */
+  get more(): Uint8Array {
+    return this.#bytes.subarray(this.#bytes.length - (this.welcome?.more ?? 0));
+  }
 
   get isWhole(): boolean {
     return this.welcome !== null && this.#has === this.welcome.bytes;
@@ -246,14 +259,14 @@ export class WelcomeReader {
   hear(bytes: Uint8Array): boolean {
     if (!this.welcome) {
       this.welcome = readWelcome(bytes);
-      this.game = this.welcome?.bytes ? new Uint8Array(this.welcome.bytes) : null;
+      this.#bytes = new Uint8Array(this.welcome?.bytes ?? 0);
       return this.welcome !== null;
     }
-    if (!this.game || !isSealed(bytes, GAME!, GAME_HEAD + SUM + 1)) return false;
+    if (this.isWhole || !isSealed(bytes, GAME!, GAME_HEAD + SUM + 1)) return false;
     const piece = bytes.subarray(GAME_HEAD, bytes.length - SUM);
     const from = viewOf(bytes).getUint32(4, true);
-    if (from !== this.#has || from + piece.length > this.game.length) return false;
-    this.game.set(piece, from);
+    if (from !== this.#has || from + piece.length > this.#bytes.length) return false;
+    this.#bytes.set(piece, from);
     this.#has += piece.length;
     return true;
   }

@@ -39,7 +39,7 @@ const REPORTS_MAX = 3;
 const NEWEST = 0.1;
 /** A round trip is shorter, milliseconds. */
 const TRIP_MAX = 30_000;
-/** Who joins enters so many steps after that was announced, when it is behind by no more than as many. Chosen. */
+/** Who joins enters so many steps after that was announced. Chosen. */
 const NOTICE = 12;
 
 /** Sends bytes to a player; `sure`: they arrive, and in order. */
@@ -158,6 +158,14 @@ export class RollbackPeers {
     return peers;
   }
 
+  /** On the host, before the first step: what somebody has to get who is there from then on. Packets follow. */
+  start(number: number, { rate = 60, seed = 0 } = {}): Uint8Array<ArrayBuffer>[] {
+    const { players, depth, end } = this.#options;
+    this.connect(number);
+    const none = { step: 0, events: 0, absent: 0, bytes: 0, more: 0 };
+    return writeWelcome({ own: number, players, rate, depth, end, seed, ...none });
+  }
+
   /** Packets are sent to somebody, who has the game from its first step on. */
   connect(number: number): void {
     const has = this.#inputs.map(({ from, list }) => (from === 0 ? Math.min(list.length, this.#options.delay) : from));
@@ -273,9 +281,10 @@ export class RollbackPeers {
   /**
    * On the host: the messages that tell somebody the game, each of which has to arrive, in order; packets
    * follow. As a player, who is absent, it enters as soon as it has come near enough to the present. Null:
-   * somebody is leaving or entering; ask again after the next step.
+   * somebody is leaving or entering; ask again after the next step. `more`: bytes of the program's own
+   * that come with it.
    */
-  invite(number: number, { rate = 60, seed = 0 } = {}): Uint8Array<ArrayBuffer>[] | null {
+  invite(number: number, { rate = 60, seed = 0, more = new Uint8Array() } = {}): Uint8Array<ArrayBuffer>[] | null {
     const { rollback, players, depth, end } = this.#options;
     rollback.settle();
     const step = rollback.confirmed;
@@ -288,13 +297,16 @@ export class RollbackPeers {
     const events = this.#firstEvent + this.#events.length;
     this.#add(number, this.#inputs.map(() => step), events);
     if (number < players) this.#joining.add(number);
-    const about = { own: number, players, rate, depth, end, seed, step, events, absent, bytes: game.length };
-    return writeWelcome(about, game);
+    const bytes = new Uint8Array(game.length + more.length);
+    bytes.set(game);
+    bytes.set(more, game.length);
+    const about = { own: number, players, rate, depth, end, seed, step, events, absent };
+    return writeWelcome({ ...about, bytes: bytes.length, more: more.length }, bytes);
   }
 
   /** Players who have caught up enter, when everybody has what they did before they left. */
   #letIn(): void {
-    const { own, rollback, end } = this.#options;
+    const { own, rollback, end, depth } = this.#options;
     for (const player of this.#joining) {
       const { has } = this.#peers.get(player)!;
       const all = [...this.#peers.values()];
@@ -302,7 +314,8 @@ export class RollbackPeers {
       const isKnown = ({ events, has }: Peer) => events === this.#applied && (has[player] >= gone);
       const step = this.#end(own) + NOTICE;
       if (end > 0 && step >= end) continue;
-      if (has[own] < rollback.steps - NOTICE || !all.every(isKnown)) continue;
+      // What it has is known as late as a message takes to it and back.
+      if (has[own] < rollback.steps - depth / 2 || !all.every(isKnown)) continue;
       this.#joining.delete(player);
       this.#announce({ enters: true, player, step });
     }

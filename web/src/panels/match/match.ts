@@ -49,6 +49,8 @@ class MatchPanel {
   readonly #rooms = hasRooms();
   /** Whether others are looked for in a room. */
   #meets = false;
+  /** Whether a match ran when the panel was shown last. */
+  #played = false;
   /** Ends the search for others in a room. */
   #meeting = new AbortController();
   readonly #corrections: number[] = [];
@@ -164,7 +166,7 @@ class MatchPanel {
     );
     void this.#rooms.then((has) => (room.hidden = !has));
     this.#offer.replaceChildren(
-      make("p", text ? { class: "bad" } : {}, text || "Up to three others join from their own browsers. What you play goes from device to device."),
+      make("p", text ? { class: "bad" } : {}, text || this.#about()),
       invite,
       room,
       make(
@@ -175,6 +177,13 @@ class MatchPanel {
         server,
       ),
     );
+  }
+
+  #about(): string {
+    if (this.#lobby.playing) return "Others can still join, and who was lost comes back by a new link.";
+    const most = Math.min(4, this.#app.scene?.sizes?.most ?? 2);
+    const who = most === 2 ? "Another player joins from another browser" : "Up to three others join from their own browsers";
+    return `${who}. What you play goes from device to device.`;
   }
 
   async #invite(): Promise<void> {
@@ -297,18 +306,23 @@ class MatchPanel {
     const lobby = this.#lobby;
     const { connected, playing, invited } = lobby;
     this.#others.hidden = this.#network.hidden = connected === 0 && !playing;
-    this.#offer.hidden = playing || lobby.isFull || (invited && connected > 0);
+    this.#offer.hidden = (playing && invited) || lobby.isFull || (invited && connected > 0);
+    // A room is left with the match for which it was opened.
+    if (this.#played && !playing) this.#meeting.abort();
+    this.#played = playing;
     this.#start.hidden = playing || invited;
     this.#leave.textContent = playing ? "Leave the match" : "Disconnect";
     const count = connected === 1 ? "One other" : `${connected} others`;
     const before = this.#who.textContent;
     this.#who.textContent = playing
-      ? "The match runs."
+      ? invited
+        ? "The match runs."
+        : `The match runs, with ${connected === 1 ? "one other" : `${connected} others`}.`
       : invited
         ? "Connected. The other starts the match."
         : `${count} connected.`;
     const changed = this.#who.textContent !== before;
-    if (connected > 0 && !invited && !playing && !this.#meets && changed) this.#beginOffer();
+    if (!invited && !this.#meets && changed && (connected > 0 || playing)) this.#beginOffer();
     const main = document.querySelector("main")!;
     // On a phone the panel stands over the game's buttons.
     if (playing && !main.hasAttribute("data-match") && matchMedia("(width < 40em)").matches)

@@ -22,8 +22,8 @@ export async function hasRooms(): Promise<boolean> {
   }
 }
 
-/** Goes into a room until `signal` ends that. Resolves when this browser need not look any more: it has
- * answered an invitation, a match has begun, or there is no more place. */
+/** Goes into a room until `signal` ends that. Resolves when this browser has answered an invitation. Who
+ * invites stays, also while a match runs, so that others can join it and who was lost can come back. */
 export async function meet(name: string, lobby: Lobby, signal: AbortSignal): Promise<void> {
   const offer = await ask(name, "offer");
   if (offer) {
@@ -33,8 +33,12 @@ export async function meet(name: string, lobby: Lobby, signal: AbortSignal): Pro
     return;
   }
   try {
-    const goesOn = () => !signal.aborted && !lobby.playing && !lobby.isFull;
-    while (goesOn()) {
+    const goesOn = () => !signal.aborted && !lobby.isFull;
+    while (!signal.aborted) {
+      if (lobby.isFull) {
+        await pause();
+        continue;
+      }
       const before = lobby.connected;
       await ask(name, "offer", "PUT", await lobby.invite());
       let answer: string | null = null;
