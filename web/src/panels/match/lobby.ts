@@ -45,6 +45,8 @@ export class Lobby {
   /** A connection that is not open yet, and the name of its invitation. */
   #next: { connection: Connection; name: string } | null = null;
   #match: Match | null = null;
+  /** The scene's size before the match. */
+  #size: number | undefined;
   /** Who had which number in this match. */
   readonly #seats = new Map<number, string>();
   #port: MessagePort | null = null;
@@ -68,6 +70,11 @@ export class Lobby {
 
   get isFull(): boolean {
     return this.#others.length >= this.#places - 1;
+  }
+
+  /** Whether an invitation waits for its answer, or for the connection that the answer makes. */
+  get isConnecting(): boolean {
+    return this.#next !== null;
   }
 
   /** The number of players of the game, who need not all be there. */
@@ -151,6 +158,8 @@ export class Lobby {
   }
 
   #end(): void {
+    // Alone it is played by as many as before.
+    if (this.#match) this.#app.state.size = this.#size;
     this.#match = null;
     this.#port?.close();
     this.#port = null;
@@ -189,6 +198,7 @@ export class Lobby {
     if (player >= 0) this.#post({ lost: player, over });
     if (player >= 0)
       this.#listener.told(this.invited ? "The connection has ended." : `Player ${player + 1} has left.`);
+    if (this.invited) this.#end();
     this.#listener.changed();
   }
 
@@ -219,6 +229,7 @@ export class Lobby {
     app.setPaused(false);
     this.#listener.changed();
     const match = this.#match;
+    if (!app.state.match) this.#size = app.state.size;
     const { sizes } = app.scene ?? {};
     const size = sizes ? about.players : undefined;
     if (await app.open(app.state.scene, { size, seed, match })) return;

@@ -23,9 +23,14 @@ export async function hasRooms(): Promise<boolean> {
 }
 
 /** Goes into a room until `signal` ends that. Resolves when this browser has answered an invitation. Who
- * invites stays, also while a match runs, so that others can join it and who was lost can come back. */
-export async function meet(name: string, lobby: Lobby, signal: AbortSignal): Promise<void> {
-  const offer = await ask(name, "offer");
+ * invites stays, also while a match runs, so that others can join it and who was lost can come back.
+ * `follows`: somebody is said to be there, whose invitation is waited for. */
+export async function meet(name: string, lobby: Lobby, signal: AbortSignal, follows = false): Promise<void> {
+  let offer = await ask(name, "offer");
+  for (let i = 0; follows && i < LOOKS && !offer && !signal.aborted; i++) {
+    await pause();
+    offer = await ask(name, "offer");
+  }
   if (offer) {
     const invitation = await unpackInvitation(offer);
     if (invitation?.type !== "offer") throw new Error("The room has a damaged invitation.");
@@ -39,7 +44,6 @@ export async function meet(name: string, lobby: Lobby, signal: AbortSignal): Pro
         await pause();
         continue;
       }
-      const before = lobby.connected;
       await ask(name, "offer", "PUT", await lobby.invite());
       let answer: string | null = null;
       while (goesOn() && !answer) {
@@ -48,7 +52,7 @@ export async function meet(name: string, lobby: Lobby, signal: AbortSignal): Pro
       }
       const invitation = answer && (await unpackInvitation(answer));
       if (!invitation || !(await lobby.accept(invitation))) continue;
-      for (let i = 0; i < LOOKS && goesOn() && lobby.connected === before; i++) await pause();
+      for (let i = 0; i < LOOKS && goesOn() && lobby.isConnecting; i++) await pause();
     }
   } finally {
     await ask(name, "offer", "DELETE");
