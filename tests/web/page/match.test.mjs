@@ -174,8 +174,8 @@ test("artillery_is_a_duel_of_chromium_and_firefox_over_a_bad_line", async () => 
     assert.ok(Number(rows["Equal states"]) > 5, JSON.stringify(rows));
     assert.ok(Number(rows.Rollbacks) > 0, "nothing was late");
     assert.deepEqual(errors, []);
-    await close();
   }
+  for (const { close } of both) await close();
 });
 
 /** Plays so many steps, notes in `seen` what each page tells, and compares all that several have told. */

@@ -20,6 +20,7 @@ const SPEED = 8.5; // lengths a second
 const LEAP = 6.2; // the same, upwards
 const REST = 40; // steps from hop to hop
 const AXLE = 0.58;
+const DEEP = -40; // where a car lies that is out
 
 export function inputOf(left, right, hop) {
   return (left ? LEFT : 0) + (right ? RIGHT : 0) + (hop ? HOP : 0);
@@ -65,8 +66,12 @@ function buildCar({ moving, addBox, wheel }, [x, y], group, spot) {
         world.setVelocity(body, [0, 0]);
       }
     },
+    /** Takes the car out of the world, and its springs out of sight. */
     remove(world) {
-      for (const { body } of all) world.setEnabled(body, false);
+      for (const { body, x, y } of all) {
+        world.setEnabled(body, false);
+        world.setTransform(body, [x, y + DEEP]);
+      }
     },
   };
 }

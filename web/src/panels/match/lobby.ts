@@ -167,8 +167,9 @@ export class Lobby {
   }
 
   #drop(): void {
-    this.#next?.connection.close();
+    const connection = this.#next?.connection;
     this.#next = null;
+    connection?.close();
   }
 
   #connect(): Connection {

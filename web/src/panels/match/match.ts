@@ -354,7 +354,9 @@ class MatchPanel {
     this.#who.textContent = playing
       ? invited
         ? "The match runs."
-        : `The match runs, with ${connected === 1 ? "one other" : `${connected} others`}.`
+        : connected === 0
+          ? "The match waits for another player."
+          : `The match runs, with ${connected === 1 ? "one other" : `${connected} others`}.`
       : invited
         ? "Connected. The other starts the match."
         : `${count} connected.`;
