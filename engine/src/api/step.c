@@ -102,6 +102,7 @@ static void solve(thud_world *w) {
         w->joint_hooks->clear_yielded(w);
         w->joint_hooks->share_caps(w);
     }
+    td_solve_begin(w);
     if (w->quality.islands) {
         w->quality.islands->begin(w);
     }

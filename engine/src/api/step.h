@@ -25,6 +25,10 @@ bool td_broadphase_refresh(thud_world *w);
 bool td_narrowphase(thud_world *w);
 /* contact_view.c: makes hit events of contacts that have begun and close faster than hit_speed. */
 void td_contacts_hit(thud_world *w);
+/* solve.c: computes the velocity that gravity and forces add in a substep (substep_gain), for all
+ * awake bodies, where it may have changed. Forces act for one step: they are cleared, and the next
+ * step computes it again. */
+void td_solve_begin(thud_world *w);
 /* solve.c: the soft solver: computes the velocities at the end of the step, and the motions. */
 void td_solve(thud_world *w);
 /* finalize.c: adds motions to poses; updates shapes, bounds and idle times; quarantines bodies

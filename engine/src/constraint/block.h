@@ -191,9 +191,13 @@ typedef struct td_block {
                                   against its body, or have internal edges */
         int32_t anchors_stale; /* joints, 1: td_anchor_rows and settings must be looked up again */
     };
-    int32_t shared; /* 1: a lane has a kinematic body, which other blocks may have as well */
-    uint32_t apart; /* one bit for each lane: its shapes provably stay apart during the motion of
-                       the step (detection/gaps.h) */
+    int32_t shared;      /* 1: a lane has a kinematic body, which other blocks may have as well */
+    union {              /* one bit for each lane */
+        uint32_t apart;  /* contacts: its shapes provably stay apart during the motion of the step
+                            (detection/gaps.h) */
+        uint32_t solved; /* joints, where td_solve_context.passes_over: the lane's island was solved
+                            before the soft solver runs (direct/joint_islands.c) */
+    };
     td_lane_marks mark[TD_LANES];
     /* The rows that the solver reads begin here. */
     uint32_t a[TD_LANES], b[TD_LANES]; /* awake slot times TD_AWAKE_BYTES; 0: that side is static */
@@ -406,6 +410,7 @@ typedef struct td_solve_context {
     bool keep_totals;    /* td_point_history.total is summed up, since a later stage reads it */
     bool keep_tangents;  /* td_surface.total is summed up, likewise */
     bool surface_speeds; /* a lane has a surface speed */
+    bool passes_over;    /* td_block.solved is valid: td_islands.passes_over */
     bool last;           /* this is the last substep, whose relax pass fills `tally` */
     bool again;          /* this is the second relax pass of its substep */
     bool first;          /* this is the first substep, which sets totals instead of adding */

@@ -14,14 +14,6 @@ typedef struct td_joint_gaps {
     double worst, mean, angle;
 } td_joint_gaps;
 
-/* What became of an island that was to be solved as a tree. Nothing is written unless it is
- * solved. */
-typedef enum td_tree_outcome {
-    TD_TREE_SOLVED,
-    TD_TREE_REFUSED, /* it is no tree of locks, or its result is refused */
-    TD_TREE_SPENT    /* the step's budget of work is spent */
-} td_tree_outcome;
-
 typedef struct td_joint_hooks {
     /* ---- joint_engage.c ---- */
     /* Gives lanes to the parts of joints that wait for one, where both bodies are in the world and
@@ -74,8 +66,11 @@ typedef struct td_joint_hooks {
     void (*draw)(const struct td_drawing *drawing);
     /* direct/island_step_joints.c: a step of an island with joints; see island_step.h. */
     double (*solve)(struct td_island_work *work, double tolerance);
-    /* joints/lock_tree_step.c: the same for an island of hinges and welds that form a tree. */
-    td_tree_outcome (*solve_tree)(thud_world *w, const struct td_island *island);
+    /* joints/lock_tree_step.c: the same for an island of hinges and welds that form a tree, and
+     * writes its result to the world. */
+    td_tree_outcome (*solve_tree)(thud_world *w, const struct td_island *island,
+                                  const struct td_direct_body *known);
+    void (*write_tree)(thud_world *w, const struct td_island *island);
     /* direct/joint_islands.c: the direct solver that replaces thud_islands_direct in a world with
      * joints. */
     const thud_island_solver *islands;

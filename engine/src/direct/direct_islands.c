@@ -36,6 +36,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(tree, td_tree_body),
     ARRAY(locks, td_lock_body),
     ARRAY(listed, td_listed_body),
+    ARRAY(results, td_lock_result),
     ARRAY(topology, int),
     ARRAY(topology_before, int),
     ARRAY(systems, td_system),
@@ -67,11 +68,11 @@ static bool reserve_lists(thud_world *w) {
 
 /* ---- which ---- */
 
-/* Values of td_islands.local of bodies that are in no listed island. */
+/* Values of td_islands.local of bodies that are in no listed island; a further one is
+ * TD_ISLAND_COOLING. */
 enum {
     TOO_MANY = -1, /* its island has more bodies than quality.island_limit */
     ALONE = -2,    /* it has no constraint that acts */
-    COOLING = -3,  /* its island is in the cooldown */
     SOFT = -4      /* its island has joints, and none of its bodies is marked */
 };
 
@@ -231,7 +232,7 @@ void td_islands_list_from(thud_world *w, td_awake_slot seed) {
     }
     for (int i = island.first_body; i < s->slots.count; i++) {
         *td_island_local_at(w, td_slot_in(&s->slots, i)) = !whole    ? TOO_MANY
-                                                           : cooling ? COOLING
+                                                           : cooling ? TD_ISLAND_COOLING
                                                            : wanted  ? ALONE
                                                                      : SOFT;
     }

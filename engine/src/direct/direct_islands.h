@@ -13,11 +13,20 @@
 
 struct thud_world;
 
+/* What became of an island that was to be solved as a tree (joints/lock_tree_step.c). */
+typedef enum td_tree_outcome {
+    TD_TREE_UNTRIED,
+    TD_TREE_SOLVED,
+    TD_TREE_REFUSED, /* it is no tree of locks, or its result is refused */
+    TD_TREE_SPENT    /* the step's budget of work is spent */
+} td_tree_outcome;
+
 /* An island: ranges of bodies and constraints in the lists of td_islands, and its elimination
  * order. */
 typedef struct td_island {
     int first_body, bodies, first_constraint, constraints;
     td_system system;
+    td_tree_outcome tree;
 } td_island;
 
 typedef struct td_islands {
@@ -35,8 +44,14 @@ typedef struct td_islands {
     td_array bodies;     /* td_direct_body */
     td_array step, work; /* double[4] */
     td_array tree;       /* td_tree_body of joint_tree.c, in worlds with joints */
-    td_array locks;      /* td_lock_body of direct/lock_tree.c, likewise */
-    td_array listed;     /* td_listed_body of direct/lock_tree.c, likewise */
+    td_array locks;      /* td_lock_body of direct/lock_tree.h, likewise */
+    td_array listed;     /* td_listed_body of direct/lock_tree.h, likewise */
+    td_array results;    /* td_lock_result of direct/lock_tree.h, parallel to `slots`, likewise */
+    bool passes_over; /* islands were solved as trees before the soft solver, which passes over the
+                         blocks that have no other joints (td_block.solved) */
+    float tree_residual;  /* of the tree that was solved last: the greatest speed that a joint has
+                             after the step, length/s */
+    float trees_residual; /* of all that were solved before the soft solver */
     td_array topology,
         topology_before;     /* int: the graph of all islands, which determines their elimination
                                 orders, and the graph for which the present orders were found */
@@ -61,6 +76,10 @@ struct thud_island_solver {
      * of each island. */
     void (*end)(struct thud_world *w);
 };
+
+/* The value of td_islands.local of the bodies of an island that is in the cooldown. A few of them
+ * may be marked: a machine that has just touched a heap. */
+enum { TD_ISLAND_COOLING = -3 };
 
 void td_islands_init(td_islands *islands, bool wide);
 void td_islands_free(td_memory *memory, td_islands *islands);

@@ -406,14 +406,27 @@ static void begin_cooldown(thud_world *w, const td_island *island, bool joints, 
     }
 }
 
+/* Solves an island as a tree, unless that was tried before the soft solver. */
+static td_tree_outcome tree_outcome(thud_world *w, const td_island *island) {
+    if (!w->joint_hooks) {
+        return TD_TREE_REFUSED;
+    }
+    return island->tree == TD_TREE_UNTRIED ? w->joint_hooks->solve_tree(w, island, NULL)
+                                           : island->tree;
+}
+
 bool td_island_solve(thud_world *w, const td_island *island) {
     bool bounces = false, joints = false, always = false;
     w->stats.direct_islands++;
     w->stats.direct_bodies += island->bodies;
-    td_tree_outcome tree = w->joint_hooks ? w->joint_hooks->solve_tree(w, island) : TD_TREE_REFUSED;
-    if (tree != TD_TREE_REFUSED) {
-        w->stats.soft_islands += tree == TD_TREE_SPENT; /* the next step tries it again */
-        return tree == TD_TREE_SOLVED;
+    td_tree_outcome tree = tree_outcome(w, island);
+    if (tree == TD_TREE_SOLVED) {
+        w->joint_hooks->write_tree(w, island);
+        return true;
+    }
+    if (tree == TD_TREE_SPENT) {
+        w->stats.soft_islands++; /* the next step tries it again */
+        return false;
     }
     if (td_island_factoring_budget(w, td_island_cost(island)) > 0) {
         td_island_work work = td_island_set_up(w, island);

@@ -85,9 +85,14 @@ void td_island_extrapolate(td_island_work *work);
  * the residual, as td_direct_solve does. */
 double td_island_solve_joints(td_island_work *work, double tolerance);
 
-/* joints/lock_tree_step.c, linked only with joints: solves and writes the step of an island whose
- * constraints are hinges and welds that form a tree. */
-td_tree_outcome td_lock_tree_step(thud_world *w, const td_island *island);
+/* joints/lock_tree_step.c, linked only with joints: solves the step of an island whose constraints
+ * are hinges and welds that form a tree, before the soft solver or after it. `known`: null, or the
+ * island's bodies, whose free velocities have the impulses of contacts that are no constraints of
+ * the island. Nothing but td_islands.results, .tree_residual and the statistics is written. */
+td_tree_outcome td_lock_tree_step(thud_world *w, const td_island *island,
+                                  const td_direct_body *known);
+/* Writes the result of an island that was solved so to the world. */
+void td_lock_tree_write(thud_world *w, const td_island *island);
 
 /* The lane of constraint i of the island. */
 static inline td_lane td_island_lane(const td_island_work *work, int i) {

@@ -2,7 +2,9 @@
  * describes (1., 2., 3.); and the budget of work that islands with joints share in a step. */
 #include "direct/joint_islands.h"
 
+#include "constraint/lanes.h"
 #include "direct/elimination_order.h"
+#include "direct/lock_tree.h"
 #include "solver/error.h"
 
 #include <string.h>
@@ -30,6 +32,7 @@ static bool reserve_tree(thud_world *w) {
         bodies = td_max_int(bodies, TD_AT(td_island, &w->islands.island, i)->bodies);
     }
     return td_islands_reserve(w, &w->islands.tree, bodies) &&
+           td_islands_reserve(w, &w->islands.results, w->body_of.count) &&
            td_islands_reserve(w, &w->islands.locks, bodies) &&
            td_islands_reserve(w, &w->islands.listed, bodies);
 }
@@ -58,32 +61,85 @@ static bool find(thud_world *w) {
  * solver at half that time, twice as much allows a frame of 60 ms. */
 enum { EFFORT_OF_BODY = 4000, EFFORT_BODIES_MIN = 1000 };
 
+/* The work that is reserved for the islands that are not solved yet, EFFORT_OF_BODY for each of
+ * their bodies: an island may spend its own share, and what the islands before it have left over.
+ * Without it, a heap that spent the whole budget sent all later islands to the soft solver. */
+static int64_t reserved_effort(const thud_world *w) {
+    int64_t reserved = 0;
+    for (int i = 0; i < w->islands.island.count; i++) {
+        const td_island *island = TD_AT(td_island, &w->islands.island, i);
+        reserved += island->tree == TD_TREE_SOLVED ? 0 : (int64_t)EFFORT_OF_BODY * island->bodies;
+    }
+    return reserved;
+}
+
+/* Sets td_block.solved of all locks. */
+static void mark_solved_lanes(thud_world *w) {
+    td_islands *s = &w->islands;
+    for (int r = 0; r < w->scratch.runs.count; r++) {
+        const td_run *run = TD_AT(td_run, &w->scratch.runs, r);
+        for (int k = 0; k < run->count && run->kind == TD_CONSTRAINT_LOCK; k++) {
+            (*TD_AT(td_block *, &w->scratch.blocks, run->first + k))->solved = 0;
+        }
+    }
+    for (int i = 0; i < s->island.count; i++) {
+        const td_island *island = TD_AT(td_island, &s->island, i);
+        const td_lock_result *results = s->results.data;
+        results += island->first_body;
+        for (int k = 0; k < island->bodies && island->tree == TD_TREE_SOLVED; k++) {
+            if (results[k].block) {
+                results[k].block->solved |= 1u << results[k].lane;
+            }
+        }
+    }
+}
+
+/* Solves the islands that are trees of locks (direct/lock_tree.h). They need nothing of the soft
+ * solver, which passes over their joints. */
+static void solve_trees(thud_world *w) {
+    td_islands *s = &w->islands;
+    int64_t reserved = reserved_effort(w);
+    s->passes_over = false;
+    s->trees_residual = 0.0f;
+    for (int i = 0; i < s->island.count; i++) {
+        td_island *island = TD_AT(td_island, &s->island, i);
+        reserved -= (int64_t)EFFORT_OF_BODY * island->bodies;
+        s->effort -= reserved;
+        island->tree = w->joint_hooks->solve_tree(w, island, NULL);
+        s->effort += reserved;
+        if (island->tree == TD_TREE_SOLVED) {
+            s->passes_over = true;
+            s->trees_residual = td_max_float(s->tree_residual, s->trees_residual);
+        }
+    }
+    if (s->passes_over) {
+        mark_solved_lanes(w);
+    }
+}
+
 /* thud_island_solver.begin: sets the budget, and stores the velocities at the start of the step, to
- * which islands of 2. and 3. return. */
+ * which islands of 2. and 3. return; then solves trees of locks. */
 static void begin(thud_world *w) {
     td_islands_begin(w);
     w->islands.effort = (int64_t)EFFORT_OF_BODY * td_max_int(w->body_of.count, EFFORT_BODIES_MIN);
     memcpy(w->islands.start_velocity.data, w->velocity.data,
            (size_t)w->body_of.count * sizeof(float[4]));
     w->islands.adds_up = w->islands.island.count || td_joint_subsystems_expected(w);
+    solve_trees(w);
 }
 
 /* ---- after it ---- */
 
-/* Solves the islands of 1. An island may spend EFFORT_OF_BODY for each of its own bodies, and what
- * the islands before it have left over. `reserved` is the share of the islands after it; without
- * it, a heap that spent the whole budget sent all later islands to the soft solver. Returns the
- * last system, after which further ones are appended. */
+/* Solves the islands of 1. that are no trees, and writes the results of all. Returns the last
+ * system, after which further ones are appended. */
 static td_system solve_found(thud_world *w) {
     td_islands *s = &w->islands;
     td_system last = {0};
-    int64_t reserved = 0;
-    for (int i = 0; i < s->island.count; i++) {
-        reserved += (int64_t)EFFORT_OF_BODY * TD_AT(td_island, &s->island, i)->bodies;
-    }
+    int64_t reserved = reserved_effort(w);
     for (int i = 0; i < s->island.count; i++) {
         const td_island *island = TD_AT(td_island, &s->island, i);
-        reserved -= (int64_t)EFFORT_OF_BODY * island->bodies;
+        bool solved = island->tree == TD_TREE_SOLVED;
+        reserved -= solved ? 0 : (int64_t)EFFORT_OF_BODY * island->bodies;
         s->effort -= reserved;
         td_joint_island_solve(w, island);
         s->effort += reserved;
@@ -106,6 +162,10 @@ static void end(thud_world *w) {
     if (w->stats.direct_islands > w->stats.soft_islands) {
         td_errors_recount(w);
     }
+    if (s->passes_over) { /* their lanes are left out of the count (joints/lock.c) */
+        w->errors.residual = td_max_float(s->trees_residual, w->errors.residual);
+    }
+    s->passes_over = false;
 }
 
 const thud_island_solver td_islands_of_joints = {find, begin, end};

@@ -1,7 +1,9 @@
 /* joint_islands.h: the island solver of a world with joints.
  *
- * After the soft solver it solves directly (sparse.h), in this order,
- *   1. the islands that td_islands_find listed before it (direct_islands.c);
+ * Before the soft solver it solves islands whose constraints are hinges and welds that form a tree
+ * (lock_tree.h): they need nothing of the soft solver, which passes over their joints. After it, it
+ * writes their results, and solves directly (sparse.h), in this order,
+ *   1. the other islands that td_islands_find listed before it (direct_islands.c);
  *   2. islands with an overloaded joint: its load in this step exceeded the threshold of
  *      td_islands_load_max, or its gap exceeded max_error (overloaded_joints.c);
  *   3. of islands that are left to the soft solver, the linkages (bodies that joints connect) whose

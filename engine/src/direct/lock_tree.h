@@ -25,6 +25,8 @@
 #ifndef TD_LOCK_TREE_H
 #define TD_LOCK_TREE_H
 
+#include "base/indices.h"
+
 #include <stdbool.h>
 
 /* A body, with the joint by which it hangs from its parent. Vectors are in world axes. The
@@ -71,6 +73,17 @@ typedef struct td_lock_body {
     double g[3];        /* g likewise */
     double per_turning; /* 1 / A_ww of a hinge */
 } td_lock_body;
+
+/* The result of a step: what is written to the world of a body and of the joint by which it hangs.
+ * Impulses are those of a substep, along and across the joint's frame and its turn. */
+typedef struct td_lock_result {
+    float velocity[3], moved[3];
+    float impulse[3];
+    float separation[2], turn_gap; /* at the end of the step */
+    td_awake_slot slot;
+    int lane;
+    struct td_block *block; /* null: the body has no joint of its own */
+} td_lock_result;
 
 /* A body of an island by its number there. The island's list is made breadth first, so that in a
  * tree every body but the first has one joint to a body that is listed before it. */

@@ -39,6 +39,7 @@ static const td_joint_hooks joint_hooks = {.engage = td_joints_engage,
                                            .draw = td_joints_draw,
                                            .solve = td_island_solve_joints,
                                            .solve_tree = td_lock_tree_step,
+                                           .write_tree = td_lock_tree_write,
                                            .islands = &td_islands_of_joints};
 
 /* Prepares a world for its first joint: sets the operations of the joints' constraint kinds, the

@@ -20,11 +20,16 @@ static float load(const thud_world *w, const td_block *block, int lane, float si
 }
 
 /* td_lane_ops.count: the residual of a locked direction is its speed, in lengths/s; turn is not
- * counted. */
+ * counted, nor are lanes of islands that were solved before the soft solver
+ * (td_islands.trees_residual). */
 static void count(thud_world *w, const td_block *block) {
+    uint32_t counted_already = w->islands.passes_over ? block->solved : 0;
     const td_lock_rows *rows = td_lock_rows_at(block);
     const td_point *p = block->point;
     for (int lane = 0; lane < block->used; lane++) {
+        if (counted_already >> lane & 1u) {
+            continue;
+        }
         double a[3], b[3], sign = (double)rows->turn_sign[lane];
         td_joint_motion(w, block, lane, a, b);
         td_joint_frame f = td_joint_frame_after(block, lane, (double)p[0].start_separation[lane],

@@ -15,16 +15,21 @@
 #include "direct/step_parts.h"
 #include "joints/joint.h"
 
+#include <string.h>
+
 /* The step of one island. Bodies are numbered as in lock_tree.h, the root first. */
 typedef struct tree_step {
     thud_world *w;
     const td_island *island;
+    const td_direct_body *known; /* null, or the bodies with the impulses of contacts */
     td_lock_body *bodies;
     int count;
     double part;       /* length of a part, s */
     double tolerance;  /* td_island_tolerance, length/s */
     double unbalanced; /* greatest moment out of balance after a part, as a speed: length/s */
     double closing;    /* greatest speed at which a gap may be closed, length/s or rad/s */
+    double speed_max;  /* of a body, length/s */
+    double residual;   /* greatest speed that a joint has at the end of a part, length/s */
     bool closed;       /* a part has closed gaps */
     int factorings, factorings_max;
 } tree_step;
@@ -32,6 +37,9 @@ typedef struct tree_step {
 /* What a solution costs for each body, in operations on 3 x 3 blocks: thud_quality.island_work.
  * Measured in instructions, with what comes before and after the iterations. */
 enum { TREE_COST = 2 };
+/* The budget of a linkage (joint_subsystems.c), beside the island budget of the step, as many
+ * factorisations times TD_BUDGET_OF_JOINTS. Chosen: a chain that whips is solved in many parts. */
+enum { LINKAGE_BUDGET = 64 };
 
 /* ---- the tree ---- */
 
@@ -58,11 +66,11 @@ static bool list_joints(const tree_step *s, td_listed_body *list, int *held, int
         }
         td_lane at = td_lane_of(w, constraint);
         const td_point *p = at.block->point;
-        bool point = p[0].normal_mass[at.lane] > 0.0f && p[1].normal_mass[at.lane] > 0.0f &&
-                     td_lock_rows_at(at.block)->frame_turns[at.lane] <= 0.0f;
+        bool is_point = p[0].normal_mass[at.lane] > 0.0f && p[1].normal_mass[at.lane] > 0.0f &&
+                        td_lock_rows_at(at.block)->frame_turns[at.lane] <= 0.0f;
         int a = number_of(s, at.block->a[at.lane]), b = number_of(s, at.block->b[at.lane]);
         int later = td_max_int(a, b), before = td_min_int(a, b);
-        if (!point || (before != TD_NONE ? list[later].link : *held) != TD_NONE) {
+        if (!is_point || (before != TD_NONE ? list[later].link : *held) != TD_NONE) {
             return false;
         }
         if (before != TD_NONE) {
@@ -101,16 +109,36 @@ static void set_order(const tree_step *s, td_listed_body *list, int held, int ho
     }
 }
 
+/* What forces, damping and the known impulses of contacts add to the mean velocity of a body in the
+ * step. Without the last two it is half of what forces add in all substeps; td_island_free_velocity
+ * gives the same, but for rounding. */
+static void take_gain(const tree_step *s, td_lock_body *t, const td_body *body,
+                      td_awake_slot slot) {
+    const float *substep_gain = td_row(&s->w->substep_gain, slot);
+    bool damped = body->linear_damping > 0.0f || body->angular_damping > 0.0f;
+    double before[3], free[3];
+    if (s->known) {
+        memcpy(free, s->known[t->number].free, sizeof free);
+    } else if (damped) {
+        td_island_free_velocity(s->w, s->island, t->number, before, free);
+    }
+    for (int k = 0; k < 3; k++) {
+        double gain = 0.5 * s->w->substeps * (double)substep_gain[k];
+        t->gain[k] = s->known || damped ? free[k] - t->before[k] : gain;
+    }
+}
+
 /* Sets mass and velocities of a body, for a step of one part. */
 static void take_body(const tree_step *s, td_lock_body *t) {
-    td_awake_slot slot = td_slot_in(&s->w->islands.slots, s->island->first_body + t->number);
+    const td_islands *islands = &s->w->islands;
+    int place = s->island->first_body + t->number;
+    td_awake_slot slot = td_slot_in(&islands->slots, place);
     const td_body *body = td_body_at(s->w, td_body_of(s->w, slot));
-    double free[3];
-    td_island_free_velocity(s->w, s->island, t->number, t->before, free);
+    const float *start = td_at(&islands->island_start_velocity, place);
     for (int k = 0; k < 3; k++) {
-        t->velocity[k] = t->before[k];
-        t->gain[k] = free[k] - t->before[k];
+        t->velocity[k] = t->before[k] = (double)start[k];
     }
+    take_gain(s, t, body, slot);
     t->turns = body->inv_inertia > 0.0f;
     t->mass = 1.0 / (double)body->inv_mass;
     t->inertia = t->turns ? 1.0 / (double)body->inv_inertia : 1.0;
@@ -169,16 +197,13 @@ static bool take_joint(const tree_step *s, td_lock_body *t) {
     return !t->weld || (t->turns && holder_turns);
 }
 
-/* The number of parts, from the fastest rotation that moves an anchor, in the velocities before the
- * step and in the soft solver's result. */
+/* The number of parts that the present velocities require: from the fastest rotation that moves an
+ * anchor. */
 static int parts_of(const tree_step *s) {
     double fastest = 0.0;
     for (int i = 0; i < s->count; i++) {
         const td_lock_body *t = &s->bodies[i];
-        td_awake_slot slot = td_slot_in(&s->w->islands.slots, s->island->first_body + t->number);
-        double soft = td_abs((double)td_row(&s->w->velocity, slot)[2]);
-        double rate = td_max_double(soft, td_abs(t->before[2]));
-        fastest = t->sweeps ? td_max_double(fastest, rate) : fastest;
+        fastest = t->sweeps ? td_max_double(fastest, td_abs(t->velocity[2])) : fastest;
     }
     return td_parts_of(s->w, s->island, fastest, true, 0.0);
 }
@@ -233,6 +258,12 @@ static void gap_of(const tree_step *s, const td_lock_body *t, const double arm[2
     }
 }
 
+/* The gap of a weld's rotation, likewise. */
+static double turn_gap_of(const tree_step *s, const td_lock_body *t, double elapsed) {
+    double held = t->parent == TD_NONE ? elapsed * t->outside[2] : s->bodies[t->parent].moved[2];
+    return t->turn_gap + (t->moved[2] - held);
+}
+
 static void scale_impulse(td_lock_body *t, double by) {
     t->impulse[0] *= by;
     t->impulse[1] *= by;
@@ -263,9 +294,7 @@ static void begin_part(tree_step *s, double elapsed) {
         t->closing[0] = x * u - y * v;
         t->closing[1] = y * u + x * v;
         if (t->weld) {
-            double turned = t->moved[2] - (t->parent == TD_NONE ? elapsed * t->outside[2]
-                                                                : s->bodies[t->parent].moved[2]);
-            t->turn_closing = td_joint_part_closing(w, t->turn_gap + turned, 1.0, s->part);
+            t->turn_closing = td_joint_part_closing(w, turn_gap_of(s, t, elapsed), 1.0, s->part);
         }
     }
 }
@@ -349,11 +378,19 @@ static bool solve_mean_velocity(tree_step *s) {
     }
 }
 
+/* td_island_clamp_velocity */
+static void clamp_velocity(const tree_step *s, double velocity[3]) {
+    for (int k = 0; k < 3; k++) {
+        double max = k < 2 ? s->speed_max : (double)THUD_ANGULAR_SPEED_MAX;
+        velocity[k] = velocity[k] > max ? max : velocity[k] < -max ? -max : velocity[k];
+    }
+}
+
 /* Moves the bodies at their mean velocities, and extrapolates these to the end of the part. */
 static void move(tree_step *s) {
     for (int i = 0; i < s->count; i++) {
         td_lock_body *t = &s->bodies[i];
-        td_island_clamp_velocity(s->w, t->velocity);
+        clamp_velocity(s, t->velocity);
         for (int k = 0; k < 3; k++) {
             t->moved[k] += s->part * t->velocity[k];
             t->velocity[k] = 2.0 * t->velocity[k] - t->before[k];
@@ -404,8 +441,11 @@ static bool solve_end_velocity(tree_step *s, double elapsed) {
     double enough = TD_END_ERROR_MAX * td_gravity_speed(s->w);
     turn_arms(s, true, elapsed);
     set_targets(s, false);
-    if (!anew && td_lock_tree_residual(s->bodies, s->count) <= enough) {
-        return true;
+    if (!anew) {
+        s->residual = td_lock_tree_residual(s->bodies, s->count);
+        if (s->residual <= enough) {
+            return true;
+        }
     }
     for (int i = 0; i < s->count; i++) {
         td_lock_body *t = &s->bodies[i];
@@ -417,6 +457,7 @@ static bool solve_end_velocity(tree_step *s, double elapsed) {
     }
     keep_impulses(s);
     bool solved = solve(s);
+    s->residual = td_lock_tree_residual(s->bodies, s->count);
     if (!anew) {
         restore_impulses(s);
     }
@@ -495,43 +536,29 @@ static double energy_of_closing(const tree_step *s) {
     return mass * pushed * pushed * s->count;
 }
 
-/* Writes a body and the lane of its joint. Returns whether the joint's load keeps the island
- * direct. */
-static bool write_body(const tree_step *s, td_lock_body *t, int parts) {
-    thud_world *w = s->w;
-    td_awake_slot slot = td_slot_in(&w->islands.slots, s->island->first_body + t->number);
-    float *velocity = td_row(&w->velocity, slot), *delta = td_row(&w->delta, slot);
-    td_island_clamp_velocity(w, t->velocity);
+/* Keeps the result of a body and of its joint. */
+static void keep_result(const tree_step *s, td_lock_body *t, int parts, td_lock_result *result) {
+    *result = (td_lock_result){.slot = td_slot_in(&s->w->islands.slots,
+                                                  s->island->first_body + t->number),
+                               .block = t->joined ? t->block : NULL,
+                               .lane = t->lane};
+    clamp_velocity(s, t->velocity);
     for (int k = 0; k < 3; k++) {
-        velocity[k] = (float)t->velocity[k];
-        delta[k] = (float)t->moved[k];
+        result->velocity[k] = (float)t->velocity[k];
+        result->moved[k] = (float)t->moved[k];
     }
-    *td_slow_steps_at(w, slot) = 0;
     if (!t->joined) {
-        return false;
+        return;
     }
-    td_lane at = {t->block, t->lane};
-    double gap[2], x = t->axis[0], y = t->axis[1];
-    double sign = t->sign, turn_sign = sign * (double)td_lock_rows_at(at.block)->turn_sign[at.lane];
-    gap_of(s, t, t->arm_now, t->holder_now, w->def.time_step, gap);
-    const double along[2] = {x * t->impulse[0] + y * t->impulse[1],
-                             x * t->impulse[1] - y * t->impulse[0]};
-    const double open[2] = {x * gap[0] + y * gap[1], x * gap[1] - y * gap[0]};
-    float per_substep = 1.0f / (float)w->substeps;
-    double load = 0.0;
-    for (int k = 0; k < 2; k++) {
-        td_point *p = &at.block->point[k];
-        float impulse = (float)(parts * sign * along[k]);
-        p->normal_impulse[at.lane] = per_substep * impulse;
-        p->separation[at.lane] = (float)(sign * open[k]);
-        td_history_of(at.block, 2)[k].total[at.lane] = impulse;
-        load += td_abs((double)impulse);
-    }
-    float turn = (float)(parts * turn_sign * t->turn_impulse);
-    at.block->tangent_impulse[at.lane] = per_substep * turn;
-    at.block->mark[at.lane].loaded |= TD_DIRECT;
-    td_surface_at(at.block, 2)->total[at.lane] = turn;
-    return td_island_load_stays(w, at, load + td_abs((double)turn));
+    double gap[2], x = t->axis[0], y = t->axis[1], of_substep = (double)parts / s->w->substeps;
+    double sign = t->sign, turn_sign = sign * (double)td_lock_rows_at(t->block)->turn_sign[t->lane];
+    gap_of(s, t, t->arm_now, t->holder_now, s->w->def.time_step, gap);
+    result->impulse[0] = (float)(of_substep * sign * (x * t->impulse[0] + y * t->impulse[1]));
+    result->impulse[1] = (float)(of_substep * sign * (x * t->impulse[1] - y * t->impulse[0]));
+    result->impulse[TD_DIRECT_TANGENT] = (float)(of_substep * turn_sign * t->turn_impulse);
+    result->separation[0] = (float)(sign * (x * gap[0] + y * gap[1]));
+    result->separation[1] = (float)(sign * (x * gap[1] - y * gap[0]));
+    result->turn_gap = (float)(turn_sign * turn_gap_of(s, t, s->w->def.time_step));
 }
 
 /* The island as a tree, in `s`. False where it is none. */
@@ -544,6 +571,8 @@ static bool set_up(tree_step *s) {
     }
     set_order(s, list, held, hold);
     bool sound = true;
+    s->closing = s->unbalanced = 0.0;
+    s->closed = false;
     for (int i = 0; i < s->count; i++) {
         td_lock_body *t = &s->bodies[i];
         take_body(s, t);
@@ -589,13 +618,50 @@ static bool solve_parts(tree_step *s, int parts) {
     return solved;
 }
 
-td_tree_outcome td_lock_tree_step(thud_world *w, const td_island *island) {
+/* Solves the step in so many parts. False where a part fails, or the result is not plausible. */
+static bool solve_step(tree_step *s, int parts) {
+    td_island_energy energy = {.start = energy_now(s), .free = free_energy(s)};
+    divide(s, parts);
+    if (!solve_parts(s, parts)) {
+        return false;
+    }
+    const double *outside = s->bodies[0].outside;
+    bool pushed = outside[0] != 0.0 || outside[1] != 0.0 || outside[2] != 0.0;
+    energy.work = work_of_forces(s);
+    if (s->closed && !pushed) {
+        pay_for_closing(s, energy.start + energy.work);
+    }
+    energy.now = energy_now(s);
+    energy.free = parts > 1 ? td_max_double(energy.free, free_energy(s)) : energy.free;
+    energy.pushed = energy_of_closing(s);
+    return !td_gains_energy(&energy) &&
+           !td_gains_out_of_balance(&energy, s->unbalanced, s->tolerance);
+}
+
+/* Solves the step in as many parts as the velocities before it require; and once more where those
+ * after it require more. Returns the number of parts, 0 where none leads to a result. */
+static int solve_in_parts(tree_step *s) {
+    int parts = parts_of(s);
+    bool solved = parts > 0 && solve_step(s, parts);
+    int required = solved ? parts_of(s) : 0;
+    if (required > parts) {
+        set_up(s);
+        solved = solve_step(s, required);
+        parts = required;
+    }
+    return solved && required > 0 ? parts : 0;
+}
+
+td_tree_outcome td_lock_tree_step(thud_world *w, const td_island *island,
+                                  const td_direct_body *known) {
     tree_step s = {.w = w,
                    .island = island,
+                   .known = known,
                    .bodies = w->islands.locks.data,
                    .count = island->bodies,
-                   .tolerance = td_island_tolerance(w)};
-    int left = td_island_factoring_budget(w, (int64_t)TREE_COST * s.count);
+                   .tolerance = td_island_tolerance(w),
+                   .speed_max = (double)(w->def.maximum_speed * w->length_scale)};
+    int left = known ? LINKAGE_BUDGET : td_island_factoring_budget(w, (int64_t)TREE_COST * s.count);
     s.factorings_max = TD_BUDGET_OF_JOINTS * left;
     if (!set_up(&s)) {
         return TD_TREE_REFUSED;
@@ -603,30 +669,47 @@ td_tree_outcome td_lock_tree_step(thud_world *w, const td_island *island) {
     if (left == 0) {
         return TD_TREE_SPENT;
     }
-    int parts = parts_of(&s);
-    td_island_energy energy = {.start = energy_now(&s), .free = free_energy(&s)};
-    divide(&s, td_max_int(parts, 1));
-    bool solved = parts > 0 && solve_parts(&s, parts);
-    const double *outside = s.bodies[0].outside;
-    bool pushed = outside[0] != 0.0 || outside[1] != 0.0 || outside[2] != 0.0;
-    energy.work = work_of_forces(&s);
-    if (solved && s.closed && !pushed) {
-        pay_for_closing(&s, energy.start + energy.work);
-    }
-    energy.now = energy_now(&s);
-    energy.free = td_max_double(energy.free, free_energy(&s));
-    energy.pushed = energy_of_closing(&s);
-    solved = solved && !td_gains_energy(&energy) &&
-             !td_gains_out_of_balance(&energy, s.unbalanced, s.tolerance);
+    int parts = solve_in_parts(&s);
     w->stats.factorings += s.factorings;
     w->stats.island_work += (int64_t)s.factorings * TREE_COST * s.count;
-    if (!solved) {
+    if (parts == 0) {
         return s.factorings == s.factorings_max ? TD_TREE_SPENT : TD_TREE_REFUSED;
     }
-    bool loaded = false;
     for (int i = 0; i < s.count; i++) {
-        loaded |= write_body(&s, &s.bodies[i], parts);
+        keep_result(&s, &s.bodies[i], parts, td_at(&w->islands.results, island->first_body + i));
+    }
+    w->islands.tree_residual = (float)s.residual;
+    return TD_TREE_SOLVED;
+}
+
+/* Writes the result of a joint to its lane. Returns whether its load keeps the island direct;
+ * `known`: that of another joint does. */
+static bool write_joint(thud_world *w, const td_lock_result *result, bool known) {
+    td_lane at = {result->block, result->lane};
+    for (int k = 0; k < 2; k++) {
+        at.block->point[k].normal_impulse[at.lane] = result->impulse[k];
+        at.block->point[k].separation[at.lane] = result->separation[k];
+    }
+    at.block->tangent_impulse[at.lane] = result->impulse[TD_DIRECT_TANGENT];
+    td_lock_rows_of(at.block)->turn_gap[at.lane] = result->turn_gap;
+    at.block->mark[at.lane].loaded |= TD_DIRECT;
+    double load = 0.0;
+    for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+        load += td_abs((double)result->impulse[k]);
+    }
+    return known || td_island_load_stays(w, at, load * w->substeps);
+}
+
+void td_lock_tree_write(thud_world *w, const td_island *island) {
+    const td_lock_result *results = w->islands.results.data;
+    results += island->first_body;
+    bool loaded = false;
+    for (int i = 0; i < island->bodies; i++) {
+        const td_lock_result *result = &results[i];
+        memcpy(td_row(&w->velocity, result->slot), result->velocity, sizeof result->velocity);
+        memcpy(td_row(&w->delta, result->slot), result->moved, sizeof result->moved);
+        *td_slow_steps_at(w, result->slot) = 0;
+        loaded = result->block ? write_joint(w, result, loaded) : loaded;
     }
     td_island_keep_direct(w, island, loaded);
-    return TD_TREE_SOLVED;
 }

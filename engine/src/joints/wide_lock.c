@@ -148,17 +148,33 @@ TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_con
     }
 }
 
+/* Whether blocks whose lanes are all solved already are passed over. Steps that brace their joints
+ * pass over none, since bracing reads what these passes leave in all blocks. */
+TD_INLINE bool passes_over_solved(const td_solve_context *c) {
+    return c->passes_over && !atomic_load_explicit(c->torn, memory_order_relaxed);
+}
+
+TD_INLINE bool is_solved(const td_block *block) {
+    return block->solved == (1u << block->used) - 1u;
+}
+
 TD_INLINE void solve(td_block *const *blocks, int count, const td_solve_context *c, bool a_static) {
     softness s = soft_of(c);
+    bool over = passes_over_solved(c);
     for (int i = 0; i < count; i++) {
-        solve_lock(blocks[i], &s, c, a_static, !c->first);
+        if (!over || !is_solved(blocks[i])) {
+            solve_lock(blocks[i], &s, c, a_static, !c->first);
+        }
     }
 }
 
 TD_INLINE void relax(td_block *const *blocks, int count, const td_solve_context *c, bool a_static) {
     softness s = rigid();
+    bool over = passes_over_solved(c);
     for (int i = 0; i < count; i++) {
-        solve_lock(blocks[i], &s, c, a_static, false);
+        if (!over || !is_solved(blocks[i])) {
+            solve_lock(blocks[i], &s, c, a_static, false);
+        }
     }
 }
 

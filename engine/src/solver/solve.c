@@ -77,6 +77,7 @@ static td_solve_context solve_context(const thud_world *w, float h) {
     c.keep_totals = c.keep_tangents || w->adds_impulses;
     c.bounces = w->bouncy > 0;
     c.surface_speeds = w->surface_speeds > 0;
+    c.passes_over = w->islands.passes_over;
     /* Contacts with static bodies have twice the frequency, as in Box2D, so that bodies are not
      * pressed into the ground by what lies on them. */
     float hertz = w->quality.contact_stiffness / h;
@@ -91,10 +92,8 @@ static float infinity_to_nan(float x) {
     return x + (x - x);
 }
 
-/* Computes the velocity that gravity and forces add in a substep, for all awake bodies, where it
- * may have changed. Forces act for one step: they are cleared, and the next step computes it again.
- */
-static void refresh_push(thud_world *w, float h) {
+void td_solve_begin(thud_world *w) {
+    float h = (float)(w->def.time_step / w->substeps);
     if (!w->substep_gain_stale) {
         return;
     }
@@ -389,7 +388,6 @@ void td_solve(thud_world *w) {
     atomic_bool adds[2 * THUD_SUBSTEPS_MAX] = {false};
     atomic_flag dummy = ATOMIC_FLAG_INIT;
     float h = (float)(w->def.time_step / w->substeps);
-    refresh_push(w, h);
     td_job job;
     td_job_begin(&job, workers_for(w));
     solving s = {
