@@ -17,10 +17,14 @@ enum { CARS_IDLE = 4, CARS_INPUTS = 9 };
 
 /* The game's own state. */
 typedef struct cars {
+    uint64_t sum;                         /* a hash of all inputs so far */
     thud_body_id bodies[CARS_BODIES_MAX]; /* the cars, then the ball, then the crates */
     int players, count;                   /* number of cars; of bodies */
-    uint64_t sum;                         /* a hash of all inputs so far */
 } cars;
+
+/* What those who join get of it: its first two members. Handles are those of a world, which is
+ * taken over with them. */
+enum { CARS_STATE_BYTES = sizeof(uint64_t) + CARS_BODIES_MAX * sizeof(thud_body_id) };
 
 /* Builds the game in an empty world. False where a body cannot be made. */
 bool cars_build(thud_world *world, int players, cars *out);

@@ -58,11 +58,42 @@ export function buildCars(world, players) {
   return { cars, ball, crates };
 }
 
+/**
+ * The state of the game beside its world: a hash of all inputs so far, and the handles of its bodies,
+ * which somebody who joins takes over with the world; and its bytes, as C has them.
+ */
+export const newState = ({ cars, ball, crates }) => ({ sum: 1n, bodies: [...cars, ball, ...crates] });
+const BODIES_MAX = CARS_MAX + 1 + CRATES;
+export const stateBytes = {
+  write({ sum, bodies }) {
+    const view = new DataView(new ArrayBuffer(8 + 8 * BODIES_MAX));
+    view.setBigUint64(0, sum, true);
+    bodies.forEach(({ index, generation }, i) => {
+      view.setUint32(8 + 8 * i, index + 1, true);
+      view.setUint32(12 + 8 * i, generation, true);
+    });
+    return new Uint8Array(view.buffer);
+  },
+  read(bytes) {
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+    const bodies = Array.from({ length: BODIES_MAX }, (_, i) => (
+      { kind: "body", index: view.getUint32(8 + 8 * i, true) - 1, generation: view.getUint32(12 + 8 * i, true) }
+    ));
+    return { sum: view.getBigUint64(0, true), bodies: bodies.filter(({ index }) => index >= 0) };
+  },
+};
+/** The cars, the ball and the crates of a state of a game with so many players. */
+export const bodiesOf = ({ bodies }, players) => (
+  { cars: bodies.slice(0, players), ball: bodies[players], crates: bodies.slice(players + 1) }
+);
+
 const motion = [];
 
 /** The step of the game for a rollback. */
-export const carsStep = (world, { cars }) => (inputs) => {
+export const carsStep = (world) => (inputs, state) => {
+  const { bodies: cars } = state;
   inputs.forEach((input, player) => {
+    state.sum = BigInt.asUintN(64, state.sum * 31n + BigInt(input));
     const [drive, turn] = [Math.floor((input % INPUTS) / 3) - 1, (input % 3) - 1];
     const { cosine, sine } = world.rotationOf(cars[player]);
     const [, , , x, y, spin] = world.motionOf(cars[player], motion);

@@ -2,7 +2,7 @@
  * Plays the game of a server by WebSocket, in browsers and in Node: what carries the messages of
  * peer.mjs to thud-serve (serve_websocket.c) and back.
  */
-import { readLeave, readWelcome } from "./host.mjs";
+import { WelcomeReader, writeHello } from "thud";
 import { Peer } from "./peer.mjs";
 
 /** The share of the frames by which a peer is ahead that it waits in each frame, and the largest such share. */
@@ -11,39 +11,32 @@ const [CORRECTION, CORRECTION_MAX] = [0.02, 0.2];
 const PAUSE = 4;
 
 /**
- * Joins a game and plays it to its end. `socket`: a WebSocket that connects; `choose(peer)` returns
- * the own input of the next step; `onFrame(peer)` is called after each. Resolves to the peer, which
- * the caller closes.
+ * Joins a game, which may have begun, and plays it to its end. `socket`: a WebSocket that connects;
+ * `choose(peer)` returns the own input of the next step; `onFrame(peer)` is called after each, and ends
+ * the connection by returning false. `token`: a number of 64 bits by which the server knows who comes
+ * back; `watches`: not to play. Resolves to the peer, which the caller closes.
  * @throws {Error} where the connection ends before the game, or sends what no server sends.
  */
-export function play(thud, socket, choose, onFrame = () => {}) {
+export function play(thud, socket, choose, { onFrame = () => {}, token = 0n, watches = false } = {}) {
   socket.binaryType = "arraybuffer";
+  const reader = new WelcomeReader();
   let peer = null;
   let frame = 0; // milliseconds
   let next = 0;
   let timer = 0;
+  let leaves = false;
 
-  const send = () => {
-    for (let player = 0; player < peer.players; player++) {
-      if (!peer.tells(player)) continue;
-      const message = peer.write(player);
-      const bytes = new Uint8Array(1 + message.length);
-      bytes[0] = player;
-      bytes.set(message, 1);
-      socket.send(bytes);
-    }
-  };
   const tick = () => {
     const now = performance.now();
     next = Math.max(next, now - 1000);
     while (next <= now) {
-      peer.press(choose(peer));
+      peer.net.give(choose(peer));
       peer.advance();
-      send();
+      socket.send(peer.net.write(0));
       const wait = Math.min(CORRECTION_MAX, Math.max(-CORRECTION_MAX, CORRECTION * peer.rollback.ahead));
       next += frame * (1 + wait);
-      onFrame(peer);
-      if (!peer.isDone) continue;
+      leaves = onFrame(peer) === false;
+      if (!leaves && !peer.net.isDone) continue;
       clearInterval(timer);
       socket.close();
       return;
@@ -51,13 +44,13 @@ export function play(thud, socket, choose, onFrame = () => {}) {
   };
   const read = (bytes) => {
     if (peer) {
-      if (!readLeave(peer, bytes)) peer.read(bytes);
+      peer.net.hear(0, bytes);
       return;
     }
-    const game = readWelcome(bytes);
-    if (!game) throw new Error("the server sent something else than a welcome");
-    peer = new Peer(thud, game);
-    frame = 1000 / game.rate;
+    if (!reader.hear(bytes)) throw new Error("the server sent something else than a game");
+    if (!reader.isWhole) return;
+    peer = new Peer(thud, { reader });
+    frame = 1000 / reader.welcome.rate;
     next = performance.now();
     timer = setInterval(() => guard(tick), PAUSE);
   };
@@ -74,11 +67,12 @@ export function play(thud, socket, choose, onFrame = () => {}) {
   };
   return new Promise((resolve, refuse) => {
     reject = refuse;
+    socket.onopen = () => socket.send(writeHello({ watches, token }));
     socket.onmessage = ({ data }) => guard(() => read(new Uint8Array(data)));
     socket.onerror = () => refuse(new Error(`no server answers at ${socket.url}`));
     socket.onclose = () => {
       clearInterval(timer);
-      if (peer?.isDone) resolve(peer);
+      if (leaves || peer?.net.isDone) resolve(peer);
       else refuse(new Error(peer ? `the connection ended at step ${peer.steps} of ${peer.end}` : "the game is full"));
     };
   });

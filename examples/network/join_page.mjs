@@ -67,6 +67,9 @@ let isOver = false;
 const onFrame = (playing) => {
   peer = playing;
 };
+/** A page that is loaded anew comes back as who it was. */
+sessionStorage.token ??= crypto.getRandomValues(new BigUint64Array(1))[0].toString();
+const token = BigInt(sessionStorage.token);
 const show = () => {
   if (isOver) return;
   if (peer) draw(peer);
@@ -76,9 +79,9 @@ show();
 try {
   const thud = await load();
   const socket = new WebSocket(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}`, "thud");
-  peer = await play(thud, socket, choose, onFrame);
+  peer = await play(thud, socket, choose, { onFrame, token });
   draw(peer);
-  const other = peer.differs < 0 ? "" : `; player ${peer.differs} had another game`;
+  const other = peer.net.differs < 0 ? "" : "; another player had another game";
   state.textContent = `The game is over after ${peer.end} steps, hash ${peer.hash}${other}`;
 } catch (error) {
   state.textContent = `The game has ended: ${error.message}`;

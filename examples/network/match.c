@@ -30,14 +30,14 @@ double match_now(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-bool match_open(match *m, const host_welcome *game, uint64_t seed) {
+bool match_open(match *m, const message_welcome *game, uint64_t seed) {
     *m = (match){.game = *game, .seed = seed, .next = match_now()};
     thud_world_def def = cars_def(&thud_quality_default);
     def.allocator = (thud_allocator){allocate, release, m};
-    peer_options options = {.me = game->player,
+    peer_options options = {.me = game->own,
                             .players = game->players,
                             .depth = game->depth,
-                            .end = game->steps,
+                            .end = game->end,
                             .def = &def};
     if (!peer_open(&m->peer, &options)) {
         fprintf(stderr, "the game cannot be made: memory is short\n");
@@ -58,6 +58,7 @@ double match_wait(const match *m) {
 
 thud_result match_press(match *m) {
     peer *p = &m->peer;
+    p->now = (int64_t)(1000 * match_now());
     return peer_press(p, cars_input(m->seed, p->me, thud_progress_of(p->rollback).steps));
 }
 
@@ -77,12 +78,12 @@ bool match_print(match *m) {
     bool is_well = peer_has_ended(p);
     if (!is_well) {
         fprintf(stderr, "the game ended after %lld of %lld steps\n", (long long)now.confirmed,
-                (long long)m->game.steps);
+                (long long)m->game.end);
     }
-    for (int i = 0; i < p->players; i++) {
-        if (p->others[i].differs_from >= 0) {
+    for (int i = 0; i < MESSAGE_NUMBERS; i++) {
+        if (p->links[i].differs_from >= 0) {
             fprintf(stderr, "player %d has another game from step %lld on, or before\n", i,
-                    (long long)p->others[i].differs_from);
+                    (long long)p->links[i].differs_from);
             is_well = false;
         }
     }

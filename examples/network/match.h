@@ -4,21 +4,22 @@
 #ifndef THUD_NETWORK_MATCH_H
 #define THUD_NETWORK_MATCH_H
 
-#include "host.h"
+#include "peer.h"
 
 /* The depth of rollbacks, steps: a second at 60 steps a second. */
 enum { MATCH_DEPTH = 60 };
 
 typedef struct match {
     peer peer;
-    host_welcome game;
+    message_welcome game;
     uint64_t seed;     /* of the inputs of the own car, cars_input */
     double next;       /* seconds: when the next frame is due */
     int64_t allocated; /* allocations since the game began */
 } match;
 
-/* Begins the game of a welcome now. False, with a message on stderr, if memory is short. */
-bool match_open(match *m, const host_welcome *game, uint64_t seed);
+/* Begins the game of a welcome, at its first step, now. False, with a message on stderr, if memory
+ * is short. */
+bool match_open(match *m, const message_welcome *game, uint64_t seed);
 void match_close(match *m);
 
 /* Seconds of a clock that never goes back. */

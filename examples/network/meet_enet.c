@@ -39,22 +39,27 @@ static bool send_message(meeting *m, uint32_t how) {
 
 /* Who listens begins the game as soon as the other has come. */
 static bool begin_as_host(meeting *m) {
-    unsigned char message[HOST_BYTES_MAX];
-    host_welcome game = {
-        .player = 1, .players = 2, .rate = (int)m->rate, .depth = MATCH_DEPTH, .steps = m->steps};
+    unsigned char message[MESSAGE_WELCOME_BYTES];
+    message_welcome game = {
+        .own = 1, .players = 2, .rate = (int)m->rate, .depth = MATCH_DEPTH, .end = m->steps};
     m->is_playing =
-        send_bytes(m, message, host_write_welcome(&game, message), ENET_PACKET_FLAG_RELIABLE);
-    game.player = 0;
-    return m->is_playing && match_open(&m->match, &game, (uint64_t)m->seed);
+        send_bytes(m, message, message_write_welcome(&game, message), ENET_PACKET_FLAG_RELIABLE);
+    game.own = 0;
+    m->is_playing = m->is_playing && match_open(&m->match, &game, (uint64_t)m->seed);
+    if (m->is_playing) {
+        peer_connect(&m->match.peer, 1);
+    }
+    return m->is_playing;
 }
 
 /* False ends the program; the reason has been told. */
 static bool take_packet(meeting *m, const unsigned char *bytes, int count) {
     if (m->is_playing) {
-        return peer_read(&m->match.peer, bytes, count) == THUD_OK;
+        return peer_read(&m->match.peer, !m->match.peer.me, bytes, count) == THUD_OK;
     }
-    host_welcome game;
-    if (m->listen >= 0 || !host_read_welcome(bytes, count, &game) || game.players != 2) {
+    message_welcome game;
+    if (m->listen >= 0 || !message_read_welcome(bytes, count, &game) || game.players != 2 ||
+        game.own != 1 || game.end == 0 || game.bytes > 0) {
         fprintf(stderr, "thud-meet: the other is no thud-meet of this version\n");
         return false;
     }

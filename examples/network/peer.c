@@ -1,16 +1,4 @@
-/* peer.c: see peer.h.
- *
- * A message, all numbers with their low bytes first:
- *     0  4  MARK
- *     4  1  the sender
- *     5  1  number of inputs, n
- *     6  4  the step of the first of them
- *    10  4  how many inputs of the receiver the sender has
- *    14  4  the sender's lead, of 32 bits with a sign
- *    18  4  a step of which the sender has the hash, plus 1; 0: none
- *    22  8  the hash
- *    30  n  inputs
- *  30+n  4  checksum of all before it (FNV-1a) */
+/* peer.c: see peer.h. */
 #include "peer.h"
 
 #include <thud/thud_snapshot.h>
@@ -18,9 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const uint32_t MARK = 0x32504e54; /* "TNP2" */
+/* Who joins enters so many steps after that was announced; chosen. */
+enum { NOTICE = 12 };
 
-enum { HEAD = PEER_INPUTS_AT, SUM = 4, INPUTS_MAX = PEER_BYTES_MAX - HEAD - SUM };
+/* A round trip is shorter, and a packet is held no longer, milliseconds. */
+enum { HELD_MAX = 0xfffe };
+
+_Static_assert((int)CARS_MAX <= (int)MESSAGE_PLAYERS_MAX, "a bit for each player");
 
 /* Plays before the game, so that the world has the memory that the game needs: from all bodies on
  * one heap in a corner, which makes more contacts than any game has, players drive at random for so
@@ -57,17 +49,30 @@ static bool open_rollback(peer *p, const thud_rollback_options *options) {
     return is_open;
 }
 
+static peer_link new_link(void) {
+    return (peer_link){.is_told = true, .told.step = -1, .hash_step = -1, .differs_from = -1};
+}
+
 bool peer_open(peer *p, const peer_options *o) {
-    *p = (peer){.me = o->me, .players = o->players, .depth = o->depth, .end = o->end};
+    *p = (peer){.me = o->me,
+                .players = o->players,
+                .depth = o->depth,
+                .is_mesh = o->is_mesh,
+                .end = o->end,
+                .now = -1};
+    for (int i = 0; i < MESSAGE_NUMBERS; i++) {
+        p->links[i] = new_link();
+        p->links[i].is_told = i != p->me && (o->is_mesh ? i < o->players : p->me != 0 && i == 0);
+    }
     for (int i = 0; i < CARS_MAX; i++) {
-        p->others[i].told.step = p->others[i].differs_from = -1;
+        p->known[i].gone_from = p->known[i].back_at = PEER_NEVER;
     }
     thud_rollback_options options = {.players = o->players,
                                      .depth = o->depth,
                                      .idle = CARS_IDLE,
                                      .step = o->step ? o->step : cars_step,
                                      .state = &p->game,
-                                     .state_bytes = sizeof p->game};
+                                     .state_bytes = CARS_STATE_BYTES};
     return thud_world_create(o->def, &p->world) == THUD_OK &&
            cars_build(p->world, o->players, &p->game) && open_rollback(p, &options);
 }
@@ -78,53 +83,31 @@ void peer_close(peer *p) {
     *p = (peer){.me = p->me};
 }
 
+static bool is_host(const peer *p) {
+    return p->me == 0 && !p->is_mesh;
+}
+
+static int64_t steps_of(const peer *p) {
+    return thud_progress_of(p->rollback).steps;
+}
+
+bool peer_is_absent(const peer *p, int player) {
+    const peer_known *k = &p->known[player];
+    return k->gone_from != PEER_NEVER && k->back_at == PEER_NEVER;
+}
+
 thud_result peer_press(peer *p, uint64_t input) {
-    int64_t step = thud_progress_of(p->rollback).steps;
-    if (p->told > step || (p->end && step >= p->end)) {
-        return THUD_OK;
-    }
-    thud_result result = thud_rollback_input(p->rollback, p->me, step, input);
-    if (result == THUD_OK) {
-        p->others[p->me].inputs[step % PEER_INPUTS] = (unsigned char)input;
-        p->told = step + 1;
+    int64_t step = steps_of(p);
+    bool plays = p->me < p->players && !peer_is_absent(p, p->me);
+    thud_result result = THUD_OK;
+    while (plays && result == THUD_OK && p->known[p->me].heard <= step &&
+           !(p->end && p->known[p->me].heard >= p->end)) {
+        result = peer_hear(p, p->me, input);
     }
     return result;
 }
 
-/* ---- bytes ---- */
-
-void peer_put_number(unsigned char *at, uint64_t value, int bytes) {
-    for (int i = 0; i < bytes; i++) {
-        at[i] = (unsigned char)(value >> (8 * i));
-    }
-}
-
-uint64_t peer_number_at(const unsigned char *at, int bytes) {
-    uint64_t value = 0;
-    for (int i = 0; i < bytes; i++) {
-        value |= (uint64_t)at[i] << (8 * i);
-    }
-    return value;
-}
-
-static uint32_t checksum(const unsigned char *bytes, int count) {
-    uint32_t sum = 2166136261u;
-    for (int i = 0; i < count; i++) {
-        sum = (sum ^ bytes[i]) * 16777619u;
-    }
-    return sum;
-}
-
-int peer_seal(unsigned char *bytes, int count) {
-    peer_put_number(bytes + count, checksum(bytes, count), SUM);
-    return count + SUM;
-}
-
-bool peer_is_sealed(const unsigned char *bytes, int count) {
-    return count >= SUM && peer_number_at(bytes + count - SUM, SUM) == checksum(bytes, count - SUM);
-}
-
-/* ---- messages ---- */
+/* ---- packets ---- */
 
 /* The newest own hash. */
 static peer_hash newest_hash(const peer *p) {
@@ -133,106 +116,299 @@ static peer_hash newest_hash(const peer *p) {
     return step >= 0 && h->step == step ? *h : (peer_hash){.step = -1};
 }
 
-bool peer_tells(const peer *p, int player) {
-    return player != p->me && !p->others[player].is_gone;
+bool peer_tells(const peer *p, int number) {
+    return p->links[number].is_told;
 }
 
-int peer_write(peer *p, int player, unsigned char *out) {
-    int64_t first = p->others[player].confirmed, wanted = p->told - first, lead = 0;
-    int count = (int)(wanted < INPUTS_MAX ? wanted : INPUTS_MAX);
-    peer_hash hash = newest_hash(p);
-    thud_rollback_get_lead(p->rollback, player, &lead);
-    peer_put_number(out, MARK, 4);
-    out[PEER_SENDER_AT] = (unsigned char)p->me;
-    out[5] = (unsigned char)count;
-    peer_put_number(out + PEER_FIRST_AT, (uint64_t)first, 4);
-    peer_put_number(out + 10, (uint64_t)p->others[player].heard, 4);
-    peer_put_number(out + 14, (uint64_t)lead, 4);
-    peer_put_number(out + 18, (uint64_t)(hash.step + 1), 4);
-    peer_put_number(out + 22, hash.hash, 8);
-    for (int i = 0; i < count; i++) {
-        out[HEAD + i] = p->others[p->me].inputs[(first + i) % PEER_INPUTS];
+/* The step of the first input of a player that somebody may lack: steps of an absence are left
+ * out. */
+static int64_t next_for(const peer *p, const peer_link *link, int player) {
+    const peer_known *k = &p->known[player];
+    int64_t has = link->has[player];
+    bool is_absence = has >= k->gone_from && has < k->back_at && k->back_at != PEER_NEVER;
+    return is_absence ? k->back_at : has;
+}
+
+/* Whether somebody is told the inputs of a player. */
+static bool passes_on(const peer *p, int number, int player) {
+    return player != number && (player == p->me || is_host(p));
+}
+
+bool peer_is_too_late(const peer *p, int number) {
+    bool is_late = false;
+    for (int i = 0; i < p->players; i++) {
+        is_late |= passes_on(p, number, i) &&
+                   p->known[i].heard - next_for(p, &p->links[number], i) > PEER_INPUTS;
     }
-    int bytes = peer_seal(out, HEAD + count);
+    return is_late;
+}
+
+/* Whether the clocks of this player and another one are compared: both play. */
+static bool is_timed(const peer *p, int number) {
+    return p->me < p->players && number < p->players && !peer_is_absent(p, p->me) &&
+           !peer_is_absent(p, number);
+}
+
+/* The inputs of a player that somebody may lack, in `room`. */
+static message_run run_for(const peer *p, const peer_link *link, int player, unsigned char *room) {
+    const peer_known *k = &p->known[player];
+    int64_t first = next_for(p, link, player), count = k->heard - first;
+    count = count > MESSAGE_RUN_MAX ? MESSAGE_RUN_MAX : count;
+    for (int64_t i = 0; i < count; i++) {
+        room[i] = k->inputs[(first + i) % PEER_INPUTS];
+    }
+    return (message_run){.player = player, .first = first, .count = (int)count, .inputs = room};
+}
+
+static void write_events(const peer *p, const peer_link *link, message_packet *out) {
+    out->has_events = !p->is_mesh;
+    out->known = p->event_count;
+    if (is_host(p)) {
+        out->first_event = link->events;
+        while (out->events < MESSAGE_EVENTS_MAX && link->events + out->events < p->event_count) {
+            out->event[out->events] = p->events[(link->events + out->events) % PEER_EVENTS];
+            out->events++;
+        }
+    }
+}
+
+int peer_write(peer *p, int number, unsigned char *out) {
+    const peer_link *link = &p->links[number];
+    unsigned char inputs[CARS_MAX][MESSAGE_RUN_MAX];
+    peer_hash hash = newest_hash(p);
+    message_packet packet = {.from = p->me, .hash_step = hash.step, .hash = hash.hash, .held = -1};
+    if (is_timed(p, number)) {
+        int64_t lead = 0;
+        thud_rollback_get_lead(p->rollback, number, &lead);
+        packet.lead = lead > MESSAGE_LEAD_MAX    ? MESSAGE_LEAD_MAX
+                      : lead < -MESSAGE_LEAD_MAX ? -MESSAGE_LEAD_MAX
+                                                 : (int)lead;
+    }
+    packet.has_time = p->now >= 0;
+    if (packet.has_time) {
+        packet.sent = (int)(p->now & 0xffff);
+        packet.echo = link->sent;
+        int64_t held = p->now - link->came;
+        packet.held = !link->has_come ? -1 : held < HELD_MAX ? (int)held : HELD_MAX;
+    }
+    write_events(p, link, &packet);
+    for (int i = 0; i < p->players; i++) {
+        bool acks = is_host(p) || p->is_mesh ? i == number : i != p->me;
+        if (acks) {
+            packet.ack[packet.acks++] = (message_ack){.player = i, .step = p->known[i].heard};
+        }
+        message_run run = {0};
+        if (passes_on(p, number, i)) {
+            run = run_for(p, link, i, inputs[i]);
+        }
+        if (run.count > 0) {
+            packet.run[packet.runs++] = run;
+        }
+    }
+    int bytes = message_write_packet(&packet, out);
     p->bytes += bytes;
     p->messages++;
     return bytes;
 }
 
-static int64_t lead_in(const unsigned char *bytes) {
-    return (int32_t)(uint32_t)peer_number_at(bytes + 14, 4);
+/* Whether the inputs may come from a player, and are those that were told before. */
+static bool is_run(const peer *p, int from, const message_run *run) {
+    const peer_known *k = &p->known[run->player];
+    bool is_right = run->player != p->me && (run->player == from || (from == 0 && !p->is_mesh));
+    int64_t oldest = k->heard - PEER_INPUTS;
+    oldest = oldest < k->since ? k->since : oldest;
+    for (int64_t i = 0; i < run->count && is_right; i++) {
+        int64_t step = run->first + i;
+        is_right =
+            step < oldest || step >= k->heard || k->inputs[step % PEER_INPUTS] == run->inputs[i];
+    }
+    return is_right;
 }
 
-/* Whether the bytes are a message of another player. */
-static bool is_message(const peer *p, const unsigned char *bytes, int count) {
-    if (count < HEAD + SUM || peer_number_at(bytes, 4) != MARK || count != HEAD + bytes[5] + SUM ||
-        !peer_is_sealed(bytes, count)) {
-        return false;
+/* Only the host says who leaves and enters, and nobody has heard of more than it has said. */
+static bool are_events(const peer *p, const message_packet *m) {
+    if (!m->has_events) {
+        return true;
     }
-    for (int i = 0; i < bytes[5]; i++) {
-        if (bytes[HEAD + i] >= CARS_INPUTS) {
-            return false;
-        }
+    if (is_host(p)) {
+        return m->known <= p->event_count && m->events == 0;
     }
-    int from = bytes[PEER_SENDER_AT];
-    int64_t first = (int64_t)peer_number_at(bytes + PEER_FIRST_AT, 4);
-    int64_t mine = (int64_t)peer_number_at(bytes + 10, 4);
-    return from < p->players && peer_tells(p, from) && mine <= p->told &&
-           first <= p->others[from].heard && labs(lead_in(bytes)) <= THUD_ROLLBACK_DEPTH_MAX;
+    bool is_right =
+        m->from == 0 && !p->is_mesh && (m->events == 0 || m->first_event <= p->event_count);
+    for (int i = 0; i < m->events && is_right; i++) {
+        is_right = m->event[i].player != p->me || m->event[i].enters;
+    }
+    return is_right;
+}
+
+/* Whether the packet is one that its sender may send. */
+static bool is_packet(const peer *p, int from, const message_packet *m) {
+    bool is_right = (from < 0 || from == m->from) && peer_tells(p, m->from) &&
+                    m->lead <= MESSAGE_LEAD_MAX && m->lead >= -MESSAGE_LEAD_MAX && are_events(p, m);
+    for (int i = 0; i < m->acks && is_right; i++) {
+        /* Who has not heard yet that it enters, has given no inputs. */
+        int player = m->ack[i].player;
+        is_right = player != p->me || peer_is_absent(p, player) ||
+                   m->ack[i].step <= p->known[player].heard;
+    }
+    for (int i = 0; i < m->runs && is_right; i++) {
+        is_right = is_run(p, m->from, &m->run[i]);
+    }
+    return is_right;
 }
 
 thud_result peer_hear(peer *p, int player, uint64_t input) {
-    peer_other *other = &p->others[player];
-    thud_result result = thud_rollback_input(p->rollback, player, other->heard, input);
+    peer_known *k = &p->known[player];
+    thud_result result = thud_rollback_input(p->rollback, player, k->heard, input);
     if (result == THUD_OK) {
-        other->inputs[other->heard % PEER_INPUTS] = (unsigned char)input;
-        other->heard++;
+        k->inputs[k->heard % PEER_INPUTS] = (unsigned char)input;
+        k->heard++;
     }
     return result;
 }
 
-thud_result peer_read(peer *p, const unsigned char *bytes, int count) {
-    if (!is_message(p, bytes, count)) {
+/* Takes the inputs that continue those that are known. A player who waits may be sent inputs that
+ * it cannot store yet; they are sent again. */
+static thud_result take_run(peer *p, const message_run *run) {
+    peer_known *k = &p->known[run->player];
+    int64_t end = steps_of(p) + p->depth;
+    end = peer_is_absent(p, run->player) && k->gone_from < end ? k->gone_from : end;
+    end = run->first + run->count < end ? run->first + run->count : end;
+    thud_result result = THUD_OK;
+    while (run->first <= k->heard && k->heard < end && result == THUD_OK) {
+        result = peer_hear(p, run->player, run->inputs[k->heard - run->first]);
+    }
+    return result;
+}
+
+/* Puts events into effect as far as the rollback reaches. */
+static thud_result apply_events(peer *p) {
+    thud_result result = THUD_OK;
+    for (; p->events_applied < p->event_count && result == THUD_OK; p->events_applied++) {
+        const message_event *e = &p->events[p->events_applied % PEER_EVENTS];
+        peer_known *k = &p->known[e->player];
+        if (e->step > steps_of(p) + p->depth || (e->enters && k->heard < k->gone_from)) {
+            break;
+        }
+        if (e->enters) {
+            result = thud_rollback_enter(p->rollback, e->player, e->step);
+            k->since = k->heard = k->back_at = e->step;
+        } else {
+            result = thud_rollback_leave(p->rollback, e->player, e->step);
+            k->gone_from = e->step;
+            k->back_at = PEER_NEVER;
+        }
+    }
+    return result;
+}
+
+/* Takes the events that it lacks, as far as there is room: the others come again. */
+static thud_result take_events(peer *p, peer_link *link, const message_packet *m) {
+    if (m->has_events && is_host(p)) {
+        link->events = m->known > link->events ? m->known : link->events;
+    }
+    for (int i = p->event_count - m->first_event; !is_host(p) && i >= 0 && i < m->events; i++) {
+        if (p->event_count - p->events_applied == PEER_EVENTS) {
+            break;
+        }
+        p->events[p->event_count++ % PEER_EVENTS] = m->event[i];
+    }
+    return apply_events(p);
+}
+
+thud_result peer_read(peer *p, int from, const unsigned char *bytes, int count) {
+    message_packet m;
+    if (!message_read_packet(bytes, count, p->players, CARS_INPUTS, &m) ||
+        !is_packet(p, from, &m)) {
         p->refused++;
         return THUD_OK;
     }
-    int from = bytes[PEER_SENDER_AT];
-    peer_other *other = &p->others[from];
-    int64_t first = (int64_t)peer_number_at(bytes + PEER_FIRST_AT, 4);
-    int64_t mine = (int64_t)peer_number_at(bytes + 10, 4);
-    other->confirmed = mine > other->confirmed ? mine : other->confirmed;
-    /* A player who waits may be sent inputs that it cannot store yet; they are sent again. */
-    int64_t end = thud_progress_of(p->rollback).steps + p->depth;
-    end = first + bytes[5] < end ? first + bytes[5] : end;
-    while (other->heard < end) {
-        thud_result result = peer_hear(p, from, bytes[HEAD + (other->heard - first)]);
-        if (result != THUD_OK) {
-            return result;
+    peer_link *link = &p->links[m.from];
+    for (int i = 0; i < m.acks; i++) {
+        int player = m.ack[i].player;
+        int64_t step = m.ack[i].step, known = p->known[player].heard;
+        step = step < known ? step : known;
+        link->has[player] = step > link->has[player] ? step : link->has[player];
+    }
+    thud_result result = take_events(p, link, &m);
+    for (int i = 0; i < m.runs && result == THUD_OK; i++) {
+        result = take_run(p, &m.run[i]);
+    }
+    if (m.has_time && p->now >= 0) {
+        int past = (int)((p->now - m.sent) & 0xffff),
+            before = (int)((p->now - link->sent) & 0xffff);
+        if (!link->has_come || past <= before) {
+            link->has_come = true;
+            link->sent = m.sent;
+            link->came = p->now;
         }
     }
-    int64_t step = (int64_t)peer_number_at(bytes + 18, 4) - 1;
-    if (step > other->told.step) {
-        other->told = (peer_hash){step, peer_number_at(bytes + 22, 8)};
+    if (link->told.step < 0 && m.hash_step > link->hash_step) {
+        link->told = (peer_hash){m.hash_step, m.hash};
+        link->hash_step = m.hash_step;
     }
-    return thud_rollback_set_lead(p->rollback, from, lead_in(bytes));
+    if (result == THUD_OK && is_timed(p, m.from)) {
+        result = thud_rollback_set_lead(p->rollback, m.from, m.lead);
+    }
+    return result;
 }
 
 /* ---- playing ---- */
 
-/* Compares what another player told, where the step is confirmed and not forgotten. */
-static void compare_hash(const peer *p, peer_other *other) {
-    int64_t step = other->told.step;
-    const peer_hash *own = &p->hashes[(step < 0 ? 0 : step) / PEER_HASH_STEPS % PEER_HASHES];
-    if (step >= 0 && own->step == step && own->hash != other->told.hash &&
-        other->differs_from < 0) {
-        other->differs_from = step;
+/* Compares what somebody told, once the own hash of that step is known. */
+static void compare_hash(const peer *p, peer_link *link) {
+    int64_t step = link->told.step;
+    if (step < 0 || step >= p->hashed) {
+        return;
     }
+    const peer_hash *own = &p->hashes[step / PEER_HASH_STEPS % PEER_HASHES];
+    if (own->step == step && own->hash != link->told.hash && link->differs_from < 0) {
+        link->differs_from = step;
+    }
+    link->told.step = -1;
+}
+
+/* Adds an event to those of the host. */
+static thud_result announce(peer *p, bool enters, int player, int64_t step) {
+    p->events[p->event_count++ % PEER_EVENTS] =
+        (message_event){.enters = enters, .player = player, .step = step};
+    return apply_events(p);
+}
+
+/* Whether a player can enter: it has caught up, and everybody has what it did before it left. */
+static bool can_enter(const peer *p, int player, int64_t step) {
+    const peer_link *own = &p->links[player];
+    /* What it has is known as late as a message takes to it and back. */
+    bool can = own->is_joining && own->has[p->me] >= steps_of(p) - p->depth / 2 &&
+               (p->end == 0 || step < p->end) && p->events_applied == p->event_count;
+    for (int i = 0; i < MESSAGE_NUMBERS && can; i++) {
+        const peer_link *link = &p->links[i];
+        can = !link->is_told ||
+              (link->events == p->event_count && link->has[player] >= p->known[player].gone_from);
+    }
+    return can;
+}
+
+static thud_result let_in(peer *p) {
+    thud_result result = THUD_OK;
+    int64_t step = p->known[p->me].heard + NOTICE;
+    for (int i = 0; is_host(p) && i < p->players && result == THUD_OK; i++) {
+        if (can_enter(p, i, step)) {
+            p->links[i].is_joining = false;
+            result = announce(p, true, i, step);
+        }
+    }
+    return result;
 }
 
 thud_result peer_advance(peer *p) {
-    bool made = true, is_over = p->end && thud_progress_of(p->rollback).steps >= p->end;
-    thud_result result =
-        is_over ? thud_rollback_settle(p->rollback) : thud_rollback_advance(p->rollback, &made);
+    bool made = true, is_over = p->end && steps_of(p) >= p->end;
+    thud_result result = let_in(p);
+    result = result == THUD_OK ? apply_events(p) : result;
+    if (result == THUD_OK) {
+        result =
+            is_over ? thud_rollback_settle(p->rollback) : thud_rollback_advance(p->rollback, &made);
+    }
     int64_t sure = thud_progress_of(p->rollback).confirmed;
     p->waits += result == THUD_OK && !made;
     for (; p->hashed <= sure && result == THUD_OK; p->hashed += PEER_HASH_STEPS) {
@@ -240,8 +416,8 @@ thud_result peer_advance(peer *p) {
         h->step = p->hashed;
         result = thud_rollback_get_state(p->rollback, p->hashed, &h->hash, NULL);
     }
-    for (int i = 0; i < p->players; i++) {
-        compare_hash(p, &p->others[i]);
+    for (int i = 0; i < MESSAGE_NUMBERS; i++) {
+        compare_hash(p, &p->links[i]);
     }
     return result;
 }
@@ -253,8 +429,13 @@ bool peer_has_ended(const peer *p) {
 
 bool peer_is_done(const peer *p) {
     bool is_done = peer_has_ended(p);
-    for (int i = 0; i < p->players; i++) {
-        is_done &= !peer_tells(p, i) || p->others[i].confirmed >= p->told;
+    for (int i = 0; i < MESSAGE_NUMBERS && is_done; i++) {
+        const peer_link *link = &p->links[i];
+        for (int player = 0; link->is_told && player < p->players; player++) {
+            is_done &=
+                !passes_on(p, i, player) || next_for(p, link, player) >= p->known[player].heard;
+        }
+        is_done &= !link->is_told || !is_host(p) || link->events == p->event_count;
     }
     return is_done;
 }
@@ -264,18 +445,84 @@ thud_result peer_hash_of(peer *p, uint64_t *out) {
     return thud_rollback_get_state(p->rollback, sure, out, NULL);
 }
 
-/* ---- players who come and go ---- */
+/* ---- the host ---- */
+
+void peer_connect(peer *p, int number) {
+    p->links[number] = new_link();
+}
+
+thud_result peer_miss(peer *p, int player) {
+    return announce(p, false, player, p->known[player].heard);
+}
+
+thud_result peer_lose(peer *p, int number) {
+    p->links[number].is_told = p->links[number].is_joining = false;
+    return number < p->players && !peer_is_absent(p, number) ? peer_miss(p, number) : THUD_OK;
+}
+
+/* Whether all who have left or entered did so before a step. */
+static bool is_settled(const peer *p, int64_t step) {
+    bool is = p->events_applied == p->event_count;
+    for (int i = 0; i < p->players; i++) {
+        const peer_known *k = &p->known[i];
+        is &= (k->gone_from == PEER_NEVER || k->gone_from <= step) &&
+              (k->back_at == PEER_NEVER || k->back_at <= step);
+    }
+    return is;
+}
+
+thud_result peer_invite(peer *p, int number, message_welcome *out_welcome, unsigned char **out_game,
+                        size_t *out_bytes) {
+    *out_game = NULL;
+    thud_result result = thud_rollback_settle(p->rollback);
+    int64_t step = thud_progress_of(p->rollback).confirmed;
+    if (result != THUD_OK || !is_settled(p, step)) {
+        return result;
+    }
+    result = thud_rollback_snapshot(p->rollback, NULL, 0, out_bytes);
+    unsigned char *game = result == THUD_OK ? malloc(*out_bytes) : NULL;
+    if (!game) {
+        return result == THUD_OK ? THUD_ERROR_MEMORY : result;
+    }
+    result = thud_rollback_snapshot(p->rollback, game, *out_bytes, out_bytes);
+    if (result != THUD_OK) {
+        free(game);
+        return result;
+    }
+    *out_game = game;
+    *out_welcome = (message_welcome){.own = number,
+                                     .players = p->players,
+                                     .depth = p->depth,
+                                     .end = p->end,
+                                     .step = step,
+                                     .events = p->event_count,
+                                     .bytes = (int64_t)*out_bytes};
+    p->links[number] = new_link();
+    p->links[number].events = p->event_count;
+    p->links[number].is_joining = number < p->players;
+    for (int i = 0; i < p->players; i++) {
+        p->links[number].has[i] = step;
+        out_welcome->absent |= (uint32_t)peer_is_absent(p, i) << i;
+    }
+    return THUD_OK;
+}
+
+/* ---- a mesh ---- */
 
 thud_result peer_part(peer *p, int player, int64_t step) {
-    p->others[player].is_gone = true;
+    p->links[player].is_told = false;
+    p->known[player].gone_from = step;
+    p->known[player].back_at = PEER_NEVER;
     return thud_rollback_leave(p->rollback, player, step);
 }
 
 thud_result peer_meet(peer *p, int player, int64_t step, int64_t has) {
     thud_result result = thud_rollback_enter(p->rollback, player, step);
     if (result == THUD_OK) {
-        p->others[player] =
-            (peer_other){.heard = step, .confirmed = has, .told.step = -1, .differs_from = -1};
+        peer_known *k = &p->known[player];
+        k->since = k->heard = k->back_at = step;
+        p->links[player] = new_link();
+        p->links[player].has[p->me] = has;
     }
     return result;
 }
@@ -292,12 +539,11 @@ thud_result peer_join(peer *p, peer *host, int64_t step) {
     free(game);
     result = result == THUD_OK ? thud_rollback_enter(p->rollback, p->me, step) : result;
     if (result == THUD_OK) {
-        int64_t now = thud_progress_of(p->rollback).steps;
-        p->told = step;
+        int64_t now = steps_of(p);
         p->hashed = (now + PEER_HASH_STEPS - 1) / PEER_HASH_STEPS * PEER_HASH_STEPS;
         for (int i = 0; i < p->players; i++) {
-            p->others[i].heard = now;
-            p->others[i].confirmed = step;
+            p->known[i].since = p->known[i].heard = i == p->me ? step : now;
+            p->links[i].has[p->me] = step;
         }
     }
     return result;

@@ -1,7 +1,7 @@
 /* serve_websocket.c: thud-serve, a server without a window that browsers and Node join by WebSocket
- * (libwebsockets). It plays player 0 itself, and passes the other players' messages on. A client
- * sends the number of the player that a message is for, and the message (peer.h); it is sent
- * messages alone, and those of host.h. */
+ * (libwebsockets), before the game begins or in its midst. It plays player 0 itself, the host. A
+ * client says hello, is sent a welcome, and the game if that has begun, and then both send packets
+ * (messages.h). */
 #include "match.h"
 #include "options.h"
 
@@ -9,37 +9,43 @@
 
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-/* What waits to be sent to a client: of each player its newest message, since that has what older
- * ones had; in place of it, that the player has left; and the welcome, which goes first. */
-enum { WAITING_WELCOME = 0, WAITING_FROM = 1, WAITING_COUNT = WAITING_FROM + CARS_MAX };
+/* The longest message that is sent; numbers of clients: players 1 and up, and then those who only
+ * watch. */
+enum { SENT_MAX = MESSAGE_PART_BYTES_MAX, CLIENTS = CARS_MAX + 8 };
 
 /* After the game the others are told what they lack, for so many seconds at most. */
 static const double LINGER = 60;
 
+/* What is sent to a client: the welcome, then the game that it joins, in parts, and then packets,
+ * of which the newest waits, since that has what older ones had. */
 typedef struct client {
     struct lws *socket; /* null: nobody */
-    int received;       /* bytes of a message that has arrived in part */
-    unsigned char message[1 + PEER_BYTES_MAX];
-    int next;                 /* after the welcome, the one of `waiting` to be sent next */
-    int bytes[WAITING_COUNT]; /* 0: none */
-    unsigned char waiting[WAITING_COUNT][LWS_PRE + PEER_BYTES_MAX]; /* libwebsockets writes its head
-                                                                       before each */
+    bool is_invited;    /* the welcome has been written */
+    uint64_t token;     /* of who has, or had, this number; 0: nobody had */
+    int welcome_bytes;  /* 0: sent */
+    unsigned char *game;
+    size_t game_bytes, game_sent;
+    int packet_bytes; /* 0: none waits */
+    int received;     /* bytes of a message that has arrived in part */
+    unsigned char message[PEER_BYTES_MAX];
+    unsigned char welcome[LWS_PRE + MESSAGE_WELCOME_BYTES]; /* libwebsockets writes its head before
+                                                               each */
+    unsigned char packet[LWS_PRE + PEER_BYTES_MAX];
 } client;
 
 typedef struct server {
     match match;
-    client clients[CARS_MAX]; /* by player; 0 is the server */
-    int64_t players, steps, rate, seed;
+    client clients[CLIENTS]; /* by number; 0 is the server */
+    int64_t players, wait, steps, rate, seed;
     bool is_playing, is_over, has_failed;
     double linger_until;
     struct lws_context *context;
     lws_sorted_usec_list_t timer;
+    unsigned char part[LWS_PRE + SENT_MAX];
 } server;
-
-_Static_assert((int)HOST_BYTES_MAX <= (int)PEER_BYTES_MAX,
-               "a message of the host fits where one of a peer does");
 
 /* A signal handler sees nothing else. */
 static server the_server;
@@ -52,56 +58,84 @@ static void end_by_signal(int number) {
 
 /* ---- sending ---- */
 
-/* `which`: of `waiting`. */
-static void send_to(client *c, int which, const unsigned char *bytes, int count) {
-    if (c->socket) {
-        memcpy(c->waiting[which] + LWS_PRE, bytes, (size_t)count);
-        c->bytes[which] = count;
-        lws_callback_on_writable(c->socket);
-    }
-}
-
-/* The one of `waiting` to be sent next; -1: none. */
-static int find_next(const client *c) {
-    int found = -1;
-    for (int i = 0; i < WAITING_COUNT && found < 0; i++) {
-        int which = (c->next + i) % WAITING_COUNT;
-        found = c->bytes[which] ? which : -1;
-    }
-    return c->bytes[WAITING_WELCOME] ? WAITING_WELCOME : found;
+static bool has_more(const client *c) {
+    return c->welcome_bytes || c->game_sent < c->game_bytes || (c->is_invited && c->packet_bytes);
 }
 
 /* Nonzero: the connection is broken. */
-static int send_next(client *c) {
-    int which = find_next(c);
-    if (which < 0) {
+static int send_next(server *s, client *c) {
+    unsigned char *bytes = c->packet;
+    int count = c->is_invited ? c->packet_bytes : 0;
+    if (c->welcome_bytes) {
+        bytes = c->welcome;
+        count = c->welcome_bytes;
+        c->welcome_bytes = 0;
+    } else if (c->game_sent < c->game_bytes) {
+        bytes = s->part;
+        count = message_write_part(c->game, c->game_bytes, c->game_sent, bytes + LWS_PRE);
+        c->game_sent += MESSAGE_PART;
+    } else {
+        c->packet_bytes = 0;
+    }
+    if (count == 0) {
         return 0;
     }
-    int bytes = c->bytes[which];
-    c->bytes[which] = 0;
-    c->next = which + 1;
-    int sent = lws_write(c->socket, c->waiting[which] + LWS_PRE, (size_t)bytes, LWS_WRITE_BINARY);
-    if (find_next(c) >= 0) {
+    int sent = lws_write(c->socket, bytes + LWS_PRE, (size_t)count, LWS_WRITE_BINARY);
+    if (has_more(c)) {
         lws_callback_on_writable(c->socket);
     }
-    return sent < bytes;
+    return sent < count;
+}
+
+static void send_welcome(client *c, const message_welcome *welcome) {
+    c->is_invited = true;
+    c->welcome_bytes = message_write_welcome(welcome, c->welcome + LWS_PRE);
+    lws_callback_on_writable(c->socket);
 }
 
 /* ---- frames ---- */
 
+static void fail(server *s, const char *what);
+
+static void drop(client *c) {
+    lws_set_timeout(c->socket, PENDING_TIMEOUT_CLOSE_SEND, LWS_TO_KILL_ASYNC);
+}
+
+/* Sends who has come in the midst of the game that game, as soon as nobody is leaving or
+ * entering. */
+static void invite(server *s, int number) {
+    client *c = &s->clients[number];
+    message_welcome welcome;
+    if (peer_invite(&s->match.peer, number, &welcome, &c->game, &c->game_bytes) != THUD_OK) {
+        fail(s, "the game cannot be told: memory is short");
+    } else if (c->game) {
+        welcome.rate = (int)s->rate;
+        c->game_sent = 0;
+        send_welcome(c, &welcome);
+    }
+}
+
 static void send_all(server *s) {
     peer *p = &s->match.peer;
-    for (int i = 1; i < p->players; i++) {
-        unsigned char message[PEER_BYTES_MAX];
-        if (s->clients[i].socket && peer_tells(p, i)) {
-            send_to(&s->clients[i], WAITING_FROM, message, peer_write(p, i, message));
+    for (int i = 1; i < CLIENTS; i++) {
+        client *c = &s->clients[i];
+        if (!c->socket) {
+            continue;
+        }
+        if (!c->is_invited) {
+            invite(s, i);
+        } else if (peer_tells(p, i) && peer_is_too_late(p, i)) {
+            drop(c);
+        } else if (peer_tells(p, i)) {
+            c->packet_bytes = peer_write(p, i, c->packet + LWS_PRE);
+            lws_callback_on_writable(c->socket);
         }
     }
 }
 
 static int count_clients(const server *s) {
     int count = 0;
-    for (int i = 1; i < s->players; i++) {
+    for (int i = 1; i < CLIENTS; i++) {
         count += s->clients[i].socket != NULL;
     }
     return count;
@@ -117,7 +151,7 @@ static void play_frame(server *s) {
     bool is_done = peer_is_done(&m->peer);
     double now = match_now();
     s->linger_until = is_done ? s->linger_until : now + LINGER;
-    s->is_over |= count_clients(s) == 0 || now > s->linger_until;
+    s->is_over |= (is_done && count_clients(s) == 0) || now > s->linger_until;
     if (match_press(m) != THUD_OK) {
         fail(s, "the own input is refused");
     }
@@ -136,21 +170,26 @@ static void on_timer(lws_sorted_usec_list_t *timer) {
     lws_sul_schedule(s->context, 0, &s->timer, on_timer, wait > 0 ? wait : 1);
 }
 
-/* Begins the game, and tells all players. */
+/* Begins the game with those who are there, and tells them. */
 static void begin(server *s) {
-    host_welcome game = {.players = (int)s->players,
-                         .rate = (int)s->rate,
-                         .steps = s->steps,
-                         .depth = MATCH_DEPTH};
+    message_welcome game = {.players = (int)s->players,
+                            .rate = (int)s->rate,
+                            .end = s->steps,
+                            .depth = MATCH_DEPTH};
     if (!match_open(&s->match, &game, (uint64_t)s->seed)) {
         fail(s, "no game");
         return;
     }
     s->is_playing = true;
-    for (int i = 1; i < s->players; i++) {
-        unsigned char message[HOST_BYTES_MAX];
-        game.player = i;
-        send_to(&s->clients[i], WAITING_WELCOME, message, host_write_welcome(&game, message));
+    for (int i = 1; i < CLIENTS; i++) {
+        client *c = &s->clients[i];
+        if (c->socket) {
+            peer_connect(&s->match.peer, i);
+            game.own = i;
+            send_welcome(c, &game);
+        } else if (i < s->players && peer_miss(&s->match.peer, i) != THUD_OK) {
+            fail(s, "a player that has not come cannot be left out");
+        }
     }
     printf("the game begins\n");
     fflush(stdout);
@@ -159,99 +198,138 @@ static void begin(server *s) {
 
 /* ---- clients ---- */
 
-/* Nonzero: the game is full. */
-static int join(server *s, struct lws *socket, int *player) {
-    for (int i = 1; i < s->players && !s->is_playing; i++) {
-        if (!s->clients[i].socket) {
-            s->clients[i] = (client){.socket = socket};
-            *player = i;
-            int missing = (int)s->players - 1 - count_clients(s);
-            printf("player %d has joined, %d to come\n", i, missing);
-            fflush(stdout);
-            if (missing == 0) {
-                begin(s);
-            }
-            return 0;
+/* The number for who says hello: that which it had, else one that nobody had, else any; 0: none. */
+static int number_for(const server *s, const message_hello *hello) {
+    int first = hello->watches ? CARS_MAX : 1, end = hello->watches ? CLIENTS : (int)s->players;
+    int unused = 0, left = 0;
+    for (int i = end - 1; i >= first; i--) {
+        const client *c = &s->clients[i];
+        bool is_free =
+            !c->socket && (hello->watches || !s->is_playing || peer_is_absent(&s->match.peer, i));
+        if (is_free && hello->token && c->token == hello->token) {
+            return i;
         }
+        unused = is_free && !c->token ? i : unused;
+        left = is_free ? i : left;
     }
-    return 1;
+    return unused ? unused : left;
 }
 
-/* The others go on without a player. */
-static void leave(server *s, int player) {
+static int count_missing(const server *s) {
+    int count = (int)s->wait;
+    for (int i = 1; i < s->players; i++) {
+        count -= s->clients[i].socket != NULL;
+    }
+    return count;
+}
+
+/* Nonzero: it says no hello, or there is no place for it. */
+static int join(server *s, struct lws *socket, int *number, const unsigned char *bytes, int count) {
+    message_hello hello;
+    *number = message_read_hello(bytes, count, &hello) && !s->is_over ? number_for(s, &hello) : 0;
+    if (*number == 0) {
+        return 1;
+    }
+    bool was_here = s->clients[*number].token && s->clients[*number].token == hello.token;
+    s->clients[*number] = (client){.socket = socket, .token = hello.token};
+    const char *what = hello.watches ? "watches" : was_here ? "has come back" : "has joined";
+    printf("player %d %s", *number, what);
+    if (s->is_playing) {
+        printf(" at step %lld\n", (long long)thud_progress_of(s->match.peer.rollback).steps);
+    } else {
+        printf(", %d to come\n", count_missing(s));
+    }
+    fflush(stdout);
+    if (!s->is_playing && count_missing(s) == 0) {
+        begin(s);
+    }
+    return 0;
+}
+
+/* The others go on without a client. */
+static void leave(server *s, int number) {
     peer *p = &s->match.peer;
-    s->clients[player].socket = NULL;
+    client *c = &s->clients[number];
+    free(c->game);
+    *c = (client){.token = c->token};
     if (!s->is_playing || s->is_over) {
         return;
     }
-    unsigned char message[HOST_BYTES_MAX];
-    int count = host_write_leave(p, player, message);
-    int64_t step = p->others[player].heard;
-    if (step < p->end) {
-        printf("player %d has left before step %lld\n", player, (long long)step);
+    if (number < p->players && !peer_is_absent(p, number) && p->known[number].heard < p->end) {
+        printf("player %d has left before step %lld\n", number, (long long)p->known[number].heard);
+        fflush(stdout);
     }
-    if (peer_part(p, player, step) != THUD_OK) {
+    bool is_at_end = number < p->players && p->known[number].heard >= p->end;
+    if (is_at_end) {
+        p->links[number].is_told = false;
+    } else if (peer_lose(p, number) != THUD_OK) {
         fail(s, "a player that left cannot be left out");
-    }
-    for (int i = 1; i < s->players; i++) {
-        send_to(&s->clients[i], WAITING_FROM + player, message, count);
     }
 }
 
 /* Nonzero: the client has sent what no player sends. */
-static int take_message(server *s, int player, const unsigned char *bytes, int count) {
-    int to = count > 0 ? bytes[0] : player;
-    bool is_own = count > 1 + PEER_SENDER_AT && bytes[1 + PEER_SENDER_AT] == player;
-    if (!s->is_playing || !is_own || to >= s->players || to == player) {
-        return 1;
+static int take_message(server *s, struct lws *socket, int *number, const unsigned char *bytes,
+                        int count) {
+    if (*number == 0) {
+        return join(s, socket, number, bytes, count);
     }
-    if (to == 0) {
-        return peer_read(&s->match.peer, bytes + 1, count - 1) != THUD_OK;
-    }
-    send_to(&s->clients[to], WAITING_FROM + player, bytes + 1, count - 1);
-    return 0;
+    peer *p = &s->match.peer;
+    int64_t refused = p->refused;
+    return !s->is_playing || peer_read(p, *number, bytes, count) != THUD_OK || p->refused > refused;
 }
+
+/* What a connection has received before it has a number. */
+typedef struct session {
+    int number; /* 0: none yet */
+    int received;
+    unsigned char message[MESSAGE_HELLO_BYTES];
+} session;
 
 /* Messages may arrive in parts. Nonzero: the client has sent what no player sends. */
-static int receive(server *s, int player, const void *part, size_t count) {
-    client *c = &s->clients[player];
-    if (count > sizeof c->message - (size_t)c->received || !lws_frame_is_binary(c->socket)) {
+static int receive(server *s, struct lws *socket, session *own, const void *part, size_t count) {
+    client *c = own->number ? &s->clients[own->number] : NULL;
+    unsigned char *message = c ? c->message : own->message;
+    int *received = c ? &c->received : &own->received;
+    size_t room = c ? sizeof c->message : sizeof own->message;
+    if (count > room - (size_t)*received || !lws_frame_is_binary(socket)) {
         return 1;
     }
-    memcpy(c->message + c->received, part, count);
-    c->received += (int)count;
-    if (!lws_is_final_fragment(c->socket)) {
+    memcpy(message + *received, part, count);
+    *received += (int)count;
+    if (!lws_is_final_fragment(socket)) {
         return 0;
     }
-    int whole = c->received;
-    c->received = 0;
-    return take_message(s, player, c->message, whole);
+    int whole = *received;
+    *received = 0;
+    return take_message(s, socket, &own->number, message, whole);
 }
 
-static int on_event(struct lws *socket, enum lws_callback_reasons reason, void *session, void *in,
+static int on_event(struct lws *socket, enum lws_callback_reasons reason, void *user, void *in,
                     size_t count) {
-    int *player = session; /* 0: none */
+    session *own = user;
     server *s = &the_server;
     switch ((int)reason) {
     case LWS_CALLBACK_ESTABLISHED:
-        return join(s, socket, player);
+        *own = (session){0};
+        return 0;
     case LWS_CALLBACK_RECEIVE:
-        return receive(s, *player, in, count);
+        return receive(s, socket, own, in, count);
     case LWS_CALLBACK_SERVER_WRITEABLE:
-        return *player ? send_next(&s->clients[*player]) : 0;
+        return own->number ? send_next(s, &s->clients[own->number]) : 0;
     case LWS_CALLBACK_CLOSED:
-        if (*player) {
-            leave(s, *player);
+        if (own->number) {
+            leave(s, own->number);
         }
         return 0;
     default:
-        return lws_callback_http_dummy(socket, reason, session, in, count);
+        return lws_callback_http_dummy(socket, reason, user, in, count);
     }
 }
 
 static const char ABOUT[] =
-    "Serves a game of cars: waits until all players have joined by WebSocket, plays player 0 itself,\n"
-    "at random, and prints the hash of the last step. examples/network/join_node.mjs is a client for\n"
+    "Serves a game of cars: waits until players have joined by WebSocket, plays player 0 itself, at\n"
+    "random, and prints the hash of the last step. Others join in the midst of the game, and who left\n"
+    "comes back. examples/network/join_node.mjs is a client for\n"
     "Node, join.html one for browsers.";
 
 int main(int argc, char **argv) {
@@ -259,6 +337,7 @@ int main(int argc, char **argv) {
     int64_t port = 8081;
     const char *address = NULL, *page = NULL, *package = NULL;
     s->players = 2;
+    s->wait = -1;
     s->steps = 3600;
     s->rate = CARS_RATE;
     s->seed = 1;
@@ -268,6 +347,8 @@ int main(int argc, char **argv) {
         {"page", "FOLDER", "serve the page of this folder, examples/network", NULL, 0, 0, &page},
         {"package", "FOLDER", "and the package for it, web/package/dist", NULL, 0, 0, &package},
         {"players", "N", "players, the server among them", &s->players, 2, CARS_MAX, NULL},
+        {"wait", "N", "begin when so many have joined; default all", &s->wait, 0, CARS_MAX - 1,
+         NULL},
         {"steps", "N", "steps of the game", &s->steps, 1, INT32_MAX, NULL},
         {"rate", "N", "steps a second", &s->rate, 1, 10000, NULL},
         {"seed", "N", "of the server's own inputs", &s->seed, 0, INT32_MAX, NULL},
@@ -277,8 +358,9 @@ int main(int argc, char **argv) {
     if (read != OPTIONS_READ) {
         return read == OPTIONS_HELP ? 0 : 2;
     }
+    s->wait = s->wait < 0 || s->wait >= s->players ? s->players - 1 : s->wait;
     const struct lws_protocols protocols[] = {
-        {.name = "thud", .callback = on_event, .per_session_data_size = sizeof(int)}, {0}};
+        {.name = "thud", .callback = on_event, .per_session_data_size = sizeof(session)}, {0}};
     const struct lws_protocol_vhost_options wasm = {.name = ".wasm", .value = "application/wasm"};
     const struct lws_protocol_vhost_options types = {.next = &wasm,
                                                      .name = ".mjs",
@@ -312,14 +394,20 @@ int main(int argc, char **argv) {
     signal(SIGTERM, end_by_signal);
     const char *name = address ? address : "localhost";
     int bound = lws_get_vhost_listen_port(vhost);
-    printf("waiting at ws://%s:%d for players to come: %d\n", name, bound, (int)s->players - 1);
+    printf("waiting at ws://%s:%d for players to come: %d\n", name, bound, (int)s->wait);
     if (page) {
         printf("browsers join at http://%s:%d\n", name, bound);
     }
     fflush(stdout);
+    if (s->wait == 0) {
+        begin(s);
+    }
     while (!s->is_over && lws_service(s->context, 0) >= 0) {
     }
     lws_context_destroy(s->context);
+    for (int i = 0; i < CLIENTS; i++) {
+        free(s->clients[i].game);
+    }
     bool is_well = s->is_playing && match_print(&s->match) && !s->has_failed;
     if (s->is_playing) {
         match_close(&s->match);

@@ -12,7 +12,8 @@ wire_options worst_wire(double delay, uint64_t seed) {
 }
 
 bool open_player(peer *p, int me, int players, int depth, const thud_world_def *def) {
-    peer_options options = {.me = me, .players = players, .depth = depth, .def = def};
+    peer_options options = {
+        .me = me, .players = players, .depth = depth, .is_mesh = true, .def = def};
     return peer_open(p, &options);
 }
 
@@ -33,10 +34,10 @@ bool send_over(peer *p, wire *w, double now) {
 
 thud_result receive_over(peer *p, wire *w, double now) {
     unsigned char bytes[WIRE_BYTES_MAX];
-    int count;
+    int count, from;
     thud_result result = THUD_OK;
-    while (result == THUD_OK && (count = wire_receive(w, p->me, now, bytes, NULL)) >= 0) {
-        result = peer_read(p, bytes, count);
+    while (result == THUD_OK && (count = wire_receive(w, p->me, now, bytes, &from)) >= 0) {
+        result = peer_read(p, from, bytes, count);
     }
     return result;
 }

@@ -139,7 +139,7 @@ static void inject(table *t, int player) {
     }
     wire_destroy(tap);
     int64_t refused = p->refused;
-    OK(peer_read(p, bytes, count < 0 ? 0 : count));
+    OK(peer_read(p, -1, bytes, count < 0 ? 0 : count));
     assert_true(p->refused == refused + 1);
     t->injected++;
 }
@@ -153,11 +153,14 @@ static bool send_with_lie(table *t, peer *p, double now) {
             continue;
         }
         int count = peer_write(p, other, message);
-        int64_t at = CHEATED_AT - (int64_t)peer_number_at(message + PEER_FIRST_AT, 4);
-        if (other == HONEST && at >= 0 && at < count - PEER_INPUTS_AT - 4) {
-            unsigned char *input = &message[PEER_INPUTS_AT + at];
+        message_packet packet;
+        assert_true(message_read_packet(message, count, p->players, CARS_INPUTS, &packet));
+        int64_t at = packet.runs ? CHEATED_AT - packet.run[0].first : -1;
+        if (other == HONEST && at >= 0 && at < packet.run[0].count) {
+            /* The inputs stand in the message. */
+            unsigned char *input = message + (packet.run[0].inputs - message) + at;
             *input = (unsigned char)((*input + 1) % CARS_INPUTS);
-            count = peer_seal(message, count - 4);
+            count = message_seal(message, count - MESSAGE_SUM);
         }
         is_sent &= wire_send(t->wire, p->me, other, now, message, count);
     }
@@ -214,8 +217,8 @@ static void kill_player(table *t, int player) {
 static void part_with(table *t, int player) {
     int64_t step = 0;
     for (int i = 0; i < t->players; i++) {
-        if (!t->is_dead[i] && t->peers[i].others[player].heard > step) {
-            step = t->peers[i].others[player].heard;
+        if (!t->is_dead[i] && t->peers[i].known[player].heard > step) {
+            step = t->peers[i].known[player].heard;
         }
     }
     t->gone_from[player] = step;
@@ -223,8 +226,8 @@ static void part_with(table *t, int player) {
     for (int i = 0; i < t->players; i++) {
         if (!t->is_dead[i]) {
             peer *p = &t->peers[i];
-            while (p->others[player].heard < step) {
-                OK(peer_hear(p, player, cars_input(SEED, player, p->others[player].heard)));
+            while (p->known[player].heard < step) {
+                OK(peer_hear(p, player, cars_input(SEED, player, p->known[player].heard)));
             }
             OK(peer_part(p, player, step));
         }
@@ -289,8 +292,8 @@ static void play_at_random(int players) {
         most = own > most ? own : most;
         count_up(t, p);
         for (int other = 0; other < players; other++) {
-            assert_true(p->others[other].differs_from == -1);
-            told += p->others[other].told.step > 0;
+            assert_true(p->links[other].differs_from == -1);
+            told += p->links[other].hash_step > 0;
         }
     }
     wire_counts counts = wire_counts_of(t->wire);
@@ -320,7 +323,7 @@ static void no_player_has_another_game(void **state) {
 
 /* Plays until this player has noticed a difference from another. */
 static void play_until_noticed(table *t, int player, int other) {
-    while (t->peers[player].others[other].differs_from < 0) {
+    while (t->peers[player].links[other].differs_from < 0) {
         play_frame(t);
         assert_true(t->frame < 4 * CHEATED_AT);
     }
@@ -359,7 +362,13 @@ static void who_changes_the_world_is_named(void **state) {
     begin(t, 4, 5, 60);
     peer_close(&t->peers[CHEAT]);
     peer_options pushing = {
-        .me = CHEAT, .players = 4, .depth = DEPTH, .def = &t->def, .step = step_with_push};
+
+        .me = CHEAT,
+        .players = 4,
+        .depth = DEPTH,
+        .is_mesh = true,
+        .def = &t->def,
+        .step = step_with_push};
     assert_true(peer_open(&t->peers[CHEAT], &pushing));
     t->compared[CHEAT] = INT64_MAX;
     for (int i = 0; i < t->players; i++) {
@@ -369,7 +378,7 @@ static void who_changes_the_world_is_named(void **state) {
     }
     for (int i = 0; i < t->players; i++) {
         for (int other = 0; other < t->players && i != CHEAT; other++) {
-            int64_t from = t->peers[i].others[other].differs_from;
+            int64_t from = t->peers[i].links[other].differs_from;
             assert_true((from > CHEATED_AT) == (other == CHEAT));
             assert_true(other == CHEAT || from == -1);
         }

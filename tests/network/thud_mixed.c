@@ -9,15 +9,17 @@
  * to the end, 1 byte, how many datagrams they send, 4 bytes, and of each one its sender and
  * receiver, a byte each, its length and its bytes. At the end it writes 0xffffffff in place of a
  * number, the hash of the last step, 8 bytes, the length of player 0's report of it, 4 bytes, the
- * report, the length of a text, 4 bytes, and the text, which says as JSON what has happened. All
- * numbers have their low bytes first. */
+ * report, the length of a text, 4 bytes, and the text, which says as JSON what has happened, and
+ * the length of player 0's game for who joins, 4 bytes, and the game. Then it reads such a game of
+ * one of the others, joins it, and writes the game that it has then. All numbers have their low
+ * bytes first. */
 #include "over_wire.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { DEPTH = 60, REPORT_MAX = 4096, TEXT_MAX = 512 };
+enum { DEPTH = 60, REPORT_MAX = 4096, TEXT_MAX = 512, GAME_MAX = 1 << 20 };
 
 #define FRAME_MS (1000.0 / CARS_RATE)
 /* The delay of the network grows with the players, ms each, as in test_play.c. */
@@ -34,7 +36,7 @@ typedef struct mixed {
 
 static void write_number(uint64_t value, int bytes) {
     unsigned char out[8];
-    peer_put_number(out, value, bytes);
+    message_put(out, value, bytes);
     fwrite(out, 1, (size_t)bytes, stdout);
 }
 
@@ -42,7 +44,7 @@ static void write_number(uint64_t value, int bytes) {
 static bool read_number(int bytes, uint64_t *out) {
     unsigned char in[8];
     bool is_read = fread(in, 1, (size_t)bytes, stdin) == (size_t)bytes;
-    *out = is_read ? peer_number_at(in, bytes) : 0;
+    *out = is_read ? message_number(in, bytes) : 0;
     return is_read;
 }
 
@@ -52,8 +54,12 @@ static bool open_peers(mixed *m) {
     m->wire = wire_create(&options);
     bool is_open = m->wire;
     for (int i = 0; i < m->players && is_open; i += 2) {
-        peer_options o = {
-            .me = i, .players = m->players, .depth = DEPTH, .end = m->steps, .def = &def};
+        peer_options o = {.me = i,
+                          .players = m->players,
+                          .depth = DEPTH,
+                          .is_mesh = true,
+                          .end = m->steps,
+                          .def = &def};
         is_open = peer_open(&m->peers[i], &o);
     }
     return is_open;
@@ -68,12 +74,12 @@ static void tell_others(mixed *m, double now) {
         while (count < 1 << 16 &&
                (length = wire_receive(m->wire, to, now, bytes[count] + 3, NULL)) >= 0) {
             bytes[count][0] = (unsigned char)to;
-            peer_put_number(bytes[count++] + 1, (uint64_t)length, 2);
+            message_put(bytes[count++] + 1, (uint64_t)length, 2);
         }
     }
     write_number((uint64_t)count, 4);
     for (int i = 0; i < count; i++) {
-        fwrite(bytes[i], 1, 3 + (size_t)peer_number_at(bytes[i] + 1, 2), stdout);
+        fwrite(bytes[i], 1, 3 + (size_t)message_number(bytes[i] + 1, 2), stdout);
     }
     fflush(stdout);
 }
@@ -134,7 +140,7 @@ static bool write_end(mixed *m) {
         first = i ? first : hash;
         differ += !is_known || hash != first;
         for (int other = 0; other < m->players; other++) {
-            differ += p->others[other].differs_from >= 0;
+            differ += p->links[other].differs_from >= 0;
         }
     }
     if (thud_rollback_report(m->peers[0].rollback, m->steps, report, sizeof report, &bytes) !=
@@ -157,6 +163,32 @@ static bool write_end(mixed *m) {
     return differ == 0 && fflush(stdout) == 0;
 }
 
+static bool write_game(peer *p) {
+    static unsigned char game[GAME_MAX];
+    size_t bytes;
+    if (thud_rollback_snapshot(p->rollback, game, sizeof game, &bytes) != THUD_OK) {
+        return false;
+    }
+    write_number(bytes, 4);
+    fwrite(game, 1, bytes, stdout);
+    return fflush(stdout) == 0;
+}
+
+/* Joins the game that the others have, and tells it back. */
+static bool join_others(const mixed *m) {
+    static unsigned char game[GAME_MAX];
+    static peer joins;
+    uint64_t bytes;
+    thud_world_def def = cars_def(&thud_quality_default);
+    peer_options o = {.players = m->players, .depth = DEPTH, .is_mesh = true, .def = &def};
+    bool is_well = read_number(4, &bytes) && bytes <= sizeof game &&
+                   fread(game, 1, (size_t)bytes, stdin) == bytes && peer_open(&joins, &o) &&
+                   thud_rollback_restore(joins.rollback, game, (size_t)bytes) == THUD_OK &&
+                   write_game(&joins);
+    peer_close(&joins);
+    return is_well;
+}
+
 int main(int argc, char **argv) {
     static mixed m;
     m.players = argc == 4 ? atoi(argv[1]) : 0;
@@ -170,7 +202,7 @@ int main(int argc, char **argv) {
     while (is_well && !is_over(&m)) {
         is_well = play_frame(&m);
     }
-    is_well = is_well && write_end(&m);
+    is_well = is_well && write_end(&m) && write_game(&m.peers[0]) && join_others(&m);
     for (int i = 0; i < m.players; i += 2) {
         peer_close(&m.peers[i]);
     }

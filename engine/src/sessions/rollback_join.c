@@ -1,42 +1,76 @@
-/* rollback_join.c: a game that another peer plays, as bytes, for those who join it. */
+/* rollback_join.c: a game that another peer plays, as bytes, for those who join it.
+ * rollback-bytes.ts of the package writes and reads the same bytes.
+ *
+ * All numbers have their low bytes first:
+ *     uint32  MARK
+ *     uint32  number of players
+ *     int64   the step; world and state are before this one
+ *     uint64  bytes of the world's snapshot
+ *     uint64  bytes of the caller's state
+ *             by player: uint64, its input in the step before; int64, from which step on it is
+ *             absent, and int64, at which it is back, TD_NO_STEP: never
+ *             the world's snapshot
+ *             the caller's state
+ *     uint32  checksum of all before it: FNV-1a (Fowler, Noll, Vo), of 32 bits
+ *
+ * The snapshot has a checksum of its own, of 64 bits. */
 #include "sessions/rollback.h"
 
-#include "api/snapshot.h"
 #include "thud/thud_snapshot.h"
 
 #include <string.h>
 
-static const char MAGIC[8] = {'t', 'h', 'u', 'd', 'j', 'o', 'i', '1'};
+static const uint32_t MARK = 0x324a6474; /* "tdJ2" */
 
-/* The head of the bytes. A td_joined_player of each player follows, then the world's snapshot, and
- * the caller's state. */
-typedef struct join_head {
-    char magic[8];
-    uint64_t checksum; /* td_snapshot_checksum of all bytes after this field */
-    int64_t step;      /* the world and state are before this one */
-    uint64_t players, world_bytes, state_bytes;
-} join_head;
+enum { HEAD_BYTES = 32, PLAYER_BYTES = 24, SUM_BYTES = 4 };
 
-enum { SUMMED_FROM = offsetof(join_head, checksum) + sizeof(uint64_t) };
+static uint8_t *put(uint8_t *at, uint64_t value, int bytes) {
+    for (int i = 0; i < bytes; i++) {
+        at[i] = (uint8_t)(value >> (8 * i));
+    }
+    return at + bytes;
+}
 
-typedef struct joined_player {
-    uint64_t input; /* in the step before */
-    int64_t gone_from, back_at;
-} joined_player;
+static uint64_t number_at(const uint8_t *at, int bytes) {
+    uint64_t value = 0;
+    for (int i = 0; i < bytes; i++) {
+        value |= (uint64_t)at[i] << (8 * i);
+    }
+    return value;
+}
+
+static uint32_t checksum(const uint8_t *bytes, size_t count) {
+    uint32_t sum = 2166136261u;
+    for (size_t i = 0; i < count; i++) {
+        sum = (sum ^ bytes[i]) * 16777619u;
+    }
+    return sum;
+}
+
+/* Bytes before the world's snapshot. */
+static size_t head_bytes(const thud_rollback *r) {
+    return HEAD_BYTES + PLAYER_BYTES * (size_t)r->options.players;
+}
 
 /* Bytes of a game whose world has a snapshot of so many. */
 static size_t bytes_of(const thud_rollback *r, size_t world_bytes) {
-    return sizeof(join_head) + (size_t)r->options.players * sizeof(joined_player) + world_bytes +
-           r->options.state_bytes;
+    return head_bytes(r) + world_bytes + r->options.state_bytes + SUM_BYTES;
 }
 
-/* The players before a step. */
-static void write_players(const thud_rollback *r, int64_t step, char *to) {
+/* Writes what stands before the world's snapshot. */
+static uint8_t *write_head(const thud_rollback *r, int64_t step, size_t world_bytes, uint8_t *at) {
+    at = put(at, MARK, 4);
+    at = put(at, (uint64_t)r->options.players, 4);
+    at = put(at, (uint64_t)step, 8);
+    at = put(at, world_bytes, 8);
+    at = put(at, r->options.state_bytes, 8);
     for (int i = 0; i < r->options.players; i++) {
         const td_player_inputs *k = &r->players[i];
-        joined_player p = {td_rollback_saved(r, step - 1)->inputs[i], k->gone_from, k->back_at};
-        memcpy(to + (size_t)i * sizeof p, &p, sizeof p);
+        at = put(at, td_rollback_saved(r, step - 1)->inputs[i], 8);
+        at = put(at, (uint64_t)k->gone_from, 8);
+        at = put(at, (uint64_t)k->back_at, 8);
     }
+    return at;
 }
 
 thud_result thud_rollback_snapshot(thud_rollback *r, void *buffer, size_t capacity,
@@ -62,8 +96,7 @@ thud_result thud_rollback_snapshot(thud_rollback *r, void *buffer, size_t capaci
         return THUD_OK;
     }
     size_t state_bytes = r->options.state_bytes;
-    char *out = buffer, *world = out + bytes - state_bytes - world_bytes;
-    write_players(r, step, out + sizeof(join_head));
+    uint8_t *out = buffer, *world = write_head(r, step, world_bytes, out);
     if (m) {
         memcpy(world, m->image, world_bytes + state_bytes);
     } else {
@@ -72,34 +105,37 @@ thud_result thud_rollback_snapshot(thud_rollback *r, void *buffer, size_t capaci
             memcpy(world + world_bytes, r->options.state, state_bytes);
         }
     }
-    join_head head = {.step = step,
-                      .players = (uint64_t)r->options.players,
-                      .world_bytes = world_bytes,
-                      .state_bytes = state_bytes};
-    memcpy(head.magic, MAGIC, sizeof MAGIC);
-    memcpy(out, &head, sizeof head);
-    head.checksum = td_snapshot_checksum(out + SUMMED_FROM, bytes - SUMMED_FROM);
-    memcpy(out, &head, sizeof head);
+    put(out + bytes - SUM_BYTES, checksum(out, bytes - SUM_BYTES), SUM_BYTES);
     return THUD_OK;
 }
 
+/* Whether this can be a step, or TD_NO_STEP. */
+static bool is_step(uint64_t value) {
+    return value < TD_NO_STEP / 2 || value == TD_NO_STEP;
+}
+
 /* Why the bytes are no game that can be joined; null: they are one. */
-static const char *fault_of(const thud_rollback *r, const char *from, size_t bytes,
-                            join_head *head) {
-    if (bytes < sizeof *head || memcmp(from, MAGIC, sizeof MAGIC) != 0) {
+static const char *fault_of(const thud_rollback *r, const uint8_t *from, size_t bytes) {
+    if (bytes < HEAD_BYTES + SUM_BYTES || number_at(from, 4) != MARK) {
         return "rollback: these are no bytes of thud_rollback_snapshot";
     }
-    memcpy(head, from, sizeof *head);
-    if (head->checksum != td_snapshot_checksum(from + SUMMED_FROM, bytes - SUMMED_FROM)) {
+    if (number_at(from + bytes - SUM_BYTES, SUM_BYTES) != checksum(from, bytes - SUM_BYTES)) {
         return "rollback: the bytes are damaged";
     }
-    if (head->players != (uint64_t)r->options.players ||
-        head->state_bytes != r->options.state_bytes) {
+    if (number_at(from + 4, 4) != (uint64_t)r->options.players ||
+        number_at(from + 24, 8) != r->options.state_bytes) {
         return "rollback: the bytes are of a game with other players, or another state";
     }
-    if (head->step < 0 || head->step >= TD_NO_STEP / 2 || head->world_bytes > bytes ||
-        bytes_of(r, (size_t)head->world_bytes) != bytes) {
+    uint64_t world_bytes = number_at(from + 16, 8);
+    if (number_at(from + 8, 8) >= TD_NO_STEP / 2 || world_bytes > bytes ||
+        bytes_of(r, (size_t)world_bytes) != bytes) {
         return "rollback: the bytes are not as long as they say";
+    }
+    for (int i = 0; i < r->options.players; i++) {
+        const uint8_t *player = from + HEAD_BYTES + PLAYER_BYTES * i;
+        if (!is_step(number_at(player + 8, 8)) || !is_step(number_at(player + 16, 8))) {
+            return "rollback: the bytes do not say who is absent";
+        }
     }
     return NULL;
 }
@@ -112,29 +148,27 @@ thud_result thud_rollback_restore(thud_rollback *r, const void *buffer, size_t b
     if (!buffer) {
         return td_refuse(r->world, THUD_ERROR_NULL, "rollback: buffer is null");
     }
-    const char *from = buffer;
-    join_head head;
-    const char *fault = fault_of(r, from, bytes, &head);
+    const uint8_t *from = buffer;
+    const char *fault = fault_of(r, from, bytes);
     if (fault) {
         return td_refuse(r->world, THUD_ERROR_INVALID, fault);
     }
-    const char *players = from + sizeof head;
-    const char *world = players + (size_t)r->options.players * sizeof(joined_player);
-    result = thud_world_restore(r->world, world, (size_t)head.world_bytes);
+    const uint8_t *world = from + head_bytes(r);
+    size_t world_bytes = (size_t)number_at(from + 16, 8);
+    result = thud_world_restore(r->world, world, world_bytes);
     if (result != THUD_OK) {
         return result;
     }
     if (r->options.state) {
-        memcpy(r->options.state, world + head.world_bytes, r->options.state_bytes);
+        memcpy(r->options.state, world + world_bytes, r->options.state_bytes);
     }
     uint64_t inputs[THUD_ROLLBACK_PLAYERS_MAX];
     for (int i = 0; i < r->options.players; i++) {
-        joined_player p;
-        memcpy(&p, players + (size_t)i * sizeof p, sizeof p);
-        inputs[i] = p.input;
-        r->players[i].gone_from = p.gone_from;
-        r->players[i].back_at = p.back_at;
+        const uint8_t *player = from + HEAD_BYTES + PLAYER_BYTES * i;
+        inputs[i] = number_at(player, 8);
+        r->players[i].gone_from = (int64_t)number_at(player + 8, 8);
+        r->players[i].back_at = (int64_t)number_at(player + 16, 8);
     }
-    td_rollback_begin(r, head.step, inputs);
+    td_rollback_begin(r, (int64_t)number_at(from + 8, 8), inputs);
     return THUD_OK;
 }

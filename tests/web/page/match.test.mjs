@@ -27,8 +27,8 @@ function figures(page) {
 }
 
 /** Opens two pages and connects them by a link and its answer, which are copied by hand. */
-async function connect(first, second) {
-  const host = await openVisitor({ browser: first }).open("?scene=sumo&panel=match");
+async function connect(first, second, scene = "sumo") {
+  const host = await openVisitor({ browser: first }).open(`?scene=${scene}&panel=match`);
   await host.page.click("#match-invite");
   const link = await host.page.inputValue("#match-link");
   const { search, hash } = new URL(link);
@@ -133,6 +133,117 @@ test("browsers_meet_in_a_room_of_the_server", async () => {
   await guest.page.click("#match-leave");
   await host.page.waitForSelector("#match-leave", { state: "hidden" });
   for (const { errors, close } of [host, guest]) {
+    assert.deepEqual(errors, []);
+    await close();
+  }
+});
+
+test("artillery_is_a_duel_of_chromium_and_firefox_over_a_bad_line", async () => {
+  const both = await connect("chromium", "firefox", "artillery");
+  const pages = both.map(({ page }) => page);
+  for (const page of pages) {
+    await slide(page, "#match-delay", 60);
+    await slide(page, "#match-loss", 10);
+  }
+  await pages[0].click("#match-start");
+  await pages[0].waitForSelector('#message:has-text("Your turn")');
+  await pages[1].waitForSelector('#message:has-text("Left aims")');
+  const seen = pages.map(() => new Map());
+  // Both hold keys, of which only those of whoever has the turn count.
+  for (const page of pages) {
+    await page.locator("#overlay").focus();
+    await page.keyboard.down("ArrowUp");
+    await page.keyboard.down("ArrowLeft");
+  }
+  await playOn(pages, seen, 60);
+  for (const page of pages) {
+    await page.keyboard.up("ArrowUp");
+    await page.keyboard.up("ArrowLeft");
+  }
+  // The key is held until both have seen the shot, however slow they are.
+  const fire = async (page) => {
+    const seen = Promise.all(pages.map((one) => one.waitForSelector('#message:has-text("Fire!")')));
+    await page.locator("#overlay").focus();
+    await page.keyboard.down("Space");
+    await seen;
+    await page.keyboard.up("Space");
+  };
+  await pages[1].locator("#overlay").focus();
+  await pages[1].keyboard.press("Space", { delay: 200 });
+  await fire(pages[0]);
+  await pages[1].waitForSelector('#message:has-text("Your turn")');
+  await fire(pages[1]);
+  await playOn(pages, seen, 120);
+  for (const { page, errors } of both) {
+    const { rows } = await figures(page);
+    assert.ok(Number(rows["Equal states"]) > 5, JSON.stringify(rows));
+    assert.ok(Number(rows.Rollbacks) > 0, "nothing was late");
+    assert.deepEqual(errors, []);
+  }
+  for (const { close } of both) await close();
+});
+
+/** Plays so many steps, notes in `seen` what each page tells, and compares all that several have told. */
+async function playOn(pages, seen, steps) {
+  const common = () =>
+    seen.flatMap((one, i) => [...one.keys()].filter((step) => step > 0 && seen[(i + 1) % seen.length].has(step)));
+  const from = Math.max(...(await Promise.all(pages.map(figures))).map(({ step }) => step));
+  await until(
+    async () => {
+      const told = await Promise.all(pages.map(figures));
+      told.forEach(({ step, hash }, i) => seen[i].set(step, hash));
+      return told;
+    },
+    // What several have told of one step is compared, so that they have to tell of one.
+    (told) => told.every(({ step }) => step >= from + steps) && common().length > 0,
+    `${steps} steps more`,
+  );
+  for (const [i, one] of seen.entries())
+    for (const [step, hash] of one)
+      for (const other of seen.slice(i + 1))
+        if (step > 0 && other.has(step)) assert.equal(other.get(step), hash, `step ${step}`);
+  for (const page of pages) {
+    const { rows } = await figures(page);
+    assert.equal(rows["Refused packets"], "0");
+    assert.equal(await page.textContent(".match .bad"), "");
+  }
+}
+
+test("third_player_joins_a_match_that_runs_and_one_whose_page_was_reloaded_comes_back", async () => {
+  const room = "?scene=sumo&panel=match";
+  const host = await openVisitor({ browser: "chromium" }).open(room);
+  await host.page.fill("#match-room", "late-room");
+  await host.page.click("#match-meet");
+  const { search, hash } = new URL(await host.page.inputValue("#match-link"));
+  const join = async (browser) => {
+    await host.page.waitForResponse((response) => response.url().endsWith("late-room/answer"));
+    const guest = await openVisitor({ browser }).open(search + hash);
+    await guest.page.click("#match-join");
+    return guest;
+  };
+  const second = await join("chromium");
+  await host.page.waitForSelector("#match-start:visible");
+  await host.page.click("#match-start");
+  const pages = [host.page, second.page];
+  await playOn(pages, pages.map(() => new Map()), 60);
+  assert.match(await host.page.textContent("#figures"), /You.*Blue/);
+  assert.doesNotMatch(await host.page.textContent("#figures"), /Green/);
+
+  const third = await join("firefox");
+  await host.page.waitForSelector('#notice:has-text("Player 3 has joined")');
+  pages.push(third.page);
+  await host.page.waitForSelector('#figures:has-text("Green")');
+  await playOn(pages, pages.map(() => new Map()), 120);
+  assert.match(await third.page.textContent("#figures"), /Orange.*Blue.*You/);
+
+  await second.page.reload();
+  await host.page.waitForSelector('#notice:has-text("Player 2 has left")');
+  await second.page.click("#match-join");
+  await host.page.waitForSelector('#notice:has-text("Player 2 has come back")');
+  await second.page.waitForSelector('#figures:has-text("You")');
+  await playOn(pages, pages.map(() => new Map()), 120);
+  assert.match(await second.page.textContent("#figures"), /Orange.*You.*Green/);
+  for (const { errors, close } of [host, second, third]) {
     assert.deepEqual(errors, []);
     await close();
   }

@@ -70,7 +70,8 @@ function start(program, ...args) {
   };
 }
 
-const joinFromNode = (url, seed) => start(process.execPath, "join_node.mjs", "--server", url, "--seed", `${seed}`);
+const joinFromNode = (url, seed, ...more) =>
+  start(process.execPath, "join_node.mjs", "--server", url, "--seed", `${seed}`, ...more);
 
 async function serve(...args) {
   const serving = start(server, "--port", "0", "--address", "127.0.0.1", "--rate", "600", ...args);
@@ -105,12 +106,20 @@ test("chromium_and_node_play_with_the_native_server", withServer, async () => {
   assert.equal(await hashOf(serving), hash);
 });
 
+/** A connection of a test's own, which says hello. */
+async function greet(url, hello = thud.writeHello({ watches: false, token: 0n })) {
+  const socket = new WebSocket(url, "thud");
+  await new Promise((resolve) => socket.once("open", resolve));
+  socket.send(hello);
+  return socket;
+}
+
 test("others_play_on_without_one_who_left", withServer, async () => {
   const serving = await serve("--steps", "200", "--players", "3");
   const player = joinFromNode(serving.url, 2);
   await serving.says(/player 1 has joined/);
   // It plays nothing, so that the others wait until it has left.
-  const idle = new WebSocket(serving.url, "thud");
+  const idle = await greet(serving.url);
   await serving.says(/the game begins/);
   await new Promise((resolve) => idle.once("message", resolve));
   idle.close();
@@ -119,38 +128,32 @@ test("others_play_on_without_one_who_left", withServer, async () => {
   assert.equal(await hashOf(serving), hash);
 });
 
-test("who_left_far_ahead_is_parted_with_in_time", withServer, async () => {
-  const from = (name) => import(join(folder, name));
-  const [{ Peer, seal }, { readLeave }] = [await from("peer.mjs"), await from("host.mjs")];
-  const { buildCars, carsInput, carsStep, createField, IDLE } = await from("cars.mjs");
-  const [STEPS, LEFT] = [150, 100];
-  const peer = new Peer(engine, { me: 0, players: 2, depth: 60, end: STEPS });
-  const leave = (player, count, step) => {
-    const inputs = Array.from({ length: count }, (_, i) => carsInput(3, player, step - count + i));
-    return seal(Uint8Array.from([0x54, 0x4e, 0x4c, 0x31, player, count, step, 0, 0, 0, ...inputs, 0, 0, 0, 0]));
-  };
-  for (const wrong of [leave(0, LEFT, LEFT), leave(2, LEFT, LEFT), leave(1, LEFT - 1, LEFT), leave(1, 9, 9).fill(0, 12)])
-    assert.equal(readLeave(peer, wrong), false);
-  assert.equal(readLeave(peer, leave(1, LEFT, LEFT)), true);
-  assert.equal(readLeave(peer, leave(1, LEFT, LEFT)), false);
-  const truth = createField(engine);
-  const step = carsStep(truth, buildCars(truth, 2));
-  for (let i = 0; i < STEPS; i++) {
-    peer.press(carsInput(3, 0, i));
-    peer.advance();
-    step([carsInput(3, 0, i), i < LEFT ? carsInput(3, 1, i) : IDLE]);
-  }
-  peer.advance();
-  assert.deepEqual([peer.isDone, peer.waits, peer.hash], [true, 0, truth.hash()]);
-  peer.close();
-  truth.close();
+test("who_joins_late_leaves_comes_back_and_watches_ends_with_the_same_hash", withServer, async () => {
+  const serving = await serve("--steps", "1500", "--players", "4", "--wait", "1", "--rate", "120");
+  const first = joinFromNode(serving.url, 2);
+  await serving.says(/the game begins/);
+  const leaves = joinFromNode(serving.url, 3, "--token", "5", "--leave", "400");
+  await serving.says(/player 2 has joined at step \d+/);
+  const watching = joinFromNode(serving.url, 4, "--watch");
+  const { code } = await leaves.ends();
+  assert.equal(code, 0);
+  const [, left] = await serving.says(/player 2 has left before step (\d+)/);
+  const other = joinFromNode(serving.url, 6, "--token", "7");
+  await serving.says(/player 3 has joined at step/);
+  const back = joinFromNode(serving.url, 5, "--token", "5");
+  await serving.says(/player 2 has come back at step/);
+  const hashes = await Promise.all([first, watching, other, back, serving].map(hashOf));
+  assert.deepEqual(hashes, Array(5).fill(hashes[0]));
+  assert.ok(Number(left) >= 200, `it has played until step ${left}`);
 });
 
 test("who_sends_other_bytes_is_disconnected", withServer, async () => {
   const serving = await serve("--steps", "200", "--players", "3");
   const player = joinFromNode(serving.url, 2);
   await serving.says(/player 1 has joined/);
-  const rude = new WebSocket(serving.url, "thud");
+  const stranger = await greet(serving.url, new Uint8Array(17));
+  await new Promise((resolve) => stranger.once("close", resolve));
+  const rude = await greet(serving.url);
   await new Promise((resolve) => rude.once("message", resolve));
   rude.send(new Uint8Array(400));
   await new Promise((resolve) => rude.once("close", resolve));
@@ -173,7 +176,7 @@ for (const players of stepsWanted ? [2, 3, 4, 5, 6, 7, 8] : [2, 3, 8])
   test(`${players}_native_and_wasm_players_have_one_game_and_one_report`, withMixed, async (t) => {
     const [steps, seed] = [Number(stepsWanted ?? 150), 10 + players];
     const game = { program: mixed, examples: folder, thud: engine, players, steps, seed };
-    const { code, hash, report, counts, ends } = await playMixed(game);
+    const { code, hash, report, counts, ends, games } = await playMixed(game);
     t.diagnostic(JSON.stringify({ players, steps, ...counts, inWasm: ends.map(({ replayed }) => replayed) }));
     assert.equal(code, 0);
     assert.deepEqual([counts.differ, counts.refused], [0, 0]);
@@ -183,6 +186,10 @@ for (const players of stepsWanted ? [2, 3, 4, 5, 6, 7, 8] : [2, 3, 8])
       assert.deepEqual(end.report, report);
       assert.ok(end.replayed > 0);
     }
+    // Who joins has the same bytes to tell on, in either direction.
+    assert.equal(games.hash, hash);
+    assert.deepEqual(games.kept, games.native);
+    assert.deepEqual(games.returned, games.given);
   });
 
 for (const [program, name, options, wrong] of [

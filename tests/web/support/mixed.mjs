@@ -35,23 +35,23 @@ export async function playMixed({ program, examples, thud, players, steps, seed 
   child.stdin.on("error", () => {}); // its end is told by the output's
   const read = readerOf(child.stdout);
   const peers = [];
-  for (let me = 1; me < players; me += 2) peers[me] = new Peer(thud, { me, players, depth: DEPTH, end: steps });
+  for (let me = 1; me < players; me += 2) peers[me] = new Peer(thud, { me, players, depth: DEPTH, end: steps, mesh: true });
   const own = peers.filter(Boolean);
 
   const playFrame = (arrived) => {
     const out = [];
     for (const peer of own) {
-      for (const [to, bytes] of arrived) if (to === peer.me) peer.read(bytes);
-      peer.press(carsInput(seed, peer.me, peer.steps));
+      for (const [to, bytes] of arrived) if (to === peer.me) peer.net.hear(bytes[4], bytes);
+      peer.net.give(carsInput(seed, peer.me, peer.steps));
       for (let to = 0; to < players; to++) {
-        if (!peer.tells(to)) continue;
-        const bytes = peer.write(to);
+        if (!peer.net.tells(to)) continue;
+        const bytes = peer.net.write(to);
         out.push(Uint8Array.of(peer.me, to, bytes.length & 255, bytes.length >> 8), bytes);
       }
       peer.advance();
     }
     const head = Buffer.alloc(5);
-    head.writeUInt8(own.every((peer) => peer.isDone) ? 1 : 0, 0);
+    head.writeUInt8(own.every((peer) => peer.net.isDone) ? 1 : 0, 0);
     head.writeUInt32LE(out.length / 2, 1);
     child.stdin.write(Buffer.concat([head, ...out]));
   };
@@ -70,14 +70,24 @@ export async function playMixed({ program, examples, thud, players, steps, seed 
   const hash = (await read(8)).readBigUInt64LE().toString(16).padStart(16, "0");
   const report = new Uint8Array(await read(await number()));
   const counts = JSON.parse((await read(await number())).toString());
+  const native = new Uint8Array(await read(await number()));
+  const given = own[0].rollback.snapshot();
+  const length = Buffer.alloc(4);
+  length.writeUInt32LE(given.length);
+  child.stdin.write(Buffer.concat([length, given]));
+  const returned = new Uint8Array(await read(await number()));
   child.stdin.end();
+  const joins = new Peer(thud, { me: 0, players, depth: DEPTH });
+  joins.rollback.restore(native);
+  const games = { native, kept: joins.rollback.snapshot(), given, returned, hash: joins.hash };
+  joins.close();
   const ends = own.map((peer) => ({
     hash: peer.hash,
     report: peer.rollback.report(steps),
     difference: peer.rollback.compare(report),
-    differs: peer.differs,
+    differs: peer.net.differs,
     replayed: peer.rollback.replayed,
   }));
   own.forEach((peer) => peer.close());
-  return { code: await ended, hash, report, counts, ends };
+  return { code: await ended, hash, report, counts, ends, games };
 }

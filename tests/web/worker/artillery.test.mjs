@@ -1,6 +1,7 @@
 /** Tests the game Artillery, step by step as the page's worker runs it. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { directionOf } from "../../../web/public/scenes/artillery/flight.js";
 import { CRATER } from "../../../web/public/scenes/artillery/blast.js";
 import { buildScene } from "../../../web/tools/scenes.mjs";
 import { thud } from "../support/package.mjs";
@@ -311,4 +312,56 @@ test("picture_shows_both_tanks_the_path_and_the_figures", async () => {
     assert.ok(Math.abs(tankPlace(game, i)[0]) < 0.5 * game.scene.view.width - 2);
   assert.ok(marks.filter(({ kind, ink }) => kind === "circle" && ink === "player").length >= 12);
   game.world.close();
+});
+
+/** A game over a network, each step with the inputs of both players. */
+async function openMatch(own) {
+  const { scene } = await buildScene(engine, "artillery");
+  scene.match.begin(own);
+  const { input } = scene.match;
+  const step = (left, right, count = 1) => {
+    for (let i = 0; i < count; i++)
+      scene.match.step([left, right].map((held) => held && input({ ...NO_KEYS, ...held })));
+  };
+  return { scene, step };
+}
+
+test("over_a_network_each_player_has_one_tank_and_its_own_screen", async () => {
+  const [left, right] = [await openMatch(0), await openMatch(1)];
+  const both = (...inputs) => [left, right].forEach(({ step }) => step(...inputs));
+  const messages = () => [left, right].map(({ scene }) => scene.paint().message);
+  assert.match(messages()[0], /left tank.*Your turn/);
+  assert.match(messages()[1], /Left aims/);
+  const angle = (i) => left.scene.state.tanks[i].angle;
+  both({}, {});
+  both({ left: true }, {});
+  both({}, { left: true }, 30);
+  assert.deepEqual([angle(0), angle(1)], [61, 120], "only who has the turn aims");
+  both({}, { fire: true });
+  assert.equal(left.scene.state.phase, "aim");
+  both({ fire: true }, { fire: true });
+  assert.equal(left.scene.state.phase, "fly");
+  for (let i = 0; i < 2000 && left.scene.state.phase !== "aim"; i++) both({}, { fire: true });
+  assert.equal(left.scene.state.turn, 1);
+  both({}, { fire: true }, 10);
+  assert.equal(left.scene.state.phase, "aim", "a key that is still held is no shot");
+  assert.match(messages()[1], /right tank.*Your turn/);
+  both({}, null);
+  assert.match(messages()[0], /Waiting for the other/);
+  left.scene.state.tanks[0].health = right.scene.state.tanks[0].health = 0;
+  both({}, {}, 2);
+  assert.equal(left.scene.state.phase, "over");
+  both({ fire: true }, {});
+  assert.deepEqual([left.scene.state.phase, left.scene.state.tanks[0].health], ["aim", 100]);
+  assert.equal(left.scene.world.hash(), right.scene.world.hash());
+  assert.deepEqual(left.scene.state, right.scene.state);
+  for (const { scene } of [left, right]) scene.world.close();
+});
+
+test("a_barrel_points_where_its_angle_says", () => {
+  for (let degrees = 0; degrees <= 180; degrees += 0.25) {
+    const radians = (degrees * Math.PI) / 180;
+    const [x, y] = directionOf(degrees);
+    assert.ok(Math.abs(x - Math.cos(radians)) + Math.abs(y - Math.sin(radians)) < 1e-12, `${degrees}`);
+  }
 });

@@ -7,10 +7,11 @@ import { test } from "node:test";
 import { buildScene, importTypeScript } from "../../../web/tools/scenes.mjs";
 import { thud } from "../support/package.mjs";
 
-const { Peers } = await importTypeScript("src/worker/match-peers.ts");
+const { RollbackPeers, WelcomeReader } = thud;
 const { descriptionOf, packInvitation, readDescription, unpackInvitation } = await importTypeScript(
   "src/panels/match/invitation.ts",
 );
+const { readPacket, writePacket } = await import("../../../web/package/dist/net/messages.js");
 const { pack } = await importTypeScript("src/page/url.ts");
 const engine = await thud.load();
 const DEPTH = 90;
@@ -23,26 +24,41 @@ function randomBy(seed) {
   };
 }
 
-/** The browser of one player. `sent` has what it has sent; `damage` may change its world. */
-async function openPlayer(players, own, send, now) {
-  const built = await buildScene(engine, "sumo", { size: players });
+/**
+ * The browser of one player; `reader`: it joins this game. `damage` may change its world; `bare` is its
+ * world before anything was built in it.
+ */
+async function openPlayer(players, own, send, now, reader = null) {
+  let bare;
+  const made = (world) => {
+    if (reader) world.restore(reader.more);
+    bare = world.snapshot();
+  };
+  const built = await buildScene({ createWorld: (...all) => {
+    const world = engine.createWorld(...all);
+    made(world);
+    return world;
+  } }, "sumo", { size: players });
   const { scene } = built;
   scene.match.begin(own);
-  const player = { ...built, damage: null };
+  const { inputs } = scene.match;
+  const player = { ...built, damage: null, bare };
   const rollback = new thud.Rollback(scene.world, {
-    idle: Array.from({ length: players }, () => 0),
+    idle: Array.from({ length: players }, () => inputs),
     depth: DEPTH,
     state: scene.state,
-    step(inputs, state) {
+    step(held, state) {
       scene.state = state;
-      scene.match.step(inputs);
+      scene.match.step(held.map((input) => (input === inputs ? null : input)));
       player.damage?.(rollback.steps);
     },
   });
   scene.state = rollback.state;
-  const { inputs } = scene.match;
   player.rollback = rollback;
-  player.peers = new Peers({ rollback, players, own, inputs, depth: DEPTH, send, now });
+  const about = { rollback, inputs, delay: 2, send, now };
+  player.peers = reader
+    ? RollbackPeers.join(reader, about)
+    : new RollbackPeers({ ...about, players, own, depth: DEPTH });
   return player;
 }
 
@@ -53,7 +69,7 @@ const [DELAY, JITTER] = [8, 6];
  * A match over a line by which every tenth packet is lost, and others come twice or in another order.
  * `play(n)` makes n rounds: what has arrived is heard, and each player makes a step if it can.
  */
-async function openMatch(players) {
+async function openMatch(players, here = players) {
   const random = randomBy(7);
   let round = 0;
   const packets = [];
@@ -63,11 +79,17 @@ async function openMatch(players) {
     packets.push({ from, to, bytes, at: later() });
     if (!sure && random(10) === 0) packets.push({ from, to, bytes, at: later() });
   };
+  const now = () => (round * 1000) / 60;
   const all = [];
-  for (let own = 0; own < players; own++)
-    all.push(await openPlayer(players, own, send(own), () => (round * 1000) / 60));
+  for (let own = 0; own < here; own++) all.push(await openPlayer(players, own, send(own), now));
+  const [host, ...others] = all;
+  others.forEach(({ peers }, i) => {
+    host.peers.start(i + 1);
+    peers.connect(0);
+  });
+  for (let player = here; player < players; player++) host.peers.miss(player);
   const present = new Set(all.keys());
-  return {
+  const match = {
     all,
     present,
     play(rounds, inputOf = () => random(8)) {
@@ -76,15 +98,42 @@ async function openMatch(players) {
         for (const packet of due) packets.splice(packets.indexOf(packet), 1);
         for (const { from, to, bytes } of due) if (present.has(to)) all[to].peers.hear(from, bytes);
         for (const own of present) {
-          const { peers, rollback } = all[own];
+          const { peers } = all[own];
           peers.give(round % 9 === 0 ? inputOf(own) : 2 * (own % 2) || 1);
-          rollback.advance();
+          peers.advance();
+          while (peers.isBehind && peers.advance());
           peers.tell();
         }
       }
     },
+    /** A player is gone: its browser has broken down. */
+    drop(own) {
+      present.delete(own);
+      packets.splice(0, Infinity, ...packets.filter(({ from, to }) => from !== own && to !== own));
+      return host.peers.lose(own);
+    },
+    /** A player comes in the midst of the match. */
+    async join(own) {
+      let messages;
+      while (!(messages = host.peers.invite(own, { more: host.bare }))) match.play(1);
+      const reader = new WelcomeReader();
+      for (const message of messages) assert.ok(reader.hear(message));
+      all[own]?.close();
+      all[own] = await openPlayer(players, own, send(own), now, reader);
+      present.add(own);
+    },
+    /** The step that all have confirmed, and the hashes before it. */
+    compare() {
+      const ones = [...present].map((own) => all[own].rollback);
+      const step = Math.min(...ones.map(({ confirmed }) => confirmed));
+      const hashes = ones.map((rollback) => rollback.hashAt(step));
+      assert.deepEqual(hashes, Array(ones.length).fill(hashes[0]), `step ${step}`);
+      for (const own of present) assert.deepEqual([all[own].peers.differs, all[own].peers.refused], [-1, 0], `${own}`);
+      return step;
+    },
     close: () => all.forEach(({ close }) => close()),
   };
+  return match;
 }
 
 test("players_over_a_bad_line_stay_the_same_and_know_it", async () => {
@@ -110,19 +159,55 @@ test("players_over_a_bad_line_stay_the_same_and_know_it", async () => {
 test("player_who_leaves_is_absent_for_all_from_the_same_step_on", async () => {
   const match = await openMatch(3);
   match.play(200);
-  match.present.delete(2);
-  assert.equal(match.all[0].peers.lose(2), false);
+  assert.equal(match.drop(2), false);
   match.play(200);
-  const both = [0, 1].map((own) => match.all[own]);
-  for (const { peers, rollback } of both) {
-    assert.deepEqual([...peers.gone], [2]);
-    assert.equal(peers.differs, -1);
+  for (const own of [0, 1]) {
+    const { rollback, peers } = match.all[own];
+    assert.equal(peers.isAbsent(2), true);
     assert.ok(rollback.steps > 350, `${rollback.steps} steps: it waits for who is gone`);
   }
-  const step = Math.min(...both.map(({ rollback }) => rollback.confirmed));
-  assert.ok(step > 300);
-  assert.equal(both[0].rollback.hashAt(step), both[1].rollback.hashAt(step));
-  assert.equal(match.all[0].peers.lose(1), true, "nobody is left");
+  assert.ok(match.compare() > 300);
+  assert.equal(match.drop(1), true, "nobody is left");
+  match.close();
+});
+
+test("players_join_late_leave_and_come_back_over_a_bad_line", async () => {
+  const match = await openMatch(4, 2);
+  match.play(150);
+  await match.join(2);
+  match.play(120);
+  assert.equal(match.all[2].peers.isAbsent(2), false, "the third plays");
+  match.drop(1);
+  match.play(40);
+  await match.join(3);
+  await match.join(1);
+  match.play(200);
+  for (const { peers, rollback } of match.all) {
+    assert.deepEqual([0, 1, 2, 3].map((player) => peers.isAbsent(player)), [false, false, false, false]);
+    assert.ok(rollback.steps > 400, `${rollback.steps} steps`);
+  }
+  assert.ok(match.compare() > 400);
+  assert.ok(match.all[0].scene.state.players.every(({ here }) => here));
+  // Who has gone for long comes back to a match that went on.
+  match.drop(3);
+  match.play(400);
+  await match.join(3);
+  match.play(200);
+  assert.ok(match.compare() > 900);
+  assert.equal(match.all[3].peers.isAbsent(3), false);
+  match.close();
+});
+
+test("who_only_watches_has_the_same_game_and_nobody_waits_for_it", async () => {
+  const match = await openMatch(2);
+  match.play(100);
+  await match.join(2);
+  match.play(200);
+  assert.ok(match.all[0].rollback.steps > 250);
+  assert.ok(match.compare() > 200);
+  match.present.delete(2);
+  match.play(200);
+  assert.ok(match.all[0].rollback.steps > 450, "it is waited for");
   match.close();
 });
 
@@ -145,58 +230,83 @@ test("world_that_is_changed_secretly_is_found_and_its_body_named", async () => {
 
 test("what_no_player_can_say_is_refused_and_changes_nothing", async () => {
   const match = await openMatch(2);
-  const told = [];
   const [{ peers, rollback, scene }, other] = match.all;
   match.play(60, () => 1);
-  // A packet that the other player has sent, to be damaged.
-  const { peers: liar, close } = await openPlayer(2, 1, (_, bytes) => told.push(bytes), () => 0);
-  liar.give(1);
-  liar.tell();
-  const packet = told.at(-1);
   const state = () => [scene.world.hash(), rollback.steps, rollback.confirmed, rollback.leadOver(1)];
+  const packet = readPacket(other.peers.write(0), 2, 8);
+  const [run] = packet.runs;
+  peers.hear(1, writePacket(packet));
+  assert.equal(peers.refused, 0, "right");
   const before = state();
   const refused = (bytes, what) => {
     const count = peers.refused;
-    peers.hear(1, Uint8Array.from(bytes));
+    const now = state();
+    peers.hear(1, bytes);
     assert.equal(peers.refused, count + 1, what);
-    assert.deepEqual(state(), before, what);
+    assert.deepEqual(state(), now, what);
   };
-  const changed = (at, ...values) => {
-    const bytes = Uint8Array.from(packet);
-    bytes.set(values, at);
-    return bytes;
-  };
-  const head = 30 + 8;
-  peers.hear(1, packet);
-  assert.deepEqual([peers.refused, state()], [0, before], "nothing new, and right");
-  refused(changed(0, 9), "no such kind");
-  refused(changed(1, 3), "another number of players");
-  refused(changed(6, 0x7f, 0xff), "a lead that cannot be");
-  refused(changed(30, 0x7f), "inputs acknowledged that nobody gave");
-  refused(changed(head, 0), "an input of mine");
-  refused(changed(head, 2), "a player that there is not");
-  refused(changed(head + 5, 200), "more inputs than there are bytes");
-  const next = rollback.steps - rollback.leadOver(1);
-  refused(changed(head + 1, 0, 0, next >> 8, next & 255, 1, 8), "an input that there is not");
-  refused(changed(head + 6, 5), "another input than was told before");
-  for (let length = 1; length < packet.length; length++)
-    if (length !== head) refused(packet.subarray(0, length), `${length} bytes`);
-  refused([...packet, 1], "more bytes");
-  refused([2, 1, 2, 3], "no report");
-  refused([3, 1, 0, 0, 0, 1], "only who invited says who left");
-  peers.hear(7, Uint8Array.from(packet));
-  peers.hear(1, new Uint8Array());
-  assert.deepEqual(state(), before, "nobody, and nothing");
-  // Random bytes of all kinds.
+  const known = peers.write(1) && rollback.steps - rollback.leadOver(1);
+  for (const [what, wrong] of Object.entries({
+    "of another": { from: 0 },
+    "of nobody": { from: 40 },
+    "a lead that cannot be": { lead: 1001 },
+    "inputs acknowledged that nobody gave": { acks: [[0, 100000]] },
+    "a player that there is not": { acks: [[2, 1]] },
+    "too many of them": { acks: Array(3).fill([0, 1]) },
+    "an input of mine": { runs: [{ ...run, player: 0 }] },
+    "inputs of a player that there is not": { runs: [{ ...run, player: 2 }] },
+    "an input that there is not": { runs: [{ player: 1, first: known, inputs: Uint8Array.of(8) }] },
+    "another input than was told before": { runs: [{ player: 1, first: known - 1, inputs: Uint8Array.of(5) }] },
+    "no inputs": { runs: [{ player: 1, first: known, inputs: new Uint8Array() }] },
+    "too many inputs": { runs: [{ player: 1, first: known, inputs: new Uint8Array(121) }] },
+    "events that only who invited says": { events: { known: 0, first: 0, list: [{ enters: true, player: 1, step: 1 }] } },
+    "events that nobody said": { events: { known: 1, first: 0, list: [] } },
+  }))
+    refused(writePacket({ ...packet, ...wrong }), what);
+  const bytes = writePacket(packet);
+  for (let length = 0; length < bytes.length; length++) refused(bytes.subarray(0, length), `${length} bytes`);
+  refused(Uint8Array.of(...bytes, 1), "more bytes");
   const random = randomBy(3);
   for (let i = 0; i < 2000; i++) {
-    const bytes = Uint8Array.from(packet);
-    for (let k = 0; k <= random(4); k++) bytes[random(bytes.length)] = random(256);
-    peers.hear(1, bytes);
+    const damaged = Uint8Array.from(bytes);
+    damaged[random(bytes.length)] ^= 1 << random(8);
+    refused(damaged, "a bit");
+  }
+  refused(rollback.report().slice(1), "no report");
+  refused(rollback.report().slice(0, -1), "a part of a report");
+  peers.hear(7, bytes);
+  assert.deepEqual(state(), before, "nobody");
+  const guest = other.peers;
+  const fromHost = readPacket(peers.write(1), 2, 8);
+  for (const wrong of [{ first: 5 }, { list: [{ enters: false, player: 1, step: 9 }] }, { list: [{ enters: true, player: 2, step: 9 }] }]) {
+    const count = guest.refused;
+    const event = { enters: true, player: 0, step: 9 };
+    guest.hear(0, writePacket({ ...fromHost, events: { known: 1, first: 0, list: [event], ...wrong } }));
+    assert.equal(guest.refused, count + 1, JSON.stringify(wrong));
   }
   match.play(200);
   assert.ok(other.rollback.steps > 200, "the match goes on");
-  close();
+  match.close();
+});
+
+test("damaged_welcome_is_no_welcome", async () => {
+  const match = await openMatch(2, 1);
+  match.play(30);
+  const messages = match.all[0].peers.invite(1, { more: match.all[0].bare });
+  assert.ok(messages.length > 1);
+  const random = randomBy(5);
+  for (const [i, message] of messages.entries())
+    for (let k = 0; k < 50; k++) {
+      const reader = new WelcomeReader();
+      for (const right of messages.slice(0, i)) assert.ok(reader.hear(right));
+      const damaged = Uint8Array.from(message);
+      damaged[random(message.length)] ^= 1 << random(8);
+      assert.equal(reader.hear(damaged), false);
+      assert.equal(reader.hear(message.subarray(0, random(message.length))), false);
+      assert.equal(reader.hear(messages[(i + 1) % messages.length]), false, "in another order");
+      for (const right of messages.slice(i)) assert.ok(reader.hear(right));
+      assert.ok(reader.isWhole);
+    }
   match.close();
 });
 

@@ -20,6 +20,8 @@ export * from "./fields/field-types.js";
 export * from "./joint-types.js";
 export { type MinkowskiSum, minkowskiSum } from "./minkowski.js";
 export { Mover, type MoverState } from "./mover.js";
+export { readHello, type Welcome, WelcomeReader, writeHello } from "./net/messages.js";
+export { RollbackPeers, type RollbackPeersOptions } from "./net/peers.js";
 export { Rollback, type RollbackDifference, type RollbackOptions } from "./net/rollback.js";
 export * from "./query-types.js";
 export * from "./rules/rule-types.js";

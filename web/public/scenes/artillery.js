@@ -1,10 +1,12 @@
-// Artillery duel: two tanks on a real mountainside in Tennessee, and the ground gives way.
+// Artillery duel: two tanks on a real mountainside in Tennessee, and the ground gives way. Over a network
+// `match` has what the page needs: all that changes stands in the world and in `state`, and a step depends
+// on them and on the players’ inputs alone.
 // Change the rules below, or the files that they are made of in scenes/artillery.
 
 import { BLAST, explode } from "./artillery/blast.js";
 import { chooseAim } from "./artillery/computer.js";
-import { control, setAim } from "./artillery/controls.js";
-import { GRAVITY } from "./artillery/flight.js";
+import { control, heldOf, inputOf, INPUTS, setAim } from "./artillery/controls.js";
+import { GRAVITY, lengthOf } from "./artillery/flight.js";
 import { buildGround, chooseGround, REACH } from "./artillery/ground.js";
 import { picture } from "./artillery/picture.js";
 import { barrel, buildLoose, buildShell, buildTank, right } from "./artillery/tanks.js";
@@ -21,14 +23,15 @@ const LONGEST_SETTLING = 300; // steps from a hit to the next turn
 const STEP = 1 / 60;
 const CHOICE = "Left: play the computer. Right: two players.";
 
-export default async function ({ createWorld, readText, random, seed }) {
+export default async function ({ createWorld, grid, readText, random, seed }) {
   const stretch = await chooseGround(readText, random(seed + 1)(0, 1));
   const world = createWorld({ gravity: [0, -GRAVITY], timeStep: STEP });
   const ground = buildGround(world, stretch);
   const tanks = stretch.sites.map((site) => buildTank(world, site));
   const shell = buildShell(world);
-  const loose = buildLoose(world, ground, random(seed + 2));
+  const loose = buildLoose(world, grid, ground, random(seed + 2));
 
+  let own = -1; // over a network, the tank of whoever looks at this screen
   const middle = Math.max(...stretch.sites.map((site) => site.y)) + 4;
   const scene = {
     world,
@@ -46,7 +49,21 @@ export default async function ({ createWorld, readText, random, seed }) {
     hidden: [shell.index, ...tanks.map(({ body }) => body.index)],
     state: newGame(0),
     update,
-    paint: () => picture(scene, tanks, shell, HEALTH),
+    paint: () => picture(scene, tanks, shell, HEALTH, own),
+    match: {
+      inputs: INPUTS,
+      input: inputOf,
+      begin(player) {
+        own = player;
+        scene.state.online = true;
+        scene.state.computer = false;
+        startTurn(scene.state, 0);
+      },
+      step(inputs) {
+        playTogether(inputs);
+        world.step();
+      },
+    },
   };
   return scene;
 
@@ -55,6 +72,8 @@ export default async function ({ createWorld, readText, random, seed }) {
     return {
       phase: "choose", // then "aim", "fly" and "settle" in turn, and "over"
       computer: true, // aims for the second tank
+      online: false, // each player has a browser of their own
+      waits: false, // for a player who has left
       turn: 0, // whose tank: 0 or 1
       wind: 0, // metres a second squared, to the right
       tanks: [60, 120].map((angle) => ({ health: HEALTH, angle, speed: 17, fall: 0, shots: 0 })),
@@ -66,6 +85,7 @@ export default async function ({ createWorld, readText, random, seed }) {
       effects: [], // rings and figures that fade
       message: CHOICE,
       before: {}, // keys held in the last step
+      both: [{}, {}], // over a network, by player
       pointerDown: false,
       holds: { left: 0, right: 0, up: 0, down: 0 },
       pull: null, // a slingshot drawn: where from and by how much
@@ -80,6 +100,19 @@ export default async function ({ createWorld, readText, random, seed }) {
     else play(game, input, pressed, tapped);
     scene.state.before = { ...input.held };
     scene.state.pointerDown = Boolean(input.pointer?.down);
+  }
+
+  /** A step over a network: of each player the input, null for one who has left. */
+  function playTogether(inputs) {
+    const game = scene.state;
+    game.waits = inputs.includes(null);
+    const both = inputs.map((input) => heldOf(input ?? 0));
+    const isPressed = (player) => (key) => both[player][key] && !game.both[player][key];
+    // After a game either begins the next one.
+    const anyone = (key) => isPressed(0)(key) || isPressed(1)(key);
+    const pressed = game.phase === "over" ? anyone : isPressed(game.turn);
+    play(game, { held: both[game.turn], pointer: null }, pressed, false);
+    game.both = both;
   }
 
   function play(game, input, pressed, tapped) {
@@ -102,7 +135,7 @@ export default async function ({ createWorld, readText, random, seed }) {
   }
 
   function startTurn(game, turn) {
-    tanks.forEach((tank) => right(world, ground, tank));
+    tanks.forEach((tank) => right(world, grid, ground, tank));
     enter(game, "aim");
     game.turn = turn;
     game.wind = chance(game, -STRONGEST_WIND, STRONGEST_WIND);
@@ -156,7 +189,7 @@ export default async function ({ createWorld, readText, random, seed }) {
   function fly(game) {
     const { position, velocity } = world.bodyStateOf(shell);
     const [x, y] = position;
-    const change = Math.hypot(velocity[0] - game.velocity[0], velocity[1] - game.velocity[1]);
+    const change = lengthOf([velocity[0] - game.velocity[0], velocity[1] - game.velocity[1]]);
     if (Math.abs(x) > REACH || game.waited > 1200) return land(game, null);
     if (game.waited > 1 && change > 0.01) return land(game, position);
     game.trail = [...game.trail, [x, y]].slice(-16);
@@ -207,7 +240,7 @@ export default async function ({ createWorld, readText, random, seed }) {
   }
 
   function settle(game) {
-    const speeds = tanks.map(({ body }) => Math.hypot(...world.bodyStateOf(body).velocity));
+    const speeds = tanks.map(({ body }) => lengthOf(world.bodyStateOf(body).velocity));
     const still = game.waited > 60 && Math.max(...speeds) < 0.2;
     if (!still && game.waited < LONGEST_SETTLING) return;
     if (isDecided(game)) finish(game);
@@ -236,7 +269,9 @@ export default async function ({ createWorld, readText, random, seed }) {
       world.setVelocity(body, [0, 0]);
       world.setAwake(body, true);
     }
-    scene.state = newGame(scene.state.chances);
+    const { online, chances } = scene.state;
+    Object.assign(scene.state, newGame(chances), { online, computer: !online });
+    if (online) startTurn(scene.state, 0);
   }
 
   function enter(game, phase) {

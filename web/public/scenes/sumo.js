@@ -8,7 +8,7 @@ import { buildArena } from "./sumo/arena.js";
 import { think } from "./sumo/bot.js";
 import { buildCars, drive, INPUTS, inputOf } from "./sumo/cars.js";
 import { picture } from "./sumo/picture.js";
-import { judge, newGame } from "./sumo/rules.js";
+import { attend, judge, newGame } from "./sumo/rules.js";
 
 export const title = "Car sumo";
 export const about = "Push the other cars off the platform: alone, at one keyboard, or with a friend by a link.";
@@ -55,6 +55,7 @@ export default function ({ createWorld, grid, size }) {
         scene.state.alone = false;
       },
       step(inputs) {
+        attend(world, arena, cars, scene.state, inputs);
         drive(world, cars, scene.state, inputs);
         world.step();
         judge(world, arena, cars, scene.state);
@@ -66,6 +67,6 @@ export default function ({ createWorld, grid, size }) {
   function begin() {
     Object.assign(scene.state, { ...newGame(size), friend: scene.state.friend });
     arena.mend(world);
-    cars.forEach((car) => car.place(world));
+    cars.forEach((car, i) => car.place(world, arena.half, i, size));
   }
 }

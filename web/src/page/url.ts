@@ -177,7 +177,8 @@ export async function writeState(state: State): Promise<string> {
   const put = (name: string, value: string | number, usual: string | number) => {
     if (value !== usual) params.set(name, String(value));
   };
-  if (size !== undefined) params.set("size", String(size));
+  // A match has places for all; alone it is played by as many as before.
+  if (size !== undefined && !state.match) params.set("size", String(size));
   put("seed", seed, 0);
   put("quality", choices.quality, USUAL.quality);
   put("substeps", choices.substeps, USUAL.substeps);

@@ -12,6 +12,7 @@ export const KEYWORDS: Readonly<Record<string, string>> = {
     "collision detection normal depth penetration signed distance closest points time of impact " +
     "intersection testing bounding volumes",
   asleep: "numerical stability at the extremes",
+  artillery: "multiplayer together friend network webrtc link qr code rollback netcode two players",
   far_away: "numerical stability at the extremes large coordinates precision rounding",
   heavy_on_light: "numerical stability at the extremes mass ratios",
   minkowski: "point against shape configuration space difference",

@@ -242,14 +242,17 @@ export function noKeys(): Record<KeyName, boolean> {
  * scene each time.
  */
 export interface SceneMatch {
-  /** The number of different inputs, 2 to 256: an input is a whole number below it; 0: no key. */
+  /** The number of different inputs, 2 to 255: an input is a whole number below it; 0: no key. */
   inputs: number;
   /** The input of the keys that are held in this browser. */
   input(held: Input["held"]): number;
   /** A match begins; `player` is the one of this browser, from 0. Called before the first step. */
   begin?(player: number): void;
-  /** One step of the game with the input of each player, the world's step included. */
-  step(inputs: readonly number[]): void;
+  /**
+   * One step of the game with the input of each player, the world's step included. Who has left, or has
+   * not come yet, has no input: null.
+   */
+  step(inputs: readonly (number | null)[]): void;
 }
 
 /** What a player does during one step. */

@@ -3,11 +3,10 @@
  * Rollback. The page carries the packets, since only it can open connections (page/match). Imported
  * when the first match begins.
  */
-import type { Engine, Rollback } from "thud";
+import type { Engine, Rollback, RollbackPeers, WelcomeReader, World } from "thud";
 import { type Input, noKeys, type Paint, type SceneMatch, type SceneModule } from "../scene/scene";
 import { USUAL } from "../page/url";
 import type { Command } from "./commands";
-import { Peers } from "./match-peers";
 import type { Match, Rerun, SceneRequest } from "./protocol";
 import { Session } from "./session";
 import { setUp } from "./stage";
@@ -15,6 +14,10 @@ import { SceneError } from "./trouble";
 
 /** Steps that an input may arrive late. Chosen: a second and a half at 60 steps a second. */
 const DEPTH = 90;
+/** Steps from a key to the step that it takes effect in: so many of delay cost no correction. Chosen. */
+const INPUT_DELAY = 2;
+/** Steps of others that who joins late runs at once, in one step of the page. Chosen. */
+const CATCH_UP = 30;
 /** Milliseconds between two looks at whether something has to be told although no step was made. */
 const BEAT = 40;
 /** Beats between two messages to the page of how the match goes. Chosen. */
@@ -25,7 +28,12 @@ const FARTHEST = 50;
 const ALONE = "All players make a match’s steps together: this works in a game of your own.";
 
 /** What the page sends through the port of a match. */
-export type ToMatch = { from: number; bytes: ArrayBuffer } | { lost: number };
+export type ToMatch =
+  | { from: number; bytes: ArrayBuffer }
+  /** `over`: on purpose, and not to come back. */
+  | { lost: number; over: boolean }
+  /** Somebody comes in the midst of the match, to whoever has invited. */
+  | { joined: number };
 
 /** What it gets. */
 export type FromMatch =
@@ -61,24 +69,52 @@ export async function play(
   request: SceneRequest,
   readText: (file: string) => Promise<string>,
 ): Promise<Session> {
-  const { Rollback } = await import("thud");
+  const thud = await import("thud");
+  const { own, port } = request.match!;
+  const reader = own === 0 ? null : await readWelcome(port, new thud.WelcomeReader());
   // What a visitor has chosen for other scenes would make another game of it.
   const asked = { ...request, choices: USUAL };
+  let bare: Uint8Array<ArrayBuffer> = new Uint8Array();
   const session = (await setUp(run, module, engine, asked, readText, {
     kind: MatchSession,
+    // Handles are those of a world. A world that is given the state of another one before anything is
+    // built in it has the same handles after the same calls, so that the scene can use its own.
+    made(world: World) {
+      if (reader && reader.more.length > 0) world.restore(reader.more);
+      else bare = world.snapshot();
+    },
   })) as MatchSession;
   const { match } = session.scene;
   if (!match) {
     session.close();
     throw new SceneError({ message: "This scene does not say how several play it." });
   }
-  session.connect(request.match!, match, Rollback);
+  session.connect(request.match!, match, thud, bare, reader);
   return session;
 }
 
+/** Waits for the game that the one who invited tells; what comes after it waits in the port. */
+function readWelcome(port: MessagePort, reader: WelcomeReader): Promise<WelcomeReader> {
+  return new Promise((resolve, reject) => {
+    const fail = (message: string) => reject(new SceneError({ message }));
+    const later: MessageEvent[] = [];
+    port.onmessage = (event: MessageEvent<ToMatch>) => {
+      if (reader.isWhole) later.push(event);
+      else if ("lost" in event.data) fail("The match cannot be joined: the connection has ended.");
+      else if ("bytes" in event.data && reader.hear(new Uint8Array(event.data.bytes)) && reader.isWhole) {
+        waiting.set(port, later);
+        resolve(reader);
+      }
+    };
+  });
+}
+
+/** What came through ports between the welcome and the scene's beginning. */
+const waiting = new WeakMap<MessagePort, MessageEvent[]>();
+
 class MatchSession extends Session {
   #rollback!: Rollback<number, object>;
-  #peers!: Peers;
+  #peers!: RollbackPeers;
   #match!: SceneMatch;
   #port!: MessagePort;
   #timer: ReturnType<typeof setInterval> | undefined;
@@ -91,26 +127,52 @@ class MatchSession extends Session {
   #beats = 0;
   #told = 0;
 
-  connect({ port, own }: Match, match: SceneMatch, kind: typeof Rollback): void {
-    const { scene, size: players } = this;
+  /** The world of this match before anything was built in it. */
+  #bare: Uint8Array<ArrayBuffer> = new Uint8Array();
+  #own = 0;
+  /** Who has come, and is told the game as soon as that is possible. */
+  readonly #joined = new Set<number>();
+
+  connect(
+    { port, own, players, present }: Match,
+    match: SceneMatch,
+    thud: typeof import("thud"),
+    bare: Uint8Array<ArrayBuffer>,
+    reader: WelcomeReader | null,
+  ): void {
+    const { scene } = this;
     this.#match = match;
     this.#port = port;
+    this.#bare = bare;
+    this.#own = own;
     match.begin?.(own);
-    this.#rollback = new kind<number, object>(this.world, {
-      idle: Array.from({ length: players }, () => 0),
+    // An input that nobody can give: that of who is absent.
+    const absent = match.inputs;
+    this.#rollback = new thud.Rollback<number, object>(this.world, {
+      idle: Array.from({ length: players }, () => absent),
       depth: DEPTH,
       state: scene.state ?? {},
       step: (inputs, state) => {
         scene.state = state;
-        match.step(inputs);
+        match.step(inputs.map((input) => (input === absent ? null : input)));
       },
     });
+    const about = {
+      ...{ rollback: this.#rollback, inputs: match.inputs, delay: INPUT_DELAY },
+      send: (to: number, bytes: Uint8Array<ArrayBuffer>, sure: boolean) => this.#post({ to, bytes, sure }),
+    };
+    this.#peers = reader
+      ? thud.RollbackPeers.join(reader, about)
+      : new thud.RollbackPeers({ ...about, players, own, depth: DEPTH });
     scene.state = this.#rollback.state;
-    this.#peers = new Peers({
-      ...{ rollback: this.#rollback, players, own, inputs: match.inputs, depth: DEPTH },
-      send: (to, bytes, sure) => this.#post({ to, bytes, sure }),
-    });
+    this.step = this.#rollback.steps;
+    if (own === 0)
+      for (let player = 1; player < players; player++) {
+        if (!present.includes(player)) this.#peers.miss(player);
+        else for (const bytes of this.#peers.start(player)) this.#post({ to: player, bytes, sure: true });
+      }
     port.onmessage = ({ data }: MessageEvent<ToMatch>) => this.#hear(data);
+    for (const { data } of waiting.get(port) ?? []) this.#hear(data as ToMatch);
     this.#timer = setInterval(() => this.#beat(), BEAT);
     this.paint = this.#painted();
   }
@@ -140,7 +202,8 @@ class MatchSession extends Session {
     const rollback = this.#rollback;
     this.#peers.give(this.#match.input(this.#held));
     this.#settle();
-    this.#waits = !rollback.advance();
+    this.#waits = !this.#peers.advance();
+    for (let i = 0; i < CATCH_UP && this.#peers.isBehind && this.#peers.advance(); i++);
     this.#tell();
     this.paint = this.#painted();
     if (this.#waits) return;
@@ -186,8 +249,11 @@ class MatchSession extends Session {
   #hear(data: ToMatch): void {
     if (this.#over) return;
     this.#waits = false;
-    if ("lost" in data) {
-      this.#over = this.#peers.lose(data.lost);
+    if ("joined" in data) this.#joined.add(data.joined);
+    else if ("lost" in data) {
+      this.#joined.delete(data.lost);
+      const isLast = this.#peers.lose(data.lost);
+      this.#over = this.#own !== 0 || (isLast && data.over);
       this.paint = this.#painted();
     } else this.#peers.hear(data.from, new Uint8Array(data.bytes));
   }
@@ -195,7 +261,10 @@ class MatchSession extends Session {
   /** What the scene draws; where no step can be made, why. */
   #painted(): Paint {
     const paint = this.scene.paint?.() ?? {};
-    if (this.#over) return { ...paint, message: "The match is over: the others have left." };
+    if (this.#over) {
+      const why = this.#own === 0 ? "the others have left" : "the connection has ended";
+      return { ...paint, message: `The match is over: ${why}.` };
+    }
     return this.#waits ? { ...paint, message: "Waiting for the others…" } : paint;
   }
 
@@ -208,7 +277,14 @@ class MatchSession extends Session {
 
   #tell(): void {
     this.#told = this.#beats;
-    if (!this.#over) this.#peers.tell();
+    if (this.#over) return;
+    for (const number of this.#joined) {
+      const messages = this.#peers.invite(number, { more: this.#bare });
+      if (!messages) continue;
+      this.#joined.delete(number);
+      for (const bytes of messages) this.#post({ to: number, bytes, sure: true });
+    }
+    this.#peers.tell();
   }
 
   #news(): void {
@@ -222,7 +298,7 @@ class MatchSession extends Session {
       ahead: rollback.ahead,
       waits: this.#waits,
       equal: peers.equal,
-      final: peers.final,
+      final: { ...peers.final, step: Math.max(0, peers.final.step) },
       refused: peers.refused,
       difference: differenceOf(peers),
     };
@@ -236,7 +312,7 @@ class MatchSession extends Session {
 }
 
 /** In words, what differs from another player; null: nothing. */
-function differenceOf({ differs, difference }: Peers): string | null {
+function differenceOf({ differs, difference }: RollbackPeers): string | null {
   if (differs < 0) return null;
   if (!difference) return `Step ${differs} differs.`;
   const { step, bodySlot, player } = difference;

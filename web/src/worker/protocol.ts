@@ -55,6 +55,10 @@ export interface Match {
   port: MessagePort;
   /** Which player is played here, from 0; 0 is the one who invited the others. */
   own: number;
+  /** The number of players, of whom some may come later. */
+  players: number;
+  /** Of who has invited: the others who are there as it begins. */
+  present: number[];
 }
 
 /** A scene to run, with its settings. */

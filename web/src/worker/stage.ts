@@ -34,6 +34,8 @@ interface Loaders extends Pick<SettingOptions, "loadReader" | "loadGeometry" | "
   loadMover?(): Promise<typeof Mover | undefined>;
   /** The class of the session that is returned. */
   kind?: typeof Session;
+  /** Is told of each world before the scene builds anything in it. */
+  made?(world: World): void;
 }
 
 /** Loads the class Mover. If that fails, scenes without movers still run. */
@@ -51,7 +53,7 @@ export async function setUp(
   engine: Engine,
   request: SceneRequest,
   readText: (file: string) => Promise<string>,
-  { loadMover = bringMover, kind = Session, ...loaders }: Loaders = {},
+  { loadMover = bringMover, kind = Session, made, ...loaders }: Loaders = {},
 ): Promise<Session> {
   const first = request.name === FIRST_SCENE && request.code === undefined;
   const choices = optionsOf(request.choices);
@@ -71,6 +73,7 @@ export async function setUp(
   const { createWorld, buildLevel, createMover } = setting;
   setting.createWorld = (options = {}) => {
     const world = createWorld(options);
+    made?.(world);
     worlds.set(world, options);
     return world;
   };

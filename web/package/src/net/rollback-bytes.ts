@@ -1,10 +1,13 @@
-/** The game of a rollback as bytes, for who joins it: a mark, plain data as JSON, and a checksum. */
+/**
+ * The game of a rollback as bytes, for who joins it: those that thud_rollback_snapshot of the C library
+ * writes. The layout stands in engine/src/sessions/rollback_join.c.
+ */
 import { ThudError } from "../error.js";
 import type { MoverState } from "../mover.js";
 
-const MARK_BYTES = 4;
-const LENGTH_BYTES = 4;
-const SUM_BYTES = 4;
+/** "tdJ2". */
+const MARK = 0x324a6474;
+const [HEAD_BYTES, PLAYER_BYTES, SUM_BYTES] = [32, 24, 4];
 
 /** FNV-1a of 32 bits (Fowler, Noll, Vo). */
 export function sumOf(bytes: Uint8Array): number {
@@ -29,47 +32,95 @@ const read = (_name: string, value: unknown): unknown => {
 /** Plain data as JSON, numbers that JSON does not have included; undefined for what is no data. */
 export const textOf = (data: unknown): string | undefined => JSON.stringify(data, write);
 
-/** Writes a mark of four letters, plain data, and further bytes. */
-export function pack(mark: string, data: unknown, more: Uint8Array = new Uint8Array()): Uint8Array<ArrayBuffer> {
-  const text = new TextEncoder().encode(textOf(data));
-  const from = MARK_BYTES + LENGTH_BYTES;
-  const bytes = new Uint8Array(from + text.length + more.length + SUM_BYTES);
+/** A game that is joined. */
+export interface Game {
+  step: number;
+  /** By player: its input in the step before, and when it is absent; Infinity: never. */
+  players: { input: bigint; gone: number; back: number }[];
+  world: Uint8Array;
+  /** The program's own. */
+  state: Uint8Array;
+}
+
+/** In place of a step: never. */
+const NEVER = 2n ** 63n - 1n;
+const stepOf = (value: bigint) => (value === NEVER ? Infinity : Number(value));
+const numberOf = (step: number) => (step === Infinity ? NEVER : BigInt(step));
+
+/** The bytes of a game. */
+export function packGame({ step, players, world, state }: Game): Uint8Array<ArrayBuffer> {
+  const from = HEAD_BYTES + PLAYER_BYTES * players.length;
+  const bytes = new Uint8Array(from + world.length + state.length + SUM_BYTES);
   const view = new DataView(bytes.buffer);
-  bytes.set(new TextEncoder().encode(mark));
-  view.setUint32(MARK_BYTES, text.length, true);
-  bytes.set(text, from);
-  bytes.set(more, from + text.length);
+  view.setUint32(0, MARK, true);
+  view.setUint32(4, players.length, true);
+  view.setBigInt64(8, BigInt(step), true);
+  view.setBigUint64(16, BigInt(world.length), true);
+  view.setBigUint64(24, BigInt(state.length), true);
+  players.forEach(({ input, gone, back }, i) => {
+    const at = HEAD_BYTES + PLAYER_BYTES * i;
+    view.setBigUint64(at, input, true);
+    view.setBigInt64(at + 8, numberOf(gone), true);
+    view.setBigInt64(at + 16, numberOf(back), true);
+  });
+  bytes.set(world, from);
+  bytes.set(state, from + world.length);
   const end = bytes.length - SUM_BYTES;
   view.setUint32(end, sumOf(bytes.subarray(0, end)), true);
   return bytes;
 }
 
 /**
- * The plain data and the further bytes.
- * @throws {ThudError} "invalid" for bytes that are damaged, or have another mark.
+ * The game in bytes.
+ * @throws {ThudError} "invalid" for bytes that are damaged, or no game.
  */
-export function unpack(mark: string, bytes: Uint8Array): { data: unknown; more: Uint8Array } {
-  const from = MARK_BYTES + LENGTH_BYTES;
-  const fault = () => new ThudError("invalid", `rollback: no bytes of ${mark}, or damaged ones`);
-  if (!(bytes instanceof Uint8Array) || bytes.length < from + SUM_BYTES) throw fault();
+export function unpackGame(bytes: Uint8Array): Game {
+  const fault = () => new ThudError("invalid", "rollback: no bytes of a game, or damaged ones");
+  if (!(bytes instanceof Uint8Array) || bytes.length < HEAD_BYTES + SUM_BYTES) throw fault();
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
-  const [end, length] = [bytes.length - SUM_BYTES, view.getUint32(MARK_BYTES, true)];
-  const isMarked = new TextEncoder().encode(mark).every((letter, i) => bytes[i] === letter);
-  if (!isMarked || from + length > end) throw fault();
-  if (view.getUint32(end, true) !== sumOf(bytes.subarray(0, end))) throw fault();
-  try {
-    const text = new TextDecoder("utf-8", { fatal: true }).decode(bytes.subarray(from, from + length));
-    return { data: JSON.parse(text, read) as unknown, more: bytes.slice(from + length, end) };
-  } catch {
+  const end = bytes.length - SUM_BYTES;
+  if (view.getUint32(0, true) !== MARK || view.getUint32(end, true) !== sumOf(bytes.subarray(0, end)))
     throw fault();
+  const [count, step] = [view.getUint32(4, true), Number(view.getBigInt64(8, true))];
+  const [worldBytes, stateBytes] = [16, 24].map((at) => Number(view.getBigUint64(at, true)));
+  const from = HEAD_BYTES + PLAYER_BYTES * count;
+  if (from + worldBytes + stateBytes !== end || !isStep(step)) throw fault();
+  const players = Array.from({ length: count }, (_, i) => {
+    const at = HEAD_BYTES + PLAYER_BYTES * i;
+    const [gone, back] = [8, 16].map((place) => stepOf(view.getBigInt64(at + place, true)));
+    if (!isStepOrNever(gone) || !isStepOrNever(back)) throw fault();
+    return { input: view.getBigUint64(at, true), gone, back };
+  });
+  return {
+    ...{ step, players, world: bytes.slice(from, from + worldBytes) },
+    state: bytes.slice(from + worldBytes, end),
+  };
+}
+
+const isStepOrNever = (value: number) => value === Infinity || isStep(value);
+
+/** State, movers, and inputs that are no numbers, as bytes: none where there is nothing to tell. */
+export function writeState(own: { state: unknown; movers: MoverState[]; inputs: readonly unknown[] | null }): Uint8Array {
+  if (own.state === undefined && own.movers.length === 0 && !own.inputs) return new Uint8Array();
+  return new TextEncoder().encode(textOf(own));
+}
+
+/** @throws {ThudError} "invalid" for other bytes. */
+export function readState(bytes: Uint8Array): { state?: unknown; movers: unknown; inputs: unknown } {
+  if (bytes.length === 0) return { movers: [], inputs: null };
+  try {
+    const own = JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes), read) as object | null;
+    return { movers: null, inputs: null, ...own };
+  } catch {
+    throw new ThudError("invalid", "rollback: the bytes are of a game with another state");
   }
 }
 
 export const isStep = (value: unknown): value is number =>
   Number.isSafeInteger(value) && (value as number) >= 0;
 
-/** Two numbers, which may be infinite. */
-export const isPair = (value: unknown): value is [number, number] =>
+/** Two numbers. */
+const isPair = (value: unknown): value is [number, number] =>
   Array.isArray(value) && value.length === 2 && value.every((one) => typeof one === "number");
 
 /** Whether all these properties of a value are as they should be. */

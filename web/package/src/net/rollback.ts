@@ -13,15 +13,13 @@ import type { Mover, MoverState } from "../mover.js";
 import { checkOptions } from "../checks/names.js";
 import type { BodyId } from "../types.js";
 import type { World } from "../world.js";
-import { isMoverState, isPair, isStep, pack, unpack } from "./rollback-bytes.js";
+import { type Game, isMoverState, isStep, packGame, readState, unpackGame, writeState } from "./rollback-bytes.js";
 import { hashOfBody, inputNumber, readReport, writeReport } from "./rollback-report.js";
 
 /** The maximum of `depth`, steps (THUD_ROLLBACK_DEPTH_MAX). */
 const DEEPEST = 1000;
 /** Each lead that is heard of moves the smoothed one by this share of the difference. Chosen. */
 const LEAD_SHARE = 1 / 16;
-/** The mark of the bytes of a game that is joined. */
-const GAME = "tdJj";
 
 /** Inputs are compared by `===`, so they should be numbers or strings. */
 export interface RollbackOptions<Input, State> {
@@ -35,6 +33,12 @@ export interface RollbackOptions<Input, State> {
   step: (inputs: readonly Input[], state: State) => void;
   /** The game's data beside the world, such as the score: plain data, which `step` may change. */
   state?: State;
+  /**
+   * How `snapshot` writes the state, and `restore` reads it; with movers it is not possible. Who plays
+   * with a program in C writes the bytes of that program's state. Default: as JSON, and a state that is
+   * undefined as no bytes.
+   */
+  stateBytes?: { write(state: State): Uint8Array; read(bytes: Uint8Array): State };
   /** The movers that are restored with the world. Default none. */
   movers?: readonly Mover[];
   /** The number of steps that an input may arrive late, 1 to 1000. Default 60. */
@@ -94,6 +98,7 @@ export class Rollback<Input = number, State = undefined> {
   readonly #world: World;
   readonly #idle: readonly Input[];
   readonly #step: (inputs: readonly Input[], state: State) => void;
+  readonly #stateBytes: RollbackOptions<Input, State>["stateBytes"];
   readonly #movers: readonly Mover[];
   readonly #depth: number;
   readonly #budget: number;
@@ -113,8 +118,9 @@ export class Rollback<Input = number, State = undefined> {
 
   /** @throws {ThudError} "invalid" for an unknown option or a value out of range. */
   constructor(world: World, options: RollbackOptions<Input, State>) {
-    checkOptions("rollback", options, ["idle", "step", "state", "movers", "depth", "budget"]);
-    const { idle, step, state, movers = [], depth = 60, budget = 0 } = options;
+    const names = ["idle", "step", "state", "stateBytes", "movers", "depth", "budget"];
+    checkOptions("rollback", options, names);
+    const { idle, step, state, stateBytes, movers = [], depth = 60, budget = 0 } = options;
     if (!Array.isArray(idle) || idle.length === 0)
       throw new ThudError("invalid", "rollback: idle has an input for each player");
     if (typeof step !== "function") throw new ThudError("invalid", "rollback: step is a function");
@@ -122,7 +128,10 @@ export class Rollback<Input = number, State = undefined> {
       throw new ThudError("invalid", `rollback: depth is whole, from 1 to ${DEEPEST}`);
     if (!Number.isInteger(budget) || budget < 0 || budget > DEEPEST)
       throw new ThudError("invalid", `rollback: budget is whole, from 0 to ${DEEPEST}`);
+    if (stateBytes && movers.length > 0)
+      throw new ThudError("invalid", "rollback: stateBytes has no place for movers");
     this.#world = world;
+    this.#stateBytes = stateBytes;
     this.#idle = [...idle];
     this.#base = this.#idle;
     this.#step = step;
@@ -352,19 +361,20 @@ export class Rollback<Input = number, State = undefined> {
 
   /**
    * What somebody needs to join the game, as bytes: the world, the state and the movers before the
-   * step `confirmed`, and who is absent. The state has to be of numbers, strings, booleans, null,
-   * arrays and objects.
+   * step `confirmed`, and who is absent; the same bytes that thud_rollback_snapshot writes in C, but for
+   * the state. The state has to be of numbers, strings, booleans, null, arrays and objects.
    */
   snapshot(): Uint8Array<ArrayBuffer> {
     this.settle();
     const step = this.confirmed;
     const moment = step < this.#steps ? this.#moments.get(step) : undefined;
-    const absent = this.#known.map(({ gone, back }) => [gone, back]);
     const inputs = this.#moments.get(step - 1)?.inputs ?? this.#base;
     const state = moment ? moment.state : this.#state;
     const movers = moment ? moment.movers : this.#movers.map((mover) => mover.state());
-    const game = { players: this.#known.length, step, inputs, absent, state, movers };
-    return pack(GAME, game, moment ? moment.snapshot : this.#world.snapshot());
+    const players = this.#known.map(({ gone, back }, i) => ({ input: inputNumber(inputs[i]), gone, back }));
+    const isNumbered = inputs.every(Number.isSafeInteger);
+    const own = this.#stateBytes?.write(state) ?? writeState({ state, movers, inputs: isNumbered ? null : inputs });
+    return packGame({ step, players, world: moment ? moment.snapshot : this.#world.snapshot(), state: own });
   }
 
   /**
@@ -375,27 +385,15 @@ export class Rollback<Input = number, State = undefined> {
    * movers.
    */
   restore(bytes: Uint8Array): void {
-    const { data, more } = unpack(GAME, bytes);
-    const game = data as {
-      players: number;
-      step: number;
-      inputs: Input[];
-      absent: [number, number][];
-      state: State;
-      movers: MoverState[];
-    };
+    const game = unpackGame(bytes);
     const count = this.#known.length;
-    const isListed = (list: unknown, length: number) => Array.isArray(list) && list.length === length;
-    if (game?.players !== count || !isStep(game.step) || !isListed(game.inputs, count))
+    if (game.players.length !== count)
       throw new ThudError("invalid", "rollback: the bytes are of a game with other players");
-    if (!isListed(game.absent, count) || !game.absent.every(isPair))
-      throw new ThudError("invalid", "rollback: the bytes do not say who is absent");
-    if (!isListed(game.movers, this.#movers.length) || !game.movers.every(isMoverState))
-      throw new ThudError("invalid", "rollback: the bytes are of a game with other movers");
-    this.#world.restore(more);
-    this.#movers.forEach((mover, i) => mover.restore(game.movers[i]));
-    this.#state = game.state;
-    this.#base = game.inputs;
+    const read = this.#readState(game);
+    this.#world.restore(game.world);
+    this.#movers.forEach((mover, i) => mover.restore(read.movers[i]));
+    this.#state = read.state;
+    this.#base = read.inputs;
     this.#first = this.#steps = this.#at = game.step;
     this.#wrong = Infinity;
     this.#moments.clear();
@@ -403,9 +401,22 @@ export class Rollback<Input = number, State = undefined> {
       known.inputs.clear();
       known.before = known.told = game.step;
       known.leads = null;
-      [known.gone, known.back] = game.absent[player];
+      ({ gone: known.gone, back: known.back } = game.players[player]);
       this.#knowAbsence(player, game.step);
     });
+  }
+
+  /** What the bytes of a game say beside its world. */
+  #readState({ players, state: bytes }: Game): { state: State; movers: MoverState[]; inputs: Input[] } {
+    const inputs = players.map(({ input }) => Number(BigInt.asIntN(64, input)) as Input);
+    if (this.#stateBytes) return { state: this.#stateBytes.read(bytes), movers: [], inputs };
+    const own = readState(bytes) as { state: State; movers: MoverState[]; inputs: Input[] | null };
+    const isListed = (list: unknown, length: number) => Array.isArray(list) && list.length === length;
+    if (!isListed(own.movers, this.#movers.length) || !own.movers.every(isMoverState))
+      throw new ThudError("invalid", "rollback: the bytes are of a game with other movers");
+    if (own.inputs !== null && !isListed(own.inputs, players.length))
+      throw new ThudError("invalid", "rollback: the bytes are of a game with other players");
+    return { ...own, inputs: own.inputs ?? inputs };
   }
 
   // ---- inside ----

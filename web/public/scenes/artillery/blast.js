@@ -1,5 +1,7 @@
 // What an explosion does: a crater, damage by distance, and a push on all that is loose.
 
+import { lengthOf } from "./flight.js";
+
 export const CRATER = 2.2; // metres
 export const BLAST = 4.2; // metres; beyond it nothing is felt
 const WORST = 55; // health points, of a hit on the hull
@@ -18,7 +20,7 @@ export function explode(world, ground, tanks, [x, y]) {
     const isTank = tanks.some((tank) => tank.body.index === body.index);
     const { position, mass } = world.bodyStateOf(body);
     const [dx, dy] = [position[0] - x, position[1] - y];
-    const distance = Math.hypot(dx, dy) || 1;
+    const distance = lengthOf([dx, dy]) || 1;
     const impulse = mass * (isTank ? TANK_PUSH : PUSH) * nearness(world, body, x, y);
     // Half a metre a metre more upward than outward: things fly instead of grinding along.
     const push = [(impulse * dx) / distance, impulse * (dy / distance + 0.5)];
@@ -30,6 +32,6 @@ export function explode(world, ground, tanks, [x, y]) {
 /** 1 at the hull, 0 from BLAST metres on. */
 function nearness(world, body, x, y) {
   const { position } = world.bodyStateOf(body);
-  const gap = Math.hypot(position[0] - x, position[1] - y) - 0.9; // a hull is about so big
+  const gap = lengthOf([position[0] - x, position[1] - y]) - 0.9; // a hull is about so big
   return Math.min(1, Math.max(0, 1 - gap / (BLAST - 0.9)));
 }

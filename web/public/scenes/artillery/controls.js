@@ -6,6 +6,12 @@ const FULL_PULL = 12; // metres to draw back for full power
 const LEAST_PULL = 1; // less is no shot: a way out for who has changed their mind
 const RUN_UP = 18; // steps after which a held key turns from single steps to motion
 
+const KEYS = ["left", "right", "up", "down", "fire"];
+/** Over a network an input is the sum of a bit for each key that is held. */
+export const INPUTS = 2 ** KEYS.length;
+export const inputOf = (held) => KEYS.reduce((sum, key, i) => sum + (held[key] ? 2 ** i : 0), 0);
+export const heldOf = (input) => Object.fromEntries(KEYS.map((key, i) => [key, (input & (2 ** i)) !== 0]));
+
 /** Changes the tank's aim; true if it fires. `game.holds` and `game.pull` keep what goes on. */
 export function control(game, tank, input, pressed, tapped) {
   const turn = repeat(game, "left", input) - repeat(game, "right", input);

@@ -2,6 +2,26 @@
 
 export const GRAVITY = 10;
 
+/**
+ * Cosine and sine of an angle from 0 to 180 degrees, by their series. Math.cos and Math.hypot may give
+ * other last bits in another browser, and then two players over a network would have two games.
+ */
+export function directionOf(degrees) {
+  const quarter = degrees > 135 ? 2 : degrees > 45 ? 1 : 0;
+  const x = ((degrees - 90 * quarter) * Math.PI) / 180;
+  let [cosine, sine, term] = [0, 0, 1];
+  for (let n = 0; n < 16; n += 2) {
+    cosine += term;
+    term = (term * x) / (n + 1);
+    sine += term;
+    term = (-term * x) / (n + 2);
+  }
+  return [[cosine, sine], [-sine, cosine], [-cosine, -sine]][quarter];
+}
+
+/** The length of a vector, by operations that are rounded alike everywhere. */
+export const lengthOf = ([x, y]) => Math.sqrt(x * x + y * y);
+
 export function flightAt(from, velocity, wind, time) {
   return [
     from[0] + velocity[0] * time + 0.5 * wind * time * time,

@@ -6,8 +6,8 @@ import { barrel, SHELL_RADIUS, TANK } from "./tanks.js";
 
 const INKS = ["player", "rival"];
 
-/** `most` is a tank's health at the start. */
-export function picture({ world, view, state: game }, tanks, shell, most) {
+/** `most` is a tank's health at the start; `own`: over a network, the tank of this screen. */
+export function picture({ world, view, state: game }, tanks, shell, most, own) {
   const marks = [];
   tanks.forEach((tank, i) => {
     const { health, angle } = game.tanks[i];
@@ -23,8 +23,8 @@ export function picture({ world, view, state: game }, tanks, shell, most) {
   game.effects.forEach((effect) => paintEffect(marks, effect));
   return {
     marks,
-    figures: figures(game),
-    message: game.message,
+    figures: figures(game, own),
+    message: game.online ? messageOf(game, own) : game.message,
     follow: follow(world, view, shell, game),
   };
 }
@@ -39,8 +39,18 @@ function follow(world, view, shell, game) {
   return [x, Math.max(view.y, place[1] - 0.35 * view.height)];
 }
 
-function figures(game) {
-  const names = game.computer ? ["You", "Computer"] : ["Left", "Right"];
+const SIDES = ["Left", "Right"];
+
+function messageOf({ waits, phase, turn, waited, message }, own) {
+  if (waits) return "Waiting for the other player.";
+  if (phase !== "aim") return message;
+  if (turn !== own) return `${SIDES[turn]} aims.`;
+  const which = waited < 150 ? `Yours is the ${SIDES[own].toLowerCase()} tank. ` : "";
+  return `${which}Your turn: aim, set the power and fire.`;
+}
+
+function figures(game, own) {
+  const names = game.computer ? ["You", "Computer"] : SIDES.map((side, i) => (game.online && i === own ? "You" : side));
   const health = names.map((label, i) => ({ label, value: `${game.tanks[i].health}` }));
   if (game.phase === "choose") return health;
   const { angle, speed } = game.tanks[game.turn];

@@ -1,5 +1,6 @@
 // The tanks, the one shell that they share, and the loose things about them.
 
+import { directionOf } from "./flight.js";
 import { REACH } from "./ground.js";
 
 export const TANK = { halfWidth: 1.2, halfHeight: 0.4 };
@@ -23,12 +24,12 @@ export function buildShell(world) {
 }
 
 /** Stacks of crates, upright to the ground, and rocks. */
-export function buildLoose(world, ground, chance) {
+export function buildLoose(world, grid, ground, chance) {
   const things = [];
   const add = (x, above, halfWidth, halfHeight) => {
     const { height, normal } = world.groundAt(ground, x);
     const position = [x + above * normal[0], height + above * normal[1]];
-    const angle = Math.atan2(-normal[0], normal[1]);
+    const angle = slope(grid, normal);
     const body = world.createBody({ kind: "dynamic", position, angle });
     world.createObb(body, { halfWidth, halfHeight, density: 0.6, friction: 0.9 });
     things.push({ body, position, angle });
@@ -47,19 +48,22 @@ export function buildLoose(world, ground, chance) {
 
 /** Where the barrel turns and where it ends; the angle counts from +x counter-clockwise. */
 export function barrel(world, { body }, degrees) {
-  const { position, angle } = world.bodyStateOf(body);
-  const radians = (degrees * Math.PI) / 180;
-  const pivot = [position[0] - PIVOT * Math.sin(angle), position[1] + PIVOT * Math.cos(angle)];
-  const direction = [Math.cos(radians), Math.sin(radians)];
+  const [x, y] = world.positionOf(body);
+  const { cosine, sine } = world.rotationOf(body);
+  const pivot = [x - PIVOT * sine, y + PIVOT * cosine];
+  const direction = directionOf(degrees);
   const muzzle = [pivot[0] + BARREL * direction[0], pivot[1] + BARREL * direction[1]];
   return { pivot, direction, muzzle };
 }
 
+/** The angle of what stands upright on ground with this normal; `grid` takes off bits that browsers differ in. */
+const slope = (grid, [x, y]) => grid(Math.atan2(-x, y));
+
 /** Puts a tank that lies on its side or roof back onto its tracks. */
-export function right(world, ground, { body }) {
-  const { position, angle } = world.bodyStateOf(body);
-  if (Math.cos(angle) > 0.4) return;
-  const { normal } = world.groundAt(ground, Math.max(-REACH, Math.min(REACH, position[0])));
-  world.setTransform(body, [position[0], position[1] + 0.8], Math.atan2(-normal[0], normal[1]));
+export function right(world, grid, ground, { body }) {
+  if (world.rotationOf(body).cosine > 0.4) return;
+  const [x, y] = world.positionOf(body);
+  const { normal } = world.groundAt(ground, Math.max(-REACH, Math.min(REACH, x)));
+  world.setTransform(body, [x, y + 0.8], slope(grid, normal));
   world.setVelocity(body, [0, 0]);
 }

@@ -20,6 +20,7 @@ const SPEED = 8.5; // lengths a second
 const LEAP = 6.2; // the same, upwards
 const REST = 40; // steps from hop to hop
 const AXLE = 0.58;
+const DEEP = -40; // where a car lies that is out
 
 export function inputOf(left, right, hop) {
   return (left ? LEFT : 0) + (right ? RIGHT : 0) + (hop ? HOP : 0);
@@ -27,14 +28,15 @@ export function inputOf(left, right, hop) {
 
 export function buildCars(world, grid, arena, size) {
   const parts = partsOf(world, grid);
-  return Array.from({ length: size }, (_, i) => {
-    const spread = arena.half - 2.2;
-    const x = grid(-spread + (2 * spread * i) / (size - 1));
-    return buildCar(parts, [x, 0.75], -1 - i);
-  });
+  /** Where one of so many cars begins, on a platform of this half length. */
+  const spot = (half, i, count) => {
+    const spread = half - 2.2;
+    return count > 1 ? grid(-spread + (2 * spread * i) / (count - 1)) : 0;
+  };
+  return Array.from({ length: size }, (_, i) => buildCar(parts, [spot(arena.half, i, size), 0.75], -1 - i, spot));
 }
 
-function buildCar({ moving, addBox, wheel }, [x, y], group) {
+function buildCar({ moving, addBox, wheel }, [x, y], group, spot) {
   const steel = { density: 20, friction: 0.15, group };
   const rubber = { density: 20, friction: 1.1, group };
   const hull = moving([x, y]);
@@ -55,16 +57,21 @@ function buildCar({ moving, addBox, wheel }, [x, y], group) {
     wheels: wheels.map(({ body }) => body),
     joints: wheels.map(({ joint }) => joint),
     parts: all,
-    /** Puts the car where it began, at rest. */
-    place(world) {
-      for (const { body, x, y } of all) {
+    /** Puts the car where one of so many begins, at rest. */
+    place(world, half, i, count) {
+      const way = spot(half, i, count) - x;
+      for (const { body, x: home, y } of all) {
         world.setEnabled(body, true);
-        world.setTransform(body, [x, y]);
+        world.setTransform(body, [home + way, y]);
         world.setVelocity(body, [0, 0]);
       }
     },
+    /** Takes the car out of the world, and its springs out of sight. */
     remove(world) {
-      for (const { body } of all) world.setEnabled(body, false);
+      for (const { body, x, y } of all) {
+        world.setEnabled(body, false);
+        world.setTransform(body, [x, y + DEEP]);
+      }
     },
   };
 }

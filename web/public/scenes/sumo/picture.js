@@ -1,7 +1,7 @@
 // What is drawn over the bodies: the cars in their players’ colours, and the figures at the top.
 
 import { CABIN, HULL, TIP, WHEEL } from "./cars.js";
-import { GOAL, READY } from "./rules.js";
+import { GOAL, present, READY } from "./rules.js";
 
 const INKS = ["player", "rival", "good", "gold"];
 const COLOURS = ["Orange", "Blue", "Green", "Yellow"];
@@ -19,8 +19,8 @@ export function picture(world, arena, cars, state, own) {
   });
   return {
     marks,
-    figures: state.players.map(({ score }, i) => (
-      { label: nameOf(state, i, own), value: `${score} of ${GOAL}` }
+    figures: state.players.flatMap(({ score, here }, i) => (
+      here ? [{ label: nameOf(state, i, own), value: `${score} of ${GOAL}` }] : []
     )),
     message: messageOf(state, own),
   };
@@ -36,6 +36,7 @@ const cars = (i) => (i === 1 ? "Computer" : `Computer ${i}`);
 
 function messageOf(state, own) {
   const { phase, waited, winner } = state;
+  if (present(state) < 2) return "Waiting for another player.";
   if (phase === "ready" && waited < READY - 90)
     return state.alone ? "Push the others off." : `Yours is the ${COLOURS[own].toLowerCase()} car: push the others off.`;
   if (phase === "ready") return String(Math.ceil((READY - waited) / 30));

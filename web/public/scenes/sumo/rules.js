@@ -16,10 +16,11 @@ export function newGame(size) {
     waited: 0, // steps in this phase
     steps: 0,
     fallen: 0, // pairs of pieces
+    began: 0, // of these, in this round before it began
     winner: -1, // of the last round
     alone: true, // nobody plays over a network
     friend: false, // a second player at this keyboard
-    players: Array.from({ length: size }, () => ({ score: 0, out: false, gone: false, wanted: 0, rest: 0 })),
+    players: Array.from({ length: size }, () => ({ score: 0, here: true, out: false, gone: false, wanted: 0, rest: 0 })),
   };
 }
 
@@ -55,7 +56,7 @@ function takeAway(world, cars, state) {
 }
 
 function fight(world, arena, cars, state) {
-  const drops = state.waited - FIRST_DROP - NEXT_DROP * state.fallen;
+  const drops = state.waited - FIRST_DROP - NEXT_DROP * (state.fallen - state.began);
   if (drops === 0 && state.fallen < arena.pieces.length) arena.drop(world, state.fallen++);
   const inside = cars.map((_, i) => i).filter((i) => !state.players[i].out);
   if (inside.length > 1 && state.waited < LONGEST) return;
@@ -65,12 +66,35 @@ function fight(world, arena, cars, state) {
   enter(state, score === GOAL ? "won" : "over");
 }
 
+/** Over a network: who has left has no input. The car goes; who comes plays from the next round on. */
+export function attend(world, arena, cars, state, inputs) {
+  let changed = false;
+  inputs.forEach((input, i) => {
+    const player = state.players[i];
+    if (player.here === (input !== null)) return;
+    changed = true;
+    player.here = input !== null;
+    player.out = player.gone = true;
+    cars[i].remove(world);
+  });
+  const isAlone = present(state) < 2;
+  if (changed && (isAlone || state.phase === "ready")) nextRound(world, arena, cars, state);
+  if (isAlone) state.waited = 0;
+}
+
+export const present = ({ players }) => players.filter(({ here }) => here).length;
+
+/** The platform is as long as those who are there need. */
 function nextRound(world, arena, cars, state) {
   arena.mend(world);
-  state.fallen = 0;
+  const count = present(state);
+  state.fallen = state.began = cars.length - Math.max(2, count);
+  for (let pair = 0; pair < state.began; pair++) arena.drop(world, pair);
+  let place = 0;
   cars.forEach((car, i) => {
-    Object.assign(state.players[i], { out: false, gone: false, rest: 0 });
-    car.place(world);
+    const player = state.players[i];
+    Object.assign(player, { out: !player.here, gone: !player.here, rest: 0 });
+    if (player.here) car.place(world, arena.left(state.began), place++, count);
   });
   enter(state, "ready");
 }

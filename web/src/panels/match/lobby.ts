@@ -8,8 +8,8 @@ import type { FromMatch, MatchNews, ToMatch } from "../../worker/match";
 import { Connection, type Line } from "./connection";
 import type { Invitation } from "./invitation";
 
-/** The most that are played with. */
-const MOST_OTHERS = 3;
+/** The most that play. */
+const MOST = 4;
 /** Bytes of a message of another player at most; larger ones are dropped. Chosen. */
 const LARGEST = 65_536;
 /** The change of the clock's speed for each step that this player is ahead, and its bounds. Chosen. */
@@ -29,6 +29,8 @@ export interface LobbyListener {
 interface Other {
   connection: Connection;
   player: number;
+  /** By it who comes back is known; "": it has said none. */
+  token: string;
 }
 
 export class Lobby {
@@ -43,6 +45,10 @@ export class Lobby {
   /** A connection that is not open yet, and the name of its invitation. */
   #next: { connection: Connection; name: string } | null = null;
   #match: Match | null = null;
+  /** The scene's size before the match. */
+  #size: number | undefined;
+  /** Who had which number in this match. */
+  readonly #seats = new Map<number, string>();
   #port: MessagePort | null = null;
 
   constructor(app: App, listener: LobbyListener) {
@@ -54,7 +60,7 @@ export class Lobby {
         if (this.#match && app.state.match !== this.#match) this.leave();
       },
     });
-    window.addEventListener("pagehide", () => this.leave());
+    window.addEventListener("pagehide", () => this.leave(true));
   }
 
   /** The number of others who are connected. */
@@ -63,7 +69,17 @@ export class Lobby {
   }
 
   get isFull(): boolean {
-    return this.#others.length >= MOST_OTHERS;
+    return this.#others.length >= this.#places - 1;
+  }
+
+  /** Whether an invitation waits for its answer, or for the connection that the answer makes. */
+  get isConnecting(): boolean {
+    return this.#next !== null;
+  }
+
+  /** The number of players of the game, who need not all be there. */
+  get #places(): number {
+    return Math.min(MOST, this.#app.scene?.sizes?.most ?? 2);
   }
 
   get playing(): boolean {
@@ -73,7 +89,7 @@ export class Lobby {
   /** Makes an invitation, in place of one that nobody has answered. */
   async invite(): Promise<string> {
     this.#drop();
-    this.invited = false;
+    if (this.#others.length === 0 && !this.playing) this.invited = false;
     const connection = this.#connect();
     const { text, name } = await connection.invite();
     this.#next = { connection, name };
@@ -96,26 +112,54 @@ export class Lobby {
     return connection.answer(offer);
   }
 
-  /** Begins a match with all who are connected. */
+  /** Begins a match with all who are connected; others may come later. */
   async start(): Promise<void> {
     this.#drop();
-    const players = this.#others.length + 1;
+    const players = this.#places;
+    this.#seats.clear();
     this.#others.forEach((other, i) => {
       other.player = i + 1;
-      other.connection.sendSurely(JSON.stringify({ start: { players, own: i + 1 } }));
+      this.#seats.set(other.player, other.token);
+      other.connection.sendSurely(JSON.stringify({ start: { players, own: i + 1, seed: this.#app.state.seed } }));
     });
-    await this.#begin(players, 0);
+    await this.#begin({ players, own: 0, present: this.#others.map(({ player }) => player) });
   }
 
-  /** Ends the match and all connections. */
-  leave(): void {
+  /** Somebody has said who it is: in the midst of a match it gets its place, or a free one. */
+  #seat(other: Other, token: string): void {
+    other.token = token;
+    if (this.invited || !this.playing) return;
+    // Who comes back may be here before it is known that its connection has ended.
+    for (const one of [...this.#others])
+      if (one !== other && token && one.token === token) one.connection.close();
+    const { players } = this.#match!;
+    const taken = new Set(this.#others.filter((one) => one !== other).map(({ player }) => player));
+    const free = Array.from({ length: players - 1 }, (_, i) => i + 1).filter((player) => !taken.has(player));
+    const own = free.find((player) => token && this.#seats.get(player) === token);
+    const player = own ?? free.find((player) => !this.#seats.has(player)) ?? free[0];
+    if (player === undefined) return other.connection.close();
+    other.player = player;
+    this.#seats.set(player, token);
+    other.connection.sendSurely(JSON.stringify({ start: { players, own: player, seed: this.#app.state.seed } }));
+    this.#post({ joined: player });
+    this.#listener.told(`Player ${player + 1} has ${own ? "come back" : "joined"}.`);
+    this.#listener.changed();
+  }
+
+  /** Ends the match and all connections. `returns`: this browser may come back. */
+  leave(returns = false): void {
     this.#drop();
-    for (const { connection } of this.#others.splice(0)) connection.close();
+    for (const { connection } of this.#others.splice(0)) {
+      if (!returns) connection.sendSurely(JSON.stringify({ bye: true }));
+      connection.close();
+    }
     this.#end();
     this.#listener.changed();
   }
 
   #end(): void {
+    // Alone it is played by as many as before.
+    if (this.#match) this.#app.state.size = this.#size;
     this.#match = null;
     this.#port?.close();
     this.#port = null;
@@ -123,15 +167,19 @@ export class Lobby {
   }
 
   #drop(): void {
-    this.#next?.connection.close();
+    const connection = this.#next?.connection;
     this.#next = null;
+    connection?.close();
   }
 
   #connect(): Connection {
     const connection: Connection = new Connection(this.line, this.server, {
       opened: () => {
         this.#next = null;
-        this.#others.push({ connection, player: this.invited ? 0 : this.#others.length + 1 });
+        // In a match its number comes when it has said who it is.
+        const player = this.invited ? 0 : this.playing ? -1 : this.#others.length + 1;
+        this.#others.push({ connection, player, token: "" });
+        if (this.invited) connection.sendSurely(JSON.stringify({ hello: ownToken() }));
         this.#listener.changed();
       },
       heard: (data) => this.#hear(connection, data),
@@ -140,7 +188,7 @@ export class Lobby {
     return connection;
   }
 
-  #lose(connection: Connection): void {
+  #lose(connection: Connection, over = false): void {
     if (this.#next?.connection === connection) {
       this.#next = null;
       this.#listener.told("The connection could not be made.");
@@ -148,32 +196,44 @@ export class Lobby {
     const at = this.#others.findIndex((other) => other.connection === connection);
     if (at < 0) return;
     const [{ player }] = this.#others.splice(at, 1) as [Other];
-    this.#post({ lost: player });
-    this.#listener.told(this.invited ? "The connection has ended." : `Player ${player + 1} has left.`);
+    if (player >= 0) this.#post({ lost: player, over });
+    if (player >= 0)
+      this.#listener.told(this.invited ? "The connection has ended." : `Player ${player + 1} has left.`);
+    if (this.invited) this.#end();
     this.#listener.changed();
   }
 
   #hear(connection: Connection, data: ArrayBuffer | string): void {
     const other = this.#others.find((one) => one.connection === connection);
     if (!other) return;
-    if (typeof data === "string") {
-      const start = this.invited && !this.#match && data.length < LARGEST ? readStart(data) : null;
-      if (start) void this.#begin(start.players, start.own);
-    } else if (data.byteLength <= LARGEST) this.#post({ from: other.player, bytes: data });
+    if (typeof data !== "string") {
+      if (data.byteLength <= LARGEST && other.player >= 0) this.#post({ from: other.player, bytes: data });
+      return;
+    }
+    const { start, hello, bye } = data.length < LARGEST ? readText(data) : {};
+    if (start && this.invited && !this.#match) void this.#begin({ players: start.players, own: start.own, present: [] }, start.seed);
+    else if (hello !== undefined && !other.token) this.#seat(other, hello);
+    else if (bye) {
+      this.#lose(connection, true);
+      connection.close();
+    }
   }
 
-  async #begin(players: number, own: number): Promise<void> {
+  async #begin(about: Omit<Match, "port">, seed = this.#app.state.seed): Promise<void> {
     const app = this.#app;
     const { port1, port2 } = new MessageChannel();
     this.#port?.close();
     this.#port = port1;
-    this.#match = { port: port2, own };
+    this.#match = { port: port2, ...about };
     port1.onmessage = ({ data }: MessageEvent<FromMatch>) => this.#take(data);
     app.setSpeed(1);
     app.setPaused(false);
     this.#listener.changed();
     const match = this.#match;
-    if (await app.open(app.state.scene, { size: players, match })) return;
+    if (!app.state.match) this.#size = app.state.size;
+    const { sizes } = app.scene ?? {};
+    const size = sizes ? about.players : undefined;
+    if (await app.open(app.state.scene, { size, seed, match })) return;
     if (this.#match === match) this.leave();
   }
 
@@ -199,16 +259,31 @@ export class Lobby {
   }
 }
 
-/** What the one who invites says when a match begins; null if the text is none of that. */
-function readStart(text: string): { players: number; own: number } | null {
+/** By this others know a browser that comes back; it lasts as long as the tab. */
+function ownToken(): string {
   try {
-    const { start } = JSON.parse(text) as { start?: { players?: unknown; own?: unknown } };
-    const [players, own] = [Number(start?.players), Number(start?.own)];
-    const isRight =
-      Number.isInteger(players) && players >= 2 && players <= MOST_OTHERS + 1 &&
-      Number.isInteger(own) && own >= 1 && own < players;
-    return isRight ? { players, own } : null;
+    sessionStorage.matchToken ??= crypto.randomUUID();
+    return String(sessionStorage.matchToken);
   } catch {
-    return null;
+    return crypto.randomUUID();
+  }
+}
+
+/** What browsers tell each other beside the match: that one begins, who this is, and farewell. */
+function readText(text: string): { start?: { players: number; own: number; seed: number }; hello?: string; bye?: boolean } {
+  try {
+    const told = JSON.parse(text) as { start?: { players?: unknown; own?: unknown; seed?: unknown }; hello?: unknown; bye?: unknown };
+    const [players, own, seed] = [told.start?.players, told.start?.own, told.start?.seed].map(Number) as [number, number, number];
+    const isStart =
+      Number.isInteger(players) && players >= 2 && players <= MOST &&
+      Number.isInteger(own) && own >= 1 && own < players &&
+      Number.isSafeInteger(seed) && seed >= 0;
+    return {
+      start: isStart ? { players, own, seed } : undefined,
+      hello: typeof told.hello === "string" && told.hello.length <= 40 ? told.hello : undefined,
+      bye: told.bye === true,
+    };
+  } catch {
+    return {};
   }
 }

@@ -33,6 +33,24 @@ export function createPanel(app: App): Panel {
   return { element: new MatchPanel(app).element };
 }
 
+/** The room that this tab was in, by which it comes back after it was loaded anew. "": none. */
+function remember(room: string): void {
+  try {
+    sessionStorage.matchRoom = room;
+  } catch {
+    // It is not kept.
+  }
+}
+
+function recall(): string {
+  try {
+    const room = String(sessionStorage.matchRoom ?? "");
+    return ROOM.test(room) ? room : "";
+  } catch {
+    return "";
+  }
+}
+
 class MatchPanel {
   readonly element = make("div", { class: "match values-panel" });
   readonly #app: App;
@@ -49,6 +67,8 @@ class MatchPanel {
   readonly #rooms = hasRooms();
   /** Whether others are looked for in a room. */
   #meets = false;
+  /** Whether a match ran when the panel was shown last. */
+  #played = false;
   /** Ends the search for others in a room. */
   #meeting = new AbortController();
   readonly #corrections: number[] = [];
@@ -64,6 +84,7 @@ class MatchPanel {
     this.#start.addEventListener("click", () => void this.#lobby.start());
     this.#leave.addEventListener("click", () => {
       this.#meeting.abort();
+      remember("");
       if (this.#lobby.playing) void app.restart();
       else this.#lobby.leave();
       this.#beginOffer();
@@ -90,6 +111,12 @@ class MatchPanel {
       this.#show();
       return;
     }
+    const room = invite === null ? recall() : null;
+    if (room) {
+      this.#offerToMeet(room, `You were in the room “${room}”. Whoever invited you there may still play.`, "Come back");
+      this.#show();
+      return;
+    }
     const invitation = invite === null ? null : await unpackInvitation(invite);
     if (invite === null) this.#beginOffer();
     else if (!invitation) this.#beginOffer("The invitation in this link is damaged.");
@@ -102,16 +129,21 @@ class MatchPanel {
     this.#show();
   }
 
-  /** This tab was opened by the link of a room. */
-  #offerToMeet(name: string): void {
+  /** This tab was opened by the link of a room, or was in one before. */
+  #offerToMeet(name: string, about = INVITED, act = "Join"): void {
     if (!ROOM.test(name)) return this.#beginOffer("The invitation in this link is damaged.");
-    const join = make("button", { class: "wide primary", id: "match-join" }, "Join");
-    join.addEventListener("click", () => void this.#act(join, () => this.#meet(name)));
-    this.#offer.replaceChildren(make("p", {}, INVITED), join);
+    const join = make("button", { class: "wide primary", id: "match-join" }, act);
+    join.addEventListener("click", () => void this.#act(join, () => this.#meet(name, true)));
+    const other = make("button", { class: "wide", id: "match-other" }, "Something else");
+    other.addEventListener("click", () => {
+      remember("");
+      this.#beginOffer();
+    });
+    this.#offer.replaceChildren(make("p", {}, about), join, ...(about === INVITED ? [] : [other]));
   }
 
   /** Goes into a room of the page's server. */
-  async #meet(name: string): Promise<void> {
+  async #meet(name: string, follows = false): Promise<void> {
     this.#meeting.abort();
     this.#meeting = new AbortController();
     const line = make("p", { role: "status" }, `In the room “${name}”. Others come by this link, or by the room’s name.`);
@@ -119,9 +151,10 @@ class MatchPanel {
       line,
       await this.#link(ROOM_MARK + name, "The link as a QR code: scan it with the other devices"),
     );
+    remember(name);
     this.#meets = true;
     try {
-      await meet(name, this.#lobby, this.#meeting.signal);
+      await meet(name, this.#lobby, this.#meeting.signal, follows);
     } catch (error) {
       this.#beginOffer(`The room cannot be used: ${messageOf(error)}`);
     } finally {
@@ -164,7 +197,7 @@ class MatchPanel {
     );
     void this.#rooms.then((has) => (room.hidden = !has));
     this.#offer.replaceChildren(
-      make("p", text ? { class: "bad" } : {}, text || "Up to three others join from their own browsers. What you play goes from device to device."),
+      make("p", text ? { class: "bad" } : {}, text || this.#about()),
       invite,
       room,
       make(
@@ -175,6 +208,13 @@ class MatchPanel {
         server,
       ),
     );
+  }
+
+  #about(): string {
+    if (this.#lobby.playing) return "Others can still join, and who was lost comes back by a new link.";
+    const most = Math.min(4, this.#app.scene?.sizes?.most ?? 2);
+    const who = most === 2 ? "Another player joins from another browser" : "Up to three others join from their own browsers";
+    return `${who}. What you play goes from device to device.`;
   }
 
   async #invite(): Promise<void> {
@@ -297,18 +337,31 @@ class MatchPanel {
     const lobby = this.#lobby;
     const { connected, playing, invited } = lobby;
     this.#others.hidden = this.#network.hidden = connected === 0 && !playing;
-    this.#offer.hidden = playing || lobby.isFull || (invited && connected > 0);
+    this.#offer.hidden = (playing && invited) || lobby.isFull || (invited && connected > 0);
+    // A room is left with the match for which it was opened.
+    const ended = this.#played && !playing;
+    this.#played = playing;
+    if (ended) {
+      this.#meeting.abort();
+      const room = recall();
+      if (invited && room) this.#offerToMeet(room, `The connection has ended. The match may go on in the room “${room}”.`, "Come back");
+      else this.#beginOffer(invited ? "The connection has ended. Who invited you can send you a new link." : "");
+    }
     this.#start.hidden = playing || invited;
     this.#leave.textContent = playing ? "Leave the match" : "Disconnect";
     const count = connected === 1 ? "One other" : `${connected} others`;
     const before = this.#who.textContent;
     this.#who.textContent = playing
-      ? "The match runs."
+      ? invited
+        ? "The match runs."
+        : connected === 0
+          ? "The match waits for another player."
+          : `The match runs, with ${connected === 1 ? "one other" : `${connected} others`}.`
       : invited
         ? "Connected. The other starts the match."
         : `${count} connected.`;
     const changed = this.#who.textContent !== before;
-    if (connected > 0 && !invited && !playing && !this.#meets && changed) this.#beginOffer();
+    if (!invited && !this.#meets && changed && (connected > 0 || playing)) this.#beginOffer();
     const main = document.querySelector("main")!;
     // On a phone the panel stands over the game's buttons.
     if (playing && !main.hasAttribute("data-match") && matchMedia("(width < 40em)").matches)

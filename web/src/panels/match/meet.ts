@@ -22,10 +22,15 @@ export async function hasRooms(): Promise<boolean> {
   }
 }
 
-/** Goes into a room until `signal` ends that. Resolves when this browser need not look any more: it has
- * answered an invitation, a match has begun, or there is no more place. */
-export async function meet(name: string, lobby: Lobby, signal: AbortSignal): Promise<void> {
-  const offer = await ask(name, "offer");
+/** Goes into a room until `signal` ends that. Resolves when this browser has answered an invitation. Who
+ * invites stays, also while a match runs, so that others can join it and who was lost can come back.
+ * `follows`: somebody is said to be there, whose invitation is waited for. */
+export async function meet(name: string, lobby: Lobby, signal: AbortSignal, follows = false): Promise<void> {
+  let offer = await ask(name, "offer");
+  for (let i = 0; follows && i < LOOKS && !offer && !signal.aborted; i++) {
+    await pause();
+    offer = await ask(name, "offer");
+  }
   if (offer) {
     const invitation = await unpackInvitation(offer);
     if (invitation?.type !== "offer") throw new Error("The room has a damaged invitation.");
@@ -33,9 +38,12 @@ export async function meet(name: string, lobby: Lobby, signal: AbortSignal): Pro
     return;
   }
   try {
-    const goesOn = () => !signal.aborted && !lobby.playing && !lobby.isFull;
-    while (goesOn()) {
-      const before = lobby.connected;
+    const goesOn = () => !signal.aborted && !lobby.isFull;
+    while (!signal.aborted) {
+      if (lobby.isFull) {
+        await pause();
+        continue;
+      }
       await ask(name, "offer", "PUT", await lobby.invite());
       let answer: string | null = null;
       while (goesOn() && !answer) {
@@ -44,7 +52,7 @@ export async function meet(name: string, lobby: Lobby, signal: AbortSignal): Pro
       }
       const invitation = answer && (await unpackInvitation(answer));
       if (!invitation || !(await lobby.accept(invitation))) continue;
-      for (let i = 0; i < LOOKS && goesOn() && lobby.connected === before; i++) await pause();
+      for (let i = 0; i < LOOKS && goesOn() && lobby.isConnecting; i++) await pause();
     }
   } finally {
     await ask(name, "offer", "DELETE");
