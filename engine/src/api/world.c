@@ -21,12 +21,11 @@
 #include <stdatomic.h>
 #include <string.h>
 
-thud_world_def thud_default_small_world_def(const thud_quality *quality) {
+thud_world_def td_world_def_of(const thud_quality *quality) {
     return (thud_world_def) {
         .gravity = {0.0f, -10.0f}, .time_step = 1.0 / 60.0, .length_scale = 1.0f,
         .quality = quality, .push_speed = 3.0f, .restitution_threshold = 1.0f, .hit_speed = 1.0f,
         .maximum_speed = 1e6f, .sleeping = true, .contact_events = true,
-        .broadphase = &thud_broadphase_grid,
 #if !defined(NDEBUG)
         .log = thud_log_to_stderr,
 #endif
@@ -77,6 +76,9 @@ static const char *def_error(const thud_world_def *d, td_reason *why) {
     }
     if (!numbers_in(d, why)) {
         return why->text;
+    }
+    if (!d->broadphase && !d->parts) {
+        return "world def: broadphase is null, in a def of thud_default_small_world_def";
     }
     if (!d->quality) {
         return "world def: quality is null";
@@ -232,9 +234,12 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
     w->def = *def;
     w->memory = memory;
     w->sensor_hooks = def->parts ? def->parts->sensors : NULL;
+    w->restitution_hooks = def->parts ? def->parts->restitution : NULL;
     w->number = atomic_fetch_add(&made, 1u) + 1u;
     w->wide = has_avx2(def->cookie == TD_COOKIE_BASELINE);
-    w->def.broadphase = def->broadphase ? def->broadphase : &thud_broadphase_grid;
+    if (!def->broadphase) {
+        w->def.broadphase = def->parts->broadphase;
+    }
     double unit = power_below((double)def->length_scale);
     w->length_scale = (float)unit;
     w->to_fixed = TD_FIXED_ONE / unit;

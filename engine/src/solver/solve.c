@@ -14,6 +14,7 @@
  * result does not depend on which worker solves which. */
 #include "state/jobs.h"
 #include "solver/error.h"
+#include "solver/restitution.h"
 #include "state/kinds.h"
 #include "constraint/joint_hooks.h"
 #include "constraint/lanes.h"
@@ -75,7 +76,7 @@ static td_solve_context solve_context(const thud_world *w, float h) {
     c.elastic_speed = td_max_float(c.bounce_speed, -ELASTIC_REST * gravity_speed);
     c.keep_tangents = w->tells || w->islands.adds_up;
     c.keep_totals = c.keep_tangents || w->adds_impulses;
-    c.bounces = w->bouncy > 0;
+    c.bounces = td_has_bounces(w);
     c.surface_speeds = w->surface_speeds > 0;
     c.passes_over = w->islands.passes_over;
     /* Contacts with static bodies have twice the frequency, as in Box2D, so that bodies are not
@@ -173,6 +174,15 @@ static void solve_and_tally(const solving *s, const td_run *run, td_solve_fn *so
     }
 }
 
+/* The bounce pass of a run of contacts; null: joints do not bounce. */
+static td_solve_fn *bounce_of(const thud_world *w, const td_run *run) {
+    const td_restitution_hooks *hooks = w->restitution_hooks;
+    bool two = td_form_points(w->kinds[run->kind]->form) == 2;
+    return run->kind >= TD_PAIR_COUNT ? NULL
+           : two                      ? hooks->two_points[w->wide]
+                                      : hooks->one_point[w->wide];
+}
+
 /* Runs the present pass on one chunk. A kind of constraint that has no such pass is skipped. */
 static void solve_chunk(const solving *s, int index) {
     const thud_world *w = s->w;
@@ -185,7 +195,7 @@ static void solve_chunk(const solving *s, int index) {
                               : s->which == BRACE    ? ops->brace
                               : s->which == SOLVE    ? ops->solve
                                                      : ops->relax;
-    td_solve_fn *solve = s->which == BOUNCE ? ops->bounce : fns[run->a_static];
+    td_solve_fn *solve = s->which == BOUNCE ? bounce_of(w, run) : fns[run->a_static];
     if (!solve) {
         return;
     }
@@ -263,7 +273,10 @@ static void velocities(void *work, int chunk) {
 static void positions(void *work, int chunk) {
     const solving *s = work;
     td_motion_context part = part_of(s, chunk);
-    TD_PICK_WIDE(s->w, td_integrate_position)(&part, s->contacts.last);
+    TD_PICK_WIDE(s->w, td_integrate_position)(&part);
+    if (s->contacts.last && part.bouncy) {
+        s->w->restitution_hooks->end_flights[s->w->wide](&part);
+    }
 }
 
 /* Runs bounce passes until one finds no pair that bounces, at most TD_BOUNCE_PASSES. Returns
@@ -398,7 +411,7 @@ void td_solve(thud_world *w) {
                    .start = w->start.data,
                    .substep_gain = w->substep_gain.data,
                    .damping = w->damped ? w->damping.data : NULL,
-                   .bouncy = w->bouncy > 0,
+                   .bouncy = td_has_bounces(w),
                    .colours = w->colours.data,
                    .count = w->body_of.count,
                    .substeps = w->substeps,
