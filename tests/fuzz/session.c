@@ -89,7 +89,8 @@ static void take_settings(fuzz_session *s) {
     thud_world_def def =
         scales < 240 ? thud_default_world_def_of(quality) : thud_default_small_world_def(quality);
     def.detection = pick_detection(s, choices / 4);
-    def.sleeping = flags & 1;
+    def.sleeping = flags & 1 && def.parts; /* else make_world sets it */
+    s->sleeping = flags & 1;
     def.contact_events = (flags & 6) != 6;
     def.gravity.y = flags & 8 ? 0.0f : def.gravity.y;
     def.max_error = flags & 16 && def.quality->islands ? 0.01 : 0.0;
@@ -143,6 +144,9 @@ static void make_world(fuzz_session *s, thud_world **out) {
     thud_result result = COUNTED(thud_world_create(&s->def, out));
     if (result != THUD_OK) {
         fuzz_fail(s, "no world: %s", thud_result_text(result));
+    }
+    if (s->sleeping) {
+        COUNTED(thud_world_set_sleeping(*out, true));
     }
     COUNTED(thud_world_use_joints(*out));
     COUNTED(thud_world_set_listeners(*out, &s->listeners));

@@ -159,6 +159,9 @@ THUD_API thud_world_def thud_default_world_def_of(const thud_quality *quality);
  * and the settings of a prologue stay as they were, until thud_shape_set_restitution has been
  * called in the world, with 0 too, or a snapshot of one in which it was restored into it.
  *
+ * Sleep: `sleeping` is false, and refused as true, until thud_world_set_sleeping has been called
+ * with true, or a snapshot of a world in which it was restored into it.
+ *
  * The grid: `broadphase` is &thud_broadphase_all, which costs the least where shapes are few. Where
  * they are hundreds, name another one, which links it; null is refused. */
 THUD_API thud_world_def thud_default_small_world_def(const thud_quality *quality);

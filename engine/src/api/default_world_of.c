@@ -2,15 +2,17 @@
  * file of its own because a program that links it also links all that. */
 #include "contact/sensors.h"
 #include "solver/restitution.h"
-#include "state/world.h"
+#include "state/sleep_hooks.h"
 
 static const thud_parts ALL = {.sensors = &td_sensor_stages,
                                .restitution = &td_restitution,
-                               .broadphase = &thud_broadphase_grid};
+                               .broadphase = &thud_broadphase_grid,
+                               .sleep = &td_sleep_stages};
 
 thud_world_def thud_default_world_def_of(const thud_quality *quality) {
     thud_world_def def = td_world_def_of(quality);
     def.parts = &ALL;
     def.broadphase = ALL.broadphase;
+    def.sleeping = true;
     return def;
 }

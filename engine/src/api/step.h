@@ -44,11 +44,8 @@ bool td_sensed_pairs(thud_world *w);
  * of the step. */
 bool td_sensors_reserve(thud_world *w);
 void td_sensors_test(thud_world *w);
-/* sleep.c: puts islands to sleep whose bodies have all been at rest for TD_SLEEP_TIME. */
-void td_sleep(thud_world *w);
 
-/* Reserve what the stages after the narrowphase need, so that they cannot fail. */
+/* Reserves what td_finalize needs, so that it cannot fail. */
 bool td_finalize_reserve(thud_world *w);
-bool td_sleep_reserve(thud_world *w);
 
 #endif

@@ -25,7 +25,7 @@ thud_world_def td_world_def_of(const thud_quality *quality) {
     return (thud_world_def) {
         .gravity = {0.0f, -10.0f}, .time_step = 1.0 / 60.0, .length_scale = 1.0f,
         .quality = quality, .push_speed = 3.0f, .restitution_threshold = 1.0f, .hit_speed = 1.0f,
-        .maximum_speed = 1e6f, .sleeping = true, .contact_events = true,
+        .maximum_speed = 1e6f, .contact_events = true,
 #if !defined(NDEBUG)
         .log = thud_log_to_stderr,
 #endif
@@ -79,6 +79,9 @@ static const char *def_error(const thud_world_def *d, td_reason *why) {
     }
     if (!d->broadphase && !d->parts) {
         return "world def: broadphase is null, in a def of thud_default_small_world_def";
+    }
+    if (d->sleeping && !d->parts) {
+        return "world def: sleeping, in a def of thud_default_small_world_def; thud_world_set_sleeping can set it";
     }
     if (!d->quality) {
         return "world def: quality is null";
@@ -234,6 +237,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
     w->def = *def;
     w->memory = memory;
     w->sensor_hooks = def->parts ? def->parts->sensors : NULL;
+    w->sleep_hooks = def->parts ? def->parts->sleep : NULL;
     w->restitution_hooks = def->parts ? def->parts->restitution : NULL;
     w->number = atomic_fetch_add(&made, 1u) + 1u;
     w->wide = has_avx2(def->cookie == TD_COOKIE_BASELINE);
@@ -343,19 +347,5 @@ thud_result thud_world_set_time_step(thud_world *w, double time_step) {
     w->drowsy_bodies =
         w->body_of.count; /* with a longer step bodies may fall asleep earlier than planned */
     w->substep_gain_stale = true;
-    return THUD_OK;
-}
-
-thud_result thud_world_set_sleeping(thud_world *w, bool sleeping) {
-    if (!w) {
-        return THUD_ERROR_NULL;
-    }
-    if (w->locked) {
-        return td_refuse(w, THUD_ERROR_LOCKED, "set sleeping: not inside a callback");
-    }
-    w->def.sleeping = sleeping;
-    if (!sleeping) {
-        td_wake_all(w);
-    }
     return THUD_OK;
 }

@@ -20,6 +20,7 @@
 #include "contact/internal_edges.h"
 #include "state/shape.h"
 #include "state/shared_stages.h"
+#include "state/sleep_hooks.h"
 #include "api/step.h"
 
 #include <string.h>
@@ -78,8 +79,8 @@ static bool refresh(thud_world *w, td_proxy_set *shapes, bool awake) {
      * With more, most updates in place fail, since some shape has left its cell. Chosen; not tuned.
      */
     bool few_moved = awake && w->moved.count * 5 <= w->awake_shapes.list.count;
-    if (shapes->valid && shapes->woken) {
-        td_proxy_set_drop_woken(w);
+    if (shapes->valid && shapes->woken && w->sleep_hooks) {
+        w->sleep_hooks->drop_woken(w);
     }
     return shapes->valid ||
            (few_moved && kind->follow && kind->follow(w, shapes, w->moved.data, w->moved.count)) ||

@@ -10,7 +10,6 @@
 #include "contact/internal_edges.h"
 #include "state/shape.h"
 #include "api/step.h"
-#include "islands/wake.h"
 #include "textures/texture_hooks.h"
 
 #include <string.h>

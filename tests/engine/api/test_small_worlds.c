@@ -59,6 +59,15 @@ static thud_shape_id fill(thud_world *world) {
     return ground;
 }
 
+/* A floor with three boxes, which come to rest; returns the topmost. */
+static thud_body_id stack(thud_world *world) {
+    thud_shape_def def = thud_default_shape_def();
+    add_shape(world, add_body(world, THUD_BODY_STATIC, 0, -1, 0), 20, 1, true, &def);
+    add_box(world, 0, 0.5, 0.5f, 0.5f);
+    add_box(world, 0, 1.6, 0.5f, 0.5f);
+    return add_box(world, 4, 3, 0.5f, 0.25f);
+}
+
 static void two_worlds_agree(thud_world *small, thud_world *whole) {
     for (int step = 0; step < STEPS; step++) {
         run(small, 1);
@@ -73,6 +82,7 @@ static void small_world_has_the_bits_of_a_whole_one(void **state) {
     (void)state;
     thud_world *small = make_world(small_def(NULL));
     thud_world *whole = make_world(thud_default_world_def_of(&thud_quality_draft));
+    OK(thud_world_set_sleeping(whole, false));
     fill(small);
     fill(whole);
     two_worlds_agree(small, whole);
@@ -85,6 +95,7 @@ static void restitution_comes_with_the_first_that_is_set(void **state) {
     thud_world *whole = make_world(thud_default_world_def_of(&thud_quality_draft));
     thud_shape_id ground = fill(small);
     thud_shape_def def = bouncy_def();
+    OK(thud_world_set_sleeping(whole, false));
     thud_shape_id ignored;
     thud_body_id body = add_body(small, THUD_BODY_DYNAMIC, -4, 3, 0);
     uint64_t before = thud_hash_of(small);
@@ -197,6 +208,64 @@ static void snapshot_brings_restitution_into_a_small_world(void **state) {
     thud_world_destroy(to);
 }
 
+/* With thud_world_set_sleeping a small world has the bits of a whole one to the last body that
+ * falls asleep, and wakes it likewise. */
+static void bodies_sleep_once_it_is_set(void **state) {
+    (void)state;
+    told t = {0};
+    thud_world_def def = small_def(&t);
+    thud_world *refused = NULL;
+    assert_false(def.sleeping);
+    def.sleeping = true;
+    assert_int_equal(thud_world_create(&def, &refused), THUD_ERROR_INVALID);
+    assert_null(refused);
+    assert_non_null(strstr(t.words, "sleeping"));
+    assert_non_null(strstr(t.words, "thud_default_small_world_def"));
+    thud_world *worlds[3];
+    thud_body_id boxes[3];
+    for (int i = 0; i < 3; i++) {
+        bool whole = i == 1;
+        worlds[i] =
+            make_world(whole ? thud_default_world_def_of(&thud_quality_draft) : small_def(NULL));
+        boxes[i] = stack(worlds[i]);
+    }
+    run(worlds[0], 1);
+    run(worlds[1], 1);
+    OK(thud_world_set_sleeping(worlds[0], true));
+    for (int step = 0; step < 6 * STEPS; step++) {
+        run(worlds[0], 1);
+        run(worlds[1], 1);
+        run(worlds[2], 1);
+        assert_true(thud_hash_of(worlds[0]) == thud_hash_of(worlds[1]));
+        assert_int_equal(thud_stats_of(worlds[0]).awake_bodies,
+                         thud_stats_of(worlds[1]).awake_bodies);
+    }
+    assert_int_equal(thud_stats_of(worlds[0]).awake_bodies, 0);
+    assert_int_equal(thud_stats_of(worlds[2]).awake_bodies, 3);
+    for (int i = 0; i < 2; i++) {
+        OK(thud_body_set_velocity(worlds[i], boxes[i], (thud_vec2){5, 5}, 0));
+    }
+    two_worlds_agree(worlds[0], worlds[1]);
+    thud_world_destroy(worlds[2]);
+}
+
+/* A snapshot with sleeping bodies links what wakes them. */
+static void snapshot_brings_sleep_into_a_small_world(void **state) {
+    (void)state;
+    static char bytes[1 << 17];
+    size_t size;
+    thud_world *from = make_world(small_def(NULL)), *to = make_world(small_def(NULL));
+    OK(thud_world_set_sleeping(from, true));
+    thud_body_id box = stack(from);
+    run(from, 6 * STEPS);
+    assert_int_equal(thud_stats_of(from).awake_bodies, 0);
+    OK(thud_world_snapshot(from, bytes, sizeof bytes, &size));
+    OK(thud_world_restore(to, bytes, size));
+    OK(thud_body_set_velocity(from, box, (thud_vec2){5, 5}, 0));
+    OK(thud_body_set_velocity(to, box, (thud_vec2){5, 5}, 0));
+    two_worlds_agree(to, from);
+}
+
 static void a_broadphase_is_named_or_all_pairs(void **state) {
     (void)state;
     told t = {0};
@@ -218,6 +287,7 @@ static void a_broadphase_is_named_or_all_pairs(void **state) {
     fill(other);
     run(other, 1);
     thud_broadphase_counts counts;
+    OK(thud_world_set_sleeping(other, false));
     OK(thud_world_get_broadphase_counts(other, &counts));
     assert_true(counts.cells > 0);
     run(world, 1);
@@ -232,6 +302,8 @@ int main(void) {
         cmocka_unit_test(a_rule_with_restitution_is_refused),
         cmocka_unit_test(a_prologue_with_restitution_is_refused),
         cmocka_unit_test(snapshot_brings_restitution_into_a_small_world),
+        cmocka_unit_test(bodies_sleep_once_it_is_set),
+        cmocka_unit_test(snapshot_brings_sleep_into_a_small_world),
         cmocka_unit_test(a_broadphase_is_named_or_all_pairs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
