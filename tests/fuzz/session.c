@@ -148,6 +148,7 @@ static void make_world(fuzz_session *s, thud_world **out) {
     if (s->sleeping) {
         COUNTED(thud_world_set_sleeping(*out, true));
     }
+    COUNTED(thud_world_use_step_error(*out));
     COUNTED(thud_world_use_joints(*out));
     COUNTED(thud_world_set_listeners(*out, &s->listeners));
     if (s->told_categories) {

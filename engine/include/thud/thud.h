@@ -162,6 +162,9 @@ THUD_API thud_world_def thud_default_world_def_of(const thud_quality *quality);
  * Sleep: `sleeping` is false, and refused as true, until thud_world_set_sleeping has been called
  * with true, or a snapshot of a world in which it was restored into it.
  *
+ * Errors of steps: thud_world_get_step_error is refused until thud_world_use_step_error has been
+ * called, or a snapshot of a world in which it was restored into it.
+ *
  * The grid: `broadphase` is &thud_broadphase_all, which costs the least where shapes are few. Where
  * they are hundreds, name another one, which links it; null is refused. */
 THUD_API thud_world_def thud_default_small_world_def(const thud_quality *quality);
@@ -565,10 +568,14 @@ typedef struct thud_step_error {
     double joint_angle_max; /* rad: the maximum of thud_joint_state.angle_gap */
 } thud_step_error;
 
-/* All 0 before the first step. THUD_ERROR_NULL. */
+/* In worlds of thud_default_small_world_def: collects the errors of the steps that follow. In others
+ * they are collected from the start, and the call does nothing. THUD_ERROR_NULL;
+ * THUD_ERROR_LOCKED inside a callback. */
+THUD_API thud_result thud_world_use_step_error(thud_world *world);
+/* All 0 before the first step. THUD_ERROR_NULL; THUD_ERROR_INVALID where they are not collected. */
 THUD_API thud_result thud_world_get_step_error(const thud_world *world, thud_step_error *out);
 
-/* The same as a return value; all 0 for a null world. */
+/* The same as a return value; all 0 for a null world, and where they are not collected. */
 static inline thud_step_error thud_step_error_of(const thud_world *world) {
     thud_step_error error;
     memset(&error, 0, sizeof error);

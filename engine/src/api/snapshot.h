@@ -99,7 +99,9 @@ enum {
     /* likewise no contact can bounce */
     TD_SNAPSHOT_NO_RESTITUTION = 2 * TD_SNAPSHOT_NO_SENSORS,
     /* likewise no body can fall asleep */
-    TD_SNAPSHOT_NO_SLEEP = 2 * TD_SNAPSHOT_NO_RESTITUTION
+    TD_SNAPSHOT_NO_SLEEP = 2 * TD_SNAPSHOT_NO_RESTITUTION,
+    /* likewise errors of steps are not collected */
+    TD_SNAPSHOT_NO_ERRORS = 2 * TD_SNAPSHOT_NO_SLEEP
 };
 
 typedef struct td_snapshot_slots {

@@ -237,6 +237,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
     w->def = *def;
     w->memory = memory;
     w->sensor_hooks = def->parts ? def->parts->sensors : NULL;
+    w->error_hooks = def->parts ? def->parts->errors : NULL;
     w->sleep_hooks = def->parts ? def->parts->sleep : NULL;
     w->restitution_hooks = def->parts ? def->parts->restitution : NULL;
     w->number = atomic_fetch_add(&made, 1u) + 1u;

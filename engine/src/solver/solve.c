@@ -166,7 +166,7 @@ static void solve_part(const solving *s, const td_run *run, td_solve_fn *solve,
 static void solve_and_tally(const solving *s, const td_run *run, td_solve_fn *solve,
                             td_block *const *blocks, int count) {
     int points = td_form_points(s->w->kinds[run->kind]->form);
-    td_tally_fn *tally = &TD_PICK_WIDE(s->w, td_tally_points);
+    td_tally_fn *tally = s->w->error_hooks->tally[s->w->wide];
     for (int i = 0; i < count; i += TD_CHUNK_BLOCKS) {
         int part = td_min_int(count - i, TD_CHUNK_BLOCKS);
         solve_part(s, run, solve, blocks + i, part);
@@ -199,7 +199,8 @@ static void solve_chunk(const solving *s, int index) {
     if (!solve) {
         return;
     }
-    if (s->which == RELAX && s->contacts.last && !s->contacts.again && run->kind < TD_PAIR_COUNT) {
+    if (s->which == RELAX && s->contacts.last && !s->contacts.again && run->kind < TD_PAIR_COUNT &&
+        w->error_hooks) {
         solve_and_tally(s, run, solve, blocks, chunk->count);
     } else {
         solve_part(s, run, solve, blocks, chunk->count);
@@ -426,9 +427,11 @@ void td_solve(thud_world *w) {
     s.contacts.torn = &torn;
     s.contacts.adds = adds;
     memset(tallies, 0, (size_t)job.workers * sizeof *tallies);
-    td_errors_begin(w);
+    if (w->error_hooks) {
+        w->error_hooks->begin(w);
+    }
     td_job_run(w, &job, run_passes, &s);
-    for (int i = 0; i < job.workers; i++) {
-        td_errors_add_tally(w, &tallies[i]);
+    for (int i = 0; i < job.workers && w->error_hooks; i++) {
+        w->error_hooks->add(w, &tallies[i]);
     }
 }

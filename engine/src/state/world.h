@@ -24,6 +24,7 @@ struct thud_parts {
     const struct td_sensor_hooks *sensors;          /* contact/sensors.h */
     const struct td_restitution_hooks *restitution; /* solver/restitution.h */
     const thud_broadphase *broadphase;              /* of a def that names none */
+    const struct td_error_hooks *errors;            /* solver/error.h */
     const struct td_sleep_hooks *sleep;             /* state/sleep_hooks.h */
 };
 
@@ -60,6 +61,7 @@ struct thud_world {
     const struct td_texture_hooks *texture_hooks; /* null: the world never had a texture */
     struct td_textures *textures;                 /* null as texture_hooks; in snapshots */
     const struct td_sensor_hooks *sensor_hooks;   /* null: no shape can be a sensor yet */
+    const struct td_error_hooks *error_hooks;     /* null: errors of steps are not collected yet */
     const struct td_sleep_hooks *sleep_hooks;     /* null: no body can fall asleep yet */
     const struct td_restitution_hooks *restitution_hooks; /* null: no contact can bounce yet */
     bool adds_impulses; /* a rule has a bound of the impulse: add up those of contacts */

@@ -266,6 +266,77 @@ static void snapshot_brings_sleep_into_a_small_world(void **state) {
     two_worlds_agree(to, from);
 }
 
+static void same_errors(const thud_step_error *a, const thud_step_error *b) {
+    assert_true(a->penetration_max == b->penetration_max);
+    assert_true(a->penetration_mean == b->penetration_mean);
+    assert_true(a->residual == b->residual);
+    assert_true(a->energy_change == b->energy_change);
+    assert_true(a->shortfall == b->shortfall);
+    assert_int_equal(a->overlaps, b->overlaps);
+}
+
+/* Errors of steps are counted from the step after the call that asks for them, as in a whole world.
+ */
+static void errors_of_steps_are_counted_once_they_are_used(void **state) {
+    (void)state;
+    static char bytes[1 << 17];
+    size_t size;
+    told t = {0};
+    thud_world *small = make_world(small_def(&t)), *restored = make_world(small_def(NULL));
+    thud_world *whole = make_world(thud_default_world_def_of(&thud_quality_draft));
+    OK(thud_world_set_sleeping(whole, false));
+    fill(small);
+    fill(whole);
+    thud_step_error error = {.overlaps = -1}, right;
+    run(small, STEPS);
+    run(whole, STEPS);
+    assert_int_equal(thud_world_get_step_error(small, &error), THUD_ERROR_INVALID);
+    assert_int_equal(error.overlaps, -1);
+    assert_int_equal(t.result, THUD_ERROR_INVALID);
+    assert_non_null(strstr(t.words, "thud_world_use_step_error"));
+    assert_non_null(strstr(t.words, "thud_default_small_world_def"));
+    assert_int_equal(thud_world_use_step_error(NULL), THUD_ERROR_NULL);
+    OK(thud_world_use_step_error(small));
+    OK(thud_world_use_step_error(whole));
+    OK(thud_world_snapshot(small, bytes, sizeof bytes, &size));
+    OK(thud_world_restore(restored, bytes, size));
+    for (int step = 0; step < STEPS; step++) {
+        run(small, 1);
+        run(restored, 1);
+        run(whole, 1);
+        OK(thud_world_get_step_error(small, &error));
+        OK(thud_world_get_step_error(whole, &right));
+        same_errors(&error, &right);
+        OK(thud_world_get_step_error(restored, &error));
+        same_errors(&error, &right);
+    }
+    assert_true(right.penetration_max > 0);
+    thud_world_destroy(small);
+    thud_world_destroy(restored);
+    thud_world_destroy(whole);
+}
+
+static thud_result locked;
+
+static bool ask_for_errors(thud_world *world, const thud_contact *contact,
+                           thud_contact_settings *settings, void *context) {
+    (void)contact, (void)settings, (void)context;
+    locked = thud_world_use_step_error(world);
+    return true;
+}
+
+static void errors_of_steps_are_not_asked_for_in_a_callback(void **state) {
+    (void)state;
+    thud_world *world = make_world(small_def(NULL));
+    fill(world);
+    set_listeners(world, ask_for_errors, NULL, NULL);
+    run(world, STEPS);
+    assert_int_equal(locked, THUD_ERROR_LOCKED);
+    thud_step_error error;
+    assert_int_equal(thud_world_get_step_error(world, &error), THUD_ERROR_INVALID);
+    thud_world_destroy(world);
+}
+
 static void a_broadphase_is_named_or_all_pairs(void **state) {
     (void)state;
     told t = {0};
@@ -304,6 +375,8 @@ int main(void) {
         cmocka_unit_test(snapshot_brings_restitution_into_a_small_world),
         cmocka_unit_test(bodies_sleep_once_it_is_set),
         cmocka_unit_test(snapshot_brings_sleep_into_a_small_world),
+        cmocka_unit_test(errors_of_steps_are_counted_once_they_are_used),
+        cmocka_unit_test(errors_of_steps_are_not_asked_for_in_a_callback),
         cmocka_unit_test(a_broadphase_is_named_or_all_pairs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
