@@ -102,7 +102,7 @@ static void take_settings(fuzz_session *s) {
     def.length_scale = units[s->twin == TWIN_SHIFT ? scales % 5 : scales % 8];
     s->unit = (double)def.length_scale;
     def.gravity.y *= def.length_scale;
-    if (flags & 128 && s->twin != TWIN_SNAPSHOT && s->twin != TWIN_MEMORY) {
+    if (flags & 128 && def.parts && s->twin != TWIN_SNAPSHOT && s->twin != TWIN_MEMORY) {
         def.time_budget = 1e-3;
     }
     s->def = def;

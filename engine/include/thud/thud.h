@@ -165,6 +165,8 @@ THUD_API thud_world_def thud_default_world_def_of(const thud_quality *quality);
  * Errors of steps: thud_world_get_step_error is refused until thud_world_use_step_error has been
  * called, or a snapshot of a world in which it was restored into it.
  *
+ * A `time_budget` above 0 is refused.
+ *
  * The grid: `broadphase` is &thud_broadphase_all, which costs the least where shapes are few. Where
  * they are hundreds, name another one, which links it; null is refused. */
 THUD_API thud_world_def thud_default_small_world_def(const thud_quality *quality);

@@ -9,7 +9,6 @@
 #include "contact/sensors.h"
 #include "listeners/listener_hooks.h"
 #include "rules/rule_hooks.h"
-#include "solver/budget.h"
 #include "state/handles.h"
 #include "state/sleep_hooks.h"
 #include "textures/texture_hooks.h"
@@ -192,7 +191,9 @@ static thud_result run_stages(thud_world *w) {
     record_time(w, THUD_STAGE_SLEEP, &last);
     publish_events(w);
     w->stats.step_seconds = last - start;
-    td_budget_keep(w);
+    if (w->def.parts) {
+        w->def.parts->keep_budget(w);
+    }
     return THUD_OK;
 }
 

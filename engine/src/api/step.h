@@ -23,6 +23,8 @@ bool td_broadphase_refresh(thud_world *w);
 /* narrowphase.c: finds the pairs that touch, which get lanes, and those that do not any more; makes
  * their begin and end events; computes the manifolds of all lanes. */
 bool td_narrowphase(thud_world *w);
+/* broadphase.c: thud_parts.few_resting. */
+bool td_broadphase_few_resting(thud_world *w, const td_array **few);
 /* contact_view.c: makes hit events of contacts that have begun and close faster than hit_speed. */
 void td_contacts_hit(thud_world *w);
 /* solve.c: computes the velocity that gravity and forces add in a substep (substep_gain), for all

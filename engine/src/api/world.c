@@ -94,6 +94,9 @@ static const char *def_error(const thud_world_def *d, td_reason *why) {
     if (d->time_budget > 0.0 && !d->clock) {
         return "world def: time_budget lacks a clock";
     }
+    if (d->time_budget > 0.0 && !d->parts) {
+        return "world def: time_budget, in a def of thud_default_small_world_def";
+    }
     if (d->job_system.workers > 1 && !d->job_system.run) {
         return "world def: job_system.workers lacks a run";
     }
@@ -237,6 +240,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
     w->def = *def;
     w->memory = memory;
     w->sensor_hooks = def->parts ? def->parts->sensors : NULL;
+    w->few_resting = def->parts ? def->parts->few_resting : NULL;
     w->error_hooks = def->parts ? def->parts->errors : NULL;
     w->sleep_hooks = def->parts ? def->parts->sleep : NULL;
     w->restitution_hooks = def->parts ? def->parts->restitution : NULL;
@@ -256,7 +260,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
     td_islands_init(&w->islands, w->wide);
     td_proxy_set_init(&w->awake_shapes);
     td_proxy_set_init(&w->rest_shapes);
-    td_quality_apply(w, def->quality);
+    td_quality_begin(w);
     if (!td_awake_reserve(w, 0)) {
         thud_world_destroy(w);
         return refuse(def, THUD_ERROR_MEMORY, no_memory);

@@ -371,8 +371,9 @@ enum { RESTING_PER_MOVED = 4 };
 
 /* Sets *few to the resting shapes that shall query the awake ones, where these are few beside the
  * awake shapes that moved: all resting shapes, or those whose bounds meet the bounds around all
- * that moved. Null where they are many. False when memory is short. */
-static bool find_few_resting(thud_world *w, const td_array **few) {
+ * that moved. Null where they are many. False when memory is short. A world without it
+ * (thud_parts) finds the same pairs, by more queries. */
+bool td_broadphase_few_resting(thud_world *w, const td_array **few) {
     td_scratch *scratch = &w->scratch;
     const td_proxy_set *rest = &w->rest_shapes;
     int few_max = (w->awake_shapes.moved_count - 1) / MOVED_PER_RESTING, last = TD_NONE;
@@ -414,8 +415,8 @@ static bool find_few_resting(thud_world *w, const td_array **few) {
  * step. False when memory is short. */
 static bool find_mixed_pairs(thud_world *w) {
     bool all_moved = w->awake_shapes.moved_count == w->awake_shapes.ids.count;
-    const td_array *few;
-    if (!find_few_resting(w, &few)) {
+    const td_array *few = NULL;
+    if (w->few_resting && !w->few_resting(w, &few)) {
         return false;
     }
     for (int i = 0; few && i < few->count; i++) {

@@ -24,8 +24,12 @@ struct thud_parts {
     const struct td_sensor_hooks *sensors;          /* contact/sensors.h */
     const struct td_restitution_hooks *restitution; /* solver/restitution.h */
     const thud_broadphase *broadphase;              /* of a def that names none */
-    const struct td_error_hooks *errors;            /* solver/error.h */
-    const struct td_sleep_hooks *sleep;             /* state/sleep_hooks.h */
+    /* td_budget_keep of solver/budget.h */
+    void (*keep_budget)(struct thud_world *w);
+    /* td_broadphase_few_resting of api/step.h */
+    bool (*few_resting)(struct thud_world *w, const td_array **few);
+    const struct td_error_hooks *errors; /* solver/error.h */
+    const struct td_sleep_hooks *sleep;  /* state/sleep_hooks.h */
 };
 
 /* api/world.c: the defaults without a broadphase and without parts. */
@@ -64,6 +68,8 @@ struct thud_world {
     const struct td_error_hooks *error_hooks;     /* null: errors of steps are not collected yet */
     const struct td_sleep_hooks *sleep_hooks;     /* null: no body can fall asleep yet */
     const struct td_restitution_hooks *restitution_hooks; /* null: no contact can bounce yet */
+    /* td_broadphase_few_resting; null: not in thud_parts */
+    bool (*few_resting)(struct thud_world *w, const td_array **few);
     bool adds_impulses; /* a rule has a bound of the impulse: add up those of contacts */
     const struct td_listener_hooks *listener_hooks; /* null: the world never had a listener */
     struct td_listeners *listeners;                 /* null as listener_hooks */

@@ -365,6 +365,47 @@ static void a_broadphase_is_named_or_all_pairs(void **state) {
     two_worlds_agree(world, other);
 }
 
+static double tell_no_time(void *context) {
+    (void)context;
+    return 0;
+}
+
+static void a_time_budget_is_refused(void **state) {
+    (void)state;
+    told t = {0};
+    thud_world_def def = small_def(&t);
+    thud_world *world = NULL;
+    def.clock = tell_no_time;
+    def.time_budget = 1e-3;
+    assert_int_equal(thud_world_create(&def, &world), THUD_ERROR_INVALID);
+    assert_null(world);
+    assert_non_null(strstr(t.words, "time_budget"));
+    assert_non_null(strstr(t.words, "thud_default_small_world_def"));
+}
+
+/* Lines of terrain, edited where bodies lie on them: their contacts follow as in a whole world. */
+static void terrain_is_edited_as_in_a_whole_world(void **state) {
+    (void)state;
+    thud_world *worlds[2] = {make_world(small_def(NULL)),
+                             make_world(thud_default_world_def_of(&thud_quality_draft))};
+    OK(thud_world_set_sleeping(worlds[1], false));
+    thud_body_id grounds[2], balls[2];
+    for (int i = 0; i < 2; i++) {
+        thud_shape_def def = thud_default_shape_def();
+        grounds[i] = add_body(worlds[i], THUD_BODY_STATIC, 0, 0, 0);
+        thud_terrain flat = {.kind = THUD_TERRAIN_FLAT};
+        thud_shape_id line;
+        OK(thud_shape_create_terrain(worlds[i], grounds[i], &def, &flat, &line));
+        balls[i] = add_ball(worlds[i], 0, 1, 0.5f);
+        add_box(worlds[i], 3, 1, 0.5f, 0.5f);
+        run(worlds[i], STEPS);
+        OK(thud_body_set_transform(worlds[i], balls[i], (thud_pos){256, 0.5}, 0));
+        run(worlds[i], 5);
+        OK(thud_body_set_transform(worlds[i], grounds[i], (thud_pos){0, -1}, 0));
+    }
+    two_worlds_agree(worlds[0], worlds[1]);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(small_world_has_the_bits_of_a_whole_one),
@@ -377,6 +418,8 @@ int main(void) {
         cmocka_unit_test(snapshot_brings_sleep_into_a_small_world),
         cmocka_unit_test(errors_of_steps_are_counted_once_they_are_used),
         cmocka_unit_test(errors_of_steps_are_not_asked_for_in_a_callback),
+        cmocka_unit_test(a_time_budget_is_refused),
+        cmocka_unit_test(terrain_is_edited_as_in_a_whole_world),
         cmocka_unit_test(a_broadphase_is_named_or_all_pairs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
