@@ -570,11 +570,12 @@ typedef struct thud_step_error {
     double joint_angle_max; /* rad: the maximum of thud_joint_state.angle_gap */
 } thud_step_error;
 
-/* In worlds of thud_default_small_world_def: collects the errors of the steps that follow. In others
- * they are collected from the start, and the call does nothing. THUD_ERROR_NULL;
+/* In worlds of thud_default_small_world_def: collects the errors of the steps that follow. In
+ * others they are collected from the start, and the call does nothing. THUD_ERROR_NULL;
  * THUD_ERROR_LOCKED inside a callback. */
 THUD_API thud_result thud_world_use_step_error(thud_world *world);
-/* All 0 before the first step. THUD_ERROR_NULL; THUD_ERROR_INVALID where they are not collected. */
+/* All 0 before the first step. THUD_ERROR_NULL; THUD_ERROR_INVALID where they are not collected.
+ */
 THUD_API thud_result thud_world_get_step_error(const thud_world *world, thud_step_error *out);
 
 /* The same as a return value; all 0 for a null world, and where they are not collected. */
