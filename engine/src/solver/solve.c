@@ -151,8 +151,8 @@ static void solve_in_turn(const solving *s, td_solve_fn *solve, td_block *const 
 }
 
 /* Solves `count` blocks of a run; only the last block of a run may have empty lanes. */
-static void solve_part(const solving *s, const td_run *run, td_solve_fn *solve,
-                       td_block *const *blocks, int count) {
+TD_INLINE void solve_part(const solving *s, const td_run *run, td_solve_fn *solve,
+                          td_block *const *blocks, int count) {
     td_block *const *all = s->w->scratch.blocks.data;
     if (td_worker_shares(&s->worker) && blocks + count == all + run->first + run->count) {
         solve_in_turn(s, solve, blocks, count);
