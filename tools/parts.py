@@ -42,9 +42,9 @@ PARTS = {
     "SWEPT": Part(("detection/detect_swept.c", "solver/quality_exact.c", *IMPACTS),
                   "the detection `swept`, with the quality `exact`", ("RECORDING", "SNAPSHOTS")),
     "BROADPHASES": Part(("broadphase/plane_sweep*.c", "broadphase/all_pairs.c", "broadphase/sorted_axis.c",
-                         "broadphase/wide_axis_sweep.c"),
+                         "broadphase/wide_axis_sweep.c", "api/default_small_world.c"),
                         "the broadphases of `thud_broadphase_sweep`, `_sweep_y`, `_sweep_widest`, `_sweep_both` and"
-                        " `_all`; the grid is left", ("RECORDING",)),
+                        " `_all`, with `thud_default_small_world_def`; the grid is left", ("RECORDING",)),
     "QUERIES": Part(("api/query*.c", "casts/path.c", "state/preview.c"), "`thud_queries.h`", ("CASTS", "FIELDS", "MOVER")),
     "CASTS": Part(("casts/each.c", "casts/extrapolate.c", "casts/many.c", "casts/one_shape.c", "casts/predict.c",
                    "casts/walk.c"),

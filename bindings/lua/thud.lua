@@ -346,6 +346,7 @@ thud_result thud_world_get_poses(thud_world * world, thud_pos origin, double alp
 const char * thud_stage_name(thud_stage stage);
 thud_result thud_world_get_stats(const thud_world * world, thud_stats * out);
 thud_result thud_world_get_bisection_limit(thud_world * world, double * out_speed);
+thud_result thud_world_use_step_error(thud_world * world);
 thud_result thud_world_get_step_error(const thud_world * world, thud_step_error * out);
 thud_result thud_world_get_measure(const thud_world * world, thud_measure * out);
 thud_result thud_world_get_hash(const thud_world * world, uint64_t * out);
@@ -1745,6 +1746,14 @@ function World:bisection_limit()
         return refused(code)
     end
     return speed[0]
+end
+
+function World:use_step_error()
+    local code = C.thud_world_use_step_error(pointer(self))
+    if code ~= 0 or pending then
+        return refused(code)
+    end
+    return true
 end
 
 function World:step_error()

@@ -8,7 +8,16 @@
 
 #include <string.h>
 
-enum { AABBS = 1, OBBS = 2, TERRAINS = 4, DIRECT = 8, JOINTS = 16, SENSORS = 32, UNMEASURED = 64 };
+enum {
+    AABBS = 1,
+    OBBS = 2,
+    TERRAINS = 4,
+    DIRECT = 8,
+    JOINTS = 16,
+    SENSORS = 32,
+    RESTITUTION = 64,
+    UNMEASURED = 128
+};
 
 static const struct {
     const char *program;
@@ -23,13 +32,14 @@ static const struct {
     {"boxes", AABBS},
     {"islands", DIRECT},
     {"joints", JOINTS | DIRECT},
-    {"everything", AABBS | OBBS | TERRAINS | DIRECT | SENSORS},
+    {"everything", AABBS | OBBS | TERRAINS | DIRECT | SENSORS | RESTITUTION},
 };
 
 static unsigned needs_of(const run_options *how, const scene *s) {
     unsigned needs = s->joint_count > 0 ? JOINTS : 0;
     for (int i = 0; i < s->shape_count; i++) {
         needs |= s->shapes[i].sensor ? SENSORS : 0;
+        needs |= s->shapes[i].material.restitution > 0 ? RESTITUTION : 0;
         switch (s->shapes[i].kind) {
         case SCENE_CIRCLE:
             break;
@@ -52,8 +62,10 @@ static unsigned needs_of(const run_options *how, const scene *s) {
     if (!detection)
         detection = QUALITIES[how->quality]->detection;
     bool other = detection != &thud_detection_overlap && detection != &thud_detection_continuous;
-    bool acts =
-        scene_has_fields(s) || BROADPHASES[how->broadphase].broadphase != &thud_broadphase_grid;
+    /* The small programs test all pairs, which gives the bits of the grid. */
+    const thud_broadphase *broadphase = BROADPHASES[how->broadphase].broadphase;
+    bool acts = scene_has_fields(s) ||
+                (broadphase != &thud_broadphase_grid && broadphase != &thud_broadphase_all);
     for (int i = 0; i < s->body_count; i++)
         other |= s->bodies[i].detection != SCENE_AS_WORLD;
     return needs | (other || acts ? UNMEASURED : 0);

@@ -89,7 +89,8 @@ static void take_settings(fuzz_session *s) {
     thud_world_def def =
         scales < 240 ? thud_default_world_def_of(quality) : thud_default_small_world_def(quality);
     def.detection = pick_detection(s, choices / 4);
-    def.sleeping = flags & 1;
+    def.sleeping = flags & 1 && def.parts; /* else make_world sets it */
+    s->sleeping = flags & 1;
     def.contact_events = (flags & 6) != 6;
     def.gravity.y = flags & 8 ? 0.0f : def.gravity.y;
     def.max_error = flags & 16 && def.quality->islands ? 0.01 : 0.0;
@@ -101,7 +102,7 @@ static void take_settings(fuzz_session *s) {
     def.length_scale = units[s->twin == TWIN_SHIFT ? scales % 5 : scales % 8];
     s->unit = (double)def.length_scale;
     def.gravity.y *= def.length_scale;
-    if (flags & 128 && s->twin != TWIN_SNAPSHOT && s->twin != TWIN_MEMORY) {
+    if (flags & 128 && def.parts && s->twin != TWIN_SNAPSHOT && s->twin != TWIN_MEMORY) {
         def.time_budget = 1e-3;
     }
     s->def = def;
@@ -144,6 +145,10 @@ static void make_world(fuzz_session *s, thud_world **out) {
     if (result != THUD_OK) {
         fuzz_fail(s, "no world: %s", thud_result_text(result));
     }
+    if (s->sleeping) {
+        COUNTED(thud_world_set_sleeping(*out, true));
+    }
+    COUNTED(thud_world_use_step_error(*out));
     COUNTED(thud_world_use_joints(*out));
     COUNTED(thud_world_set_listeners(*out, &s->listeners));
     if (s->told_categories) {

@@ -86,6 +86,7 @@ typedef struct fuzz_session {
     thud_listeners listeners; /* the world's listeners, which worlds that replace it get too */
     uint32_t told_categories; /* those of the epilogue of categories, or 0; the same */
     bool filters;             /* the world has the pair filter; the same */
+    bool sleeping;            /* bodies may fall asleep; the same */
     twin_kind twin;
     bool second, closing;
     bool asks; /* the second session makes queries after each operation */

@@ -131,7 +131,8 @@ typedef struct thud_world_def {
                              one substep, and doubled again when time allows. Results then depend on
                              the clock, and differ from run to run. Needs `clock` */
     const thud_detection *detection;   /* default null: the quality's */
-    const thud_broadphase *broadphase; /* default, also for null: &thud_broadphase_grid */
+    const thud_broadphase *broadphase; /* default, also for null: &thud_broadphase_grid; another one
+                                          in thud_default_small_world_def */
     float cell_size; /* length, [0, THUD_SIZE_MAX length scales]: the width of the cells of
                         thud_broadphase_grid for all shapes whose bounds fit into one; larger shapes
                         get larger cells. Default 0: chosen by the sizes of the shapes, which is
@@ -148,9 +149,26 @@ THUD_API thud_world_def thud_default_world_def(void);
  * such as thud_quality_draft, and this call, does not link the island solver. */
 THUD_API thud_world_def thud_default_world_def_of(const thud_quality *quality);
 /* The same for small programs: what a world may do without is linked only where a call needs it.
- * That is sensors. A thud_shape_def whose `sensor` is true is refused (THUD_ERROR_INVALID) until
+ * All else is the same, bit for bit.
+ *
+ * Sensors: a thud_shape_def whose `sensor` is true is refused (THUD_ERROR_INVALID) until
  * thud_shape_set_sensor has been called in the world, or a snapshot of one with sensors restored
- * into it; both link sensors. All else is the same, bit for bit. */
+ * into it; both link sensors.
+ *
+ * Restitution: a thud_shape_def or thud_rule whose `restitution` is above 0 is refused likewise,
+ * and the settings of a prologue stay as they were, until thud_shape_set_restitution has been
+ * called in the world, with 0 too, or a snapshot of one in which it was restored into it.
+ *
+ * Sleep: `sleeping` is false, and refused as true, until thud_world_set_sleeping has been called
+ * with true, or a snapshot of a world in which it was restored into it.
+ *
+ * Errors of steps: thud_world_get_step_error is refused until thud_world_use_step_error has been
+ * called, or a snapshot of a world in which it was restored into it.
+ *
+ * A `time_budget` above 0 is refused.
+ *
+ * The grid: `broadphase` is &thud_broadphase_all, which costs the least where shapes are few. Where
+ * they are hundreds, name another one, which links it; null is refused. */
 THUD_API thud_world_def thud_default_small_world_def(const thud_quality *quality);
 
 /* Creates a world, *out. THUD_ERROR_NULL for a null def or out, THUD_ERROR_INVALID for a def
@@ -552,10 +570,15 @@ typedef struct thud_step_error {
     double joint_angle_max; /* rad: the maximum of thud_joint_state.angle_gap */
 } thud_step_error;
 
-/* All 0 before the first step. THUD_ERROR_NULL. */
+/* In worlds of thud_default_small_world_def: collects the errors of the steps that follow. In
+ * others they are collected from the start, and the call does nothing. THUD_ERROR_NULL;
+ * THUD_ERROR_LOCKED inside a callback. */
+THUD_API thud_result thud_world_use_step_error(thud_world *world);
+/* All 0 before the first step. THUD_ERROR_NULL; THUD_ERROR_INVALID where they are not collected.
+ */
 THUD_API thud_result thud_world_get_step_error(const thud_world *world, thud_step_error *out);
 
-/* The same as a return value; all 0 for a null world. */
+/* The same as a return value; all 0 for a null world, and where they are not collected. */
 static inline thud_step_error thud_step_error_of(const thud_world *world) {
     thud_step_error error;
     memset(&error, 0, sizeof error);

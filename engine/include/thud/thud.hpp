@@ -718,6 +718,7 @@ class world_ref {
     result<thud_stats> get_stats() const;
     thud_stats stats() const;
     result<double> get_bisection_limit();
+    result<> use_step_error();
     result<thud_step_error> get_step_error() const;
     thud_step_error step_error() const;
     result<thud_measure> get_measure() const;
@@ -1677,6 +1678,10 @@ inline result<double> world_ref::get_bisection_limit() {
     result<double> made{detail::unwritten()};
     made.settle(detail::check(thud_world_get_bisection_limit(world_, &made.value)));
     return made;
+}
+
+inline result<> world_ref::use_step_error() {
+    return {detail::check(thud_world_use_step_error(world_))};
 }
 
 inline result<thud_step_error> world_ref::get_step_error() const {

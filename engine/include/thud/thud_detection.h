@@ -43,7 +43,7 @@ extern THUD_API const thud_broadphase thud_broadphase_sweep_widest;
  * and others columns, but tests them one by one instead of eight at a time. */
 extern THUD_API const thud_broadphase thud_broadphase_sweep_both;
 /* Tests each shape against every other, eight at a time: there is no structure to maintain, and it
- * is the fastest for few shapes. */
+ * is the fastest for few shapes. The default of thud_default_small_world_def. */
 extern THUD_API const thud_broadphase thud_broadphase_all;
 
 THUD_API const char *thud_broadphase_name(const thud_broadphase *broadphase); /* "" for null */

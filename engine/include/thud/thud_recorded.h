@@ -164,6 +164,8 @@ THUD_API thud_result thud_recorded_shape_set_texture(thud_world *world, thud_sha
 #define thud_shape_set_texture thud_recorded_shape_set_texture
 THUD_API thud_result thud_recorded_world_use_textures(thud_world *world);
 #define thud_world_use_textures thud_recorded_world_use_textures
+THUD_API thud_result thud_recorded_world_use_step_error(thud_world *world);
+#define thud_world_use_step_error thud_recorded_world_use_step_error
 THUD_API thud_result thud_recorded_world_restore(thud_world *world, const void *buffer, size_t bytes);
 #define thud_world_restore thud_recorded_world_restore
 THUD_API thud_result thud_recorded_world_load(thud_world *world, const char *path, void *out_own, size_t bytes);

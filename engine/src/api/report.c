@@ -107,6 +107,11 @@ thud_result thud_world_get_step_error(const thud_world *w, thud_step_error *out)
     if (!w || !out) {
         return THUD_ERROR_NULL;
     }
+    if (!w->error_hooks) {
+        return td_refuse(
+            w, THUD_ERROR_INVALID,
+            "step error, in a world of thud_default_small_world_def before thud_world_use_step_error");
+    }
     td_errors step = td_errors_of_step(w), *e = &step;
     td_joint_gaps gaps = {0};
     if (w->joint_hooks) {

@@ -95,7 +95,13 @@ enum {
     TD_SNAPSHOT_ALL_JOINTS =
         TD_SNAPSHOT_JOINT_KINDS * ((1 << (TD_CONSTRAINT_KINDS - TD_PAIR_COUNT)) - 1),
     /* no shape can be a sensor yet: thud_default_small_world_def */
-    TD_SNAPSHOT_NO_SENSORS = TD_SNAPSHOT_ALL_JOINTS + TD_SNAPSHOT_JOINT_KINDS
+    TD_SNAPSHOT_NO_SENSORS = TD_SNAPSHOT_ALL_JOINTS + TD_SNAPSHOT_JOINT_KINDS,
+    /* likewise no contact can bounce */
+    TD_SNAPSHOT_NO_RESTITUTION = 2 * TD_SNAPSHOT_NO_SENSORS,
+    /* likewise no body can fall asleep */
+    TD_SNAPSHOT_NO_SLEEP = 2 * TD_SNAPSHOT_NO_RESTITUTION,
+    /* likewise errors of steps are not collected */
+    TD_SNAPSHOT_NO_ERRORS = 2 * TD_SNAPSHOT_NO_SLEEP
 };
 
 typedef struct td_snapshot_slots {

@@ -5,6 +5,9 @@
 
 #include "constraint/joint_hooks.h"
 #include "contact/sensors.h"
+#include "solver/error.h"
+#include "solver/restitution.h"
+#include "state/sleep_hooks.h"
 #include "state/body.h"
 #include "state/kinds.h"
 
@@ -136,6 +139,9 @@ static uint32_t layout_of_build(void) {
 static uint32_t plugged_into(const thud_world *w) {
     uint32_t plugged = w->quality.islands ? TD_SNAPSHOT_ISLANDS : 0u;
     plugged |= w->sensor_hooks ? 0u : TD_SNAPSHOT_NO_SENSORS;
+    plugged |= w->restitution_hooks ? 0u : TD_SNAPSHOT_NO_RESTITUTION;
+    plugged |= w->error_hooks ? 0u : TD_SNAPSHOT_NO_ERRORS;
+    plugged |= w->sleep_hooks ? 0u : TD_SNAPSHOT_NO_SLEEP;
     for (int kind = 0; kind < THUD_SHAPE_KIND_COUNT; kind++) {
         plugged |= w->kinds[KINDS[kind].own] ? 1u << kind : 0u;
     }
@@ -472,6 +478,10 @@ void td_snapshot_read(thud_world *w, const td_snapshot_head *head, const char *f
     take_counts(w, head);
     serialize_all(&t, w, head);
     assert((uint64_t)(t.from - from) == td_snapshot_ruled_at(head));
-    bool none = head->plugged & TD_SNAPSHOT_NO_SENSORS && w->sensors == 0 && !w->def.parts;
-    w->sensor_hooks = none ? NULL : &td_sensor_stages;
+    unsigned none = w->def.parts ? 0u : head->plugged;
+    w->sensor_hooks = none & TD_SNAPSHOT_NO_SENSORS && w->sensors == 0 ? NULL : &td_sensor_stages;
+    w->error_hooks = none & TD_SNAPSHOT_NO_ERRORS ? NULL : &td_error_report;
+    w->sleep_hooks = none & TD_SNAPSHOT_NO_SLEEP && !w->def.sleeping ? NULL : &td_sleep_stages;
+    w->restitution_hooks =
+        none & TD_SNAPSHOT_NO_RESTITUTION && w->bouncy == 0 ? NULL : &td_restitution;
 }

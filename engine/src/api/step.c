@@ -9,8 +9,8 @@
 #include "contact/sensors.h"
 #include "listeners/listener_hooks.h"
 #include "rules/rule_hooks.h"
-#include "solver/budget.h"
 #include "state/handles.h"
+#include "state/sleep_hooks.h"
 #include "textures/texture_hooks.h"
 #include "api/step.h"
 
@@ -152,7 +152,8 @@ static thud_result run_stages(thud_world *w) {
     record_time(w, THUD_STAGE_BROADPHASE, &last);
     done = done && td_broadphase_refresh(w) && td_narrowphase(w) && find_islands(w) &&
            td_finalize_reserve(w) && reserve_detection(w) && reserve_sensing(w) &&
-           td_sleep_reserve(w) && (!w->rule_hooks || w->rule_hooks->reserve(w)) &&
+           (!w->sleep_hooks || w->sleep_hooks->reserve(w)) &&
+           (!w->rule_hooks || w->rule_hooks->reserve(w)) &&
            (!w->listener_hooks || w->listener_hooks->reserve(w)) && (!w->gather || w->gather(w));
     record_time(w, THUD_STAGE_NARROWPHASE, &last);
     if (!done) {
@@ -184,11 +185,15 @@ static thud_result run_stages(thud_world *w) {
         w->joint_hooks->break_up(w);
     }
     record_time(w, THUD_STAGE_EVENTS, &last);
-    td_sleep(w);
+    if (w->sleep_hooks) {
+        w->sleep_hooks->sleep(w);
+    }
     record_time(w, THUD_STAGE_SLEEP, &last);
     publish_events(w);
     w->stats.step_seconds = last - start;
-    td_budget_keep(w);
+    if (w->def.parts) {
+        w->def.parts->keep_budget(w);
+    }
     return THUD_OK;
 }
 

@@ -23,6 +23,8 @@ bool td_broadphase_refresh(thud_world *w);
 /* narrowphase.c: finds the pairs that touch, which get lanes, and those that do not any more; makes
  * their begin and end events; computes the manifolds of all lanes. */
 bool td_narrowphase(thud_world *w);
+/* broadphase.c: thud_parts.few_resting. */
+bool td_broadphase_few_resting(thud_world *w, const td_array **few);
 /* contact_view.c: makes hit events of contacts that have begun and close faster than hit_speed. */
 void td_contacts_hit(thud_world *w);
 /* solve.c: computes the velocity that gravity and forces add in a substep (substep_gain), for all
@@ -44,11 +46,8 @@ bool td_sensed_pairs(thud_world *w);
  * of the step. */
 bool td_sensors_reserve(thud_world *w);
 void td_sensors_test(thud_world *w);
-/* sleep.c: puts islands to sleep whose bodies have all been at rest for TD_SLEEP_TIME. */
-void td_sleep(thud_world *w);
 
-/* Reserve what the stages after the narrowphase need, so that they cannot fail. */
+/* Reserves what td_finalize needs, so that it cannot fail. */
 bool td_finalize_reserve(thud_world *w);
-bool td_sleep_reserve(thud_world *w);
 
 #endif

@@ -21,12 +21,11 @@
 #include <stdatomic.h>
 #include <string.h>
 
-thud_world_def thud_default_small_world_def(const thud_quality *quality) {
+thud_world_def td_world_def_of(const thud_quality *quality) {
     return (thud_world_def) {
         .gravity = {0.0f, -10.0f}, .time_step = 1.0 / 60.0, .length_scale = 1.0f,
         .quality = quality, .push_speed = 3.0f, .restitution_threshold = 1.0f, .hit_speed = 1.0f,
-        .maximum_speed = 1e6f, .sleeping = true, .contact_events = true,
-        .broadphase = &thud_broadphase_grid,
+        .maximum_speed = 1e6f, .contact_events = true,
 #if !defined(NDEBUG)
         .log = thud_log_to_stderr,
 #endif
@@ -78,6 +77,12 @@ static const char *def_error(const thud_world_def *d, td_reason *why) {
     if (!numbers_in(d, why)) {
         return why->text;
     }
+    if (!d->broadphase && !d->parts) {
+        return "world def: broadphase is null, in a def of thud_default_small_world_def";
+    }
+    if (d->sleeping && !d->parts) {
+        return "world def: sleeping, in a def of thud_default_small_world_def; thud_world_set_sleeping can set it";
+    }
     if (!d->quality) {
         return "world def: quality is null";
     }
@@ -88,6 +93,9 @@ static const char *def_error(const thud_world_def *d, td_reason *why) {
     }
     if (d->time_budget > 0.0 && !d->clock) {
         return "world def: time_budget lacks a clock";
+    }
+    if (d->time_budget > 0.0 && !d->parts) {
+        return "world def: time_budget, in a def of thud_default_small_world_def";
     }
     if (d->job_system.workers > 1 && !d->job_system.run) {
         return "world def: job_system.workers lacks a run";
@@ -232,9 +240,15 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
     w->def = *def;
     w->memory = memory;
     w->sensor_hooks = def->parts ? def->parts->sensors : NULL;
+    w->few_resting = def->parts ? def->parts->few_resting : NULL;
+    w->error_hooks = def->parts ? def->parts->errors : NULL;
+    w->sleep_hooks = def->parts ? def->parts->sleep : NULL;
+    w->restitution_hooks = def->parts ? def->parts->restitution : NULL;
     w->number = atomic_fetch_add(&made, 1u) + 1u;
     w->wide = has_avx2(def->cookie == TD_COOKIE_BASELINE);
-    w->def.broadphase = def->broadphase ? def->broadphase : &thud_broadphase_grid;
+    if (!def->broadphase) {
+        w->def.broadphase = def->parts->broadphase;
+    }
     double unit = power_below((double)def->length_scale);
     w->length_scale = (float)unit;
     w->to_fixed = TD_FIXED_ONE / unit;
@@ -246,7 +260,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
     td_islands_init(&w->islands, w->wide);
     td_proxy_set_init(&w->awake_shapes);
     td_proxy_set_init(&w->rest_shapes);
-    td_quality_apply(w, def->quality);
+    td_quality_begin(w);
     if (!td_awake_reserve(w, 0)) {
         thud_world_destroy(w);
         return refuse(def, THUD_ERROR_MEMORY, no_memory);
@@ -338,19 +352,5 @@ thud_result thud_world_set_time_step(thud_world *w, double time_step) {
     w->drowsy_bodies =
         w->body_of.count; /* with a longer step bodies may fall asleep earlier than planned */
     w->substep_gain_stale = true;
-    return THUD_OK;
-}
-
-thud_result thud_world_set_sleeping(thud_world *w, bool sleeping) {
-    if (!w) {
-        return THUD_ERROR_NULL;
-    }
-    if (w->locked) {
-        return td_refuse(w, THUD_ERROR_LOCKED, "set sleeping: not inside a callback");
-    }
-    w->def.sleeping = sleeping;
-    if (!sleeping) {
-        td_wake_all(w);
-    }
     return THUD_OK;
 }

@@ -20,6 +20,7 @@
 #include "contact/internal_edges.h"
 #include "state/shape.h"
 #include "state/shared_stages.h"
+#include "state/sleep_hooks.h"
 #include "api/step.h"
 
 #include <string.h>
@@ -78,8 +79,8 @@ static bool refresh(thud_world *w, td_proxy_set *shapes, bool awake) {
      * With more, most updates in place fail, since some shape has left its cell. Chosen; not tuned.
      */
     bool few_moved = awake && w->moved.count * 5 <= w->awake_shapes.list.count;
-    if (shapes->valid && shapes->woken) {
-        td_proxy_set_drop_woken(w);
+    if (shapes->valid && shapes->woken && w->sleep_hooks) {
+        w->sleep_hooks->drop_woken(w);
     }
     return shapes->valid ||
            (few_moved && kind->follow && kind->follow(w, shapes, w->moved.data, w->moved.count)) ||
@@ -370,8 +371,9 @@ enum { RESTING_PER_MOVED = 4 };
 
 /* Sets *few to the resting shapes that shall query the awake ones, where these are few beside the
  * awake shapes that moved: all resting shapes, or those whose bounds meet the bounds around all
- * that moved. Null where they are many. False when memory is short. */
-static bool find_few_resting(thud_world *w, const td_array **few) {
+ * that moved. Null where they are many. False when memory is short. A world without it
+ * (thud_parts) finds the same pairs, by more queries. */
+bool td_broadphase_few_resting(thud_world *w, const td_array **few) {
     td_scratch *scratch = &w->scratch;
     const td_proxy_set *rest = &w->rest_shapes;
     int few_max = (w->awake_shapes.moved_count - 1) / MOVED_PER_RESTING, last = TD_NONE;
@@ -413,8 +415,8 @@ static bool find_few_resting(thud_world *w, const td_array **few) {
  * step. False when memory is short. */
 static bool find_mixed_pairs(thud_world *w) {
     bool all_moved = w->awake_shapes.moved_count == w->awake_shapes.ids.count;
-    const td_array *few;
-    if (!find_few_resting(w, &few)) {
+    const td_array *few = NULL;
+    if (w->few_resting && !w->few_resting(w, &few)) {
         return false;
     }
     for (int i = 0; few && i < few->count; i++) {

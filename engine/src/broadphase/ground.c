@@ -3,6 +3,9 @@
  * program without terrain does not link it. Shapes are given relative to the line's origin, in the
  * caller's unit, unless said otherwise. */
 #include "broadphase/pairs.h"
+#include "constraint/constraint.h"
+#include "constraint/lanes.h"
+#include "contact/contact.h"
 #include "state/shape.h"
 
 /* Whether the shape overlaps the solid below the line. */
@@ -97,5 +100,49 @@ static bool each_segment(thud_world *w, int line, int shape,
     return done;
 }
 
-const td_ground_ops td_ground = {overlap, time_of_impact,  closest_below, near_sweep,
-                                 sweep,   reaches_segment, each_segment,  td_pairs_add_ground};
+/* Destroys the contacts of a body's terrain lines, and marks the lines as new, so that all their
+ * pairs are searched again. */
+static void restart_terrain_pairs(thud_world *w, td_body_index index) {
+    for (int i = td_body_at(w, index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        if (td_kind_is_line(td_shape_at(w, i)->kind)) {
+            td_contacts_destroy(w, index, i, false);
+            *td_marks_at(w, i) |= TD_MARK_FRESH;
+        }
+    }
+}
+
+/* Has the manifolds of a teleported body with terrain computed anew. Their cache has the body's
+ * place modulo 256 length scales (contact/wide_terrain.c), and would not notice a teleport by that.
+ */
+static void renew_terrain_contacts(thud_world *w, td_body_index index) {
+    for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
+        if (constraint->state == TD_TOUCHING && td_is_contact(constraint) &&
+            td_pair_is_on_line((td_pair_kind)constraint->kind)) {
+            td_lane_renew(w, td_edge_constraint(e));
+        }
+    }
+}
+
+/* Destroys the body's contacts with terrain segments that an edit has removed (child TD_NONE). */
+static void destroy_contacts_of_removed_segments(thud_world *w, td_body_index index) {
+    for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE;) {
+        int next = td_next_edge(w, e);
+        if (td_constraint_at(w, td_edge_constraint(e))->child == TD_NONE) {
+            td_contact_destroy(w, td_edge_constraint(e));
+        }
+        e = next;
+    }
+}
+
+const td_ground_ops td_ground = {overlap,
+                                 time_of_impact,
+                                 closest_below,
+                                 near_sweep,
+                                 sweep,
+                                 reaches_segment,
+                                 each_segment,
+                                 td_pairs_add_ground,
+                                 restart_terrain_pairs,
+                                 renew_terrain_contacts,
+                                 destroy_contacts_of_removed_segments};

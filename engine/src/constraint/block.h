@@ -342,7 +342,7 @@ typedef struct td_collide_context {
                              than along those of a for b's face to be the reference face */
 } td_collide_context;
 
-/* Passes of restitution (solver/wide_bounce.h): the first one and further ones before all substeps,
+/* Passes of restitution (solver/wide_bounce.c): the first one and further ones before all substeps,
  * and one after them. */
 typedef enum td_bounce { TD_BOUNCE_FIRST, TD_BOUNCE_AGAIN, TD_BOUNCE_LAST } td_bounce;
 
@@ -445,7 +445,7 @@ typedef td_sifted td_sift_fn(const int32_t *shape_a, const int32_t *shape_b,
 /* The passes of the solver over blocks of a kind: [0] both sides move, [1] side a is static.
  * `brace` is null except for locks and rods. */
 typedef struct td_solve_ops {
-    td_solve_fn *warm_start[2], *solve[2], *relax[2], *bounce, *brace[2];
+    td_solve_fn *warm_start[2], *solve[2], *relax[2], *brace[2];
 } td_solve_ops;
 
 #endif

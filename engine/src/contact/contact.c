@@ -216,3 +216,15 @@ thud_contact td_contact_between(const thud_world *w, int shape_a, int shape_b, t
                           .separation = (float)distance,
                           .point_count = 1};
 }
+
+void td_contacts_destroy(thud_world *w, td_body_index body, int shape, bool joints) {
+    for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE;) {
+        int next = td_next_edge(w, e);
+        const td_constraint *c = td_constraint_at(w, td_edge_constraint(e));
+        if (td_is_contact(c) ? shape == TD_NONE || c->shape_a == shape || c->shape_b == shape
+                             : joints) {
+            td_contact_destroy(w, td_edge_constraint(e));
+        }
+        e = next;
+    }
+}

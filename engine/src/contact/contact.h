@@ -35,6 +35,9 @@ void td_contact_begin(thud_world *w, int contact);
 void td_contact_end(thud_world *w, int contact);
 /* Ends and destroys a contact, or destroys the constraint of a joint, which has no events. */
 void td_contact_destroy(thud_world *w, int constraint);
+/* Destroys the contacts of the body, or only those of one of its shapes (`shape` not TD_NONE); with
+ * `joints` also the constraints of its joints. */
+void td_contacts_destroy(thud_world *w, td_body_index body, int shape, bool joints);
 /* Makes room for the end events of `more` contacts. False when memory is short. */
 bool td_contact_end_reserve(thud_world *w, int more);
 /* Whether edits that wait for the next step will end the contact, or the constraint of a joint. */

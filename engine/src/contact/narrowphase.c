@@ -14,7 +14,7 @@
 #include "state/shape.h"
 #include "state/shared_stages.h"
 #include "api/step.h"
-#include "islands/wake.h"
+#include "state/awake.h"
 
 /* Part 1: finds the waiting contacts that touch. Contacts that have begun in a step that then ran
  * out of memory stay in scratch.begins, since their events have not been published. */

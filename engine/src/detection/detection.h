@@ -73,7 +73,7 @@ struct thud_detection {
     const td_detection_stage *stage;      /* null: it has the contacts of the narrowphase only */
     td_time_of_impact_fn *time_of_impact; /* for td_stage_impacts; null in other stages */
     /* Null, or the island solver that a world with this detection has where its quality has none
-     * (td_quality_apply). With one, every island without joints is solved directly
+     * (take_quality of quality.c). With one, every island without joints is solved directly
      * (direct/direct_islands.c). */
     const struct thud_island_solver *islands;
     bool senses; /* sensors find what passes them within a step (sensing.c); else they go by poses

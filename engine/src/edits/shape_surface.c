@@ -3,6 +3,7 @@
 #include "thud/thud_edits.h"
 
 #include "edits/edit.h"
+#include "solver/restitution.h"
 #include "state/handles.h"
 #include "state/shape.h"
 
@@ -35,8 +36,12 @@ thud_result thud_shape_set_friction(thud_world *w, thud_shape_id id, float frict
 }
 
 thud_result thud_shape_set_restitution(thud_world *w, thud_shape_id id, float restitution) {
-    return set(w, id, offsetof(td_shape, restitution), restitution, 0.0f, THUD_RESTITUTION_MAX,
-               "set restitution: restitution");
+    thud_result result = set(w, id, offsetof(td_shape, restitution), restitution, 0.0f,
+                             THUD_RESTITUTION_MAX, "set restitution: restitution");
+    if (result == THUD_OK) {
+        w->restitution_hooks = &td_restitution;
+    }
+    return result;
 }
 
 thud_result thud_shape_set_surface_speed(thud_world *w, thud_shape_id id, float surface_speed) {

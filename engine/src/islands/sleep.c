@@ -10,7 +10,9 @@
 #include "constraint/lanes.h"
 #include "islands/label.h"
 #include "islands/wake.h"
-#include "api/step.h"
+#include "state/body.h"
+#include "state/handles.h"
+#include "state/sleep_hooks.h"
 
 #include <string.h>
 
@@ -65,20 +67,20 @@ static bool is_due(const thud_world *w, int bodies) {
     return w->def.sleeping && bodies > 0 && w->steps % 8 == 0;
 }
 
-static bool reserve(thud_world *w) {
+static bool reserve_lists(thud_world *w) {
     td_proxy_set *rest = &w->rest_shapes;
     return td_wake_reserve(w) && td_lanes_reserve_sleeping(w) &&
            td_proxy_set_reserve(w, rest, rest->ids.count + TD_STRAYS_MAX) &&
            td_array_reserve(&w->memory, &w->scratch.parents, w->body_of.count);
 }
 
-bool td_sleep_reserve(thud_world *w) {
+static bool reserve_sleep(thud_world *w) {
     /* A body that is added or wakes in this step is not counted in drowsy_bodies; if one step is as
      * long as TD_SLEEP_TIME, it may already fall asleep at the end of this step. */
     bool long_step = (float)w->def.time_step >= TD_SLEEP_TIME;
     /* Reserving room for sleeping lanes may move the blocks, so that they are listed again. */
     return !is_due(w, long_step ? w->body_of.count : w->drowsy_bodies) ||
-           (reserve(w) && td_lanes_sequence(w));
+           (reserve_lists(w) && td_lanes_sequence(w));
 }
 
 /* Whether a body moved in this step by at least the sleep speed times the time step. Position
@@ -99,10 +101,10 @@ static float idle_time(const thud_world *w, td_awake_slot slot) {
     return restless || is_corrected(w, slot) ? 0.0f : *td_row(&w->idle, slot);
 }
 
-void td_sleep(thud_world *w) {
+static void sleep_islands(thud_world *w) {
     /* Memory was reserved only if some body was expected to fall asleep. If memory is short now,
      * bodies fall asleep in a later step. */
-    if (!is_due(w, w->idle_bodies) || !reserve(w) || !td_islands_label(w, true)) {
+    if (!is_due(w, w->idle_bodies) || !reserve_lists(w) || !td_islands_label(w, true)) {
         return;
     }
     const td_awake_slot *root = w->scratch.parents.data;
@@ -121,4 +123,23 @@ void td_sleep(thud_world *w) {
     if (w->scratch.bodies.count) {
         put_to_sleep(w);
     }
+}
+
+const td_sleep_hooks td_sleep_stages = {reserve_sleep, sleep_islands, td_wake_island,
+                                        td_proxy_set_drop_woken};
+
+thud_result thud_world_set_sleeping(thud_world *w, bool sleeping) {
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "set sleeping: not inside a callback");
+    }
+    w->def.sleeping = sleeping;
+    if (sleeping) {
+        w->sleep_hooks = &td_sleep_stages;
+    } else {
+        td_wake_all(w);
+    }
+    return THUD_OK;
 }

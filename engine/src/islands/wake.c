@@ -6,13 +6,6 @@
 #include "state/awake.h"
 #include "state/shape.h"
 
-/* Whether a body is asleep and can wake. */
-static bool may_wake(const td_body *body) {
-    return body->kind == THUD_BODY_DYNAMIC && body->awake.at < 0 &&
-           !(body->flags & (TD_BODY_QUARANTINED | TD_BODY_DISABLED)) &&
-           !(body->changes & TD_CHANGE_ENTER);
-}
-
 bool td_wake_reserve(thud_world *w) {
     return td_array_reserve(&w->memory, &w->scratch.bodies, w->bodies.count) &&
            td_array_reserve(&w->memory, &w->scratch.constraints, w->constraints.count);
@@ -31,15 +24,8 @@ static void find_new_pairs(thud_world *w, td_body_index index) {
     }
 }
 
-bool td_wake(thud_world *w, td_body_index index) {
+bool td_wake_island(thud_world *w, td_body_index index) {
     td_array *bodies = &w->scratch.bodies, *constraints = &w->scratch.constraints;
-    if (!may_wake(td_body_at(w, index))) {
-        td_body *body = td_body_at(w, index);
-        if (body->awake.at > 0) {
-            *td_row(&w->idle, body->awake) = 0.0f;
-        }
-        return true;
-    }
     if (!td_wake_reserve(w)) {
         return false;
     }
@@ -57,7 +43,7 @@ bool td_wake(thud_world *w, td_body_index index) {
             constraint->listed = 1;
             td_push_int(constraints, td_edge_constraint(e));
             td_body_index other = td_other_body(w, e);
-            if (may_wake(td_body_at(w, other))) {
+            if (td_may_wake(td_body_at(w, other))) {
                 td_awake_add(w, other);
                 td_push_body(bodies, other);
             }

@@ -9,8 +9,7 @@
  * scratch.constraints. False when memory is short. */
 bool td_wake_reserve(thud_world *w);
 
-/* Wakes the whole island of a body; if the body is awake, sets its idle time to 0. False when
- * memory is short; nothing has changed then. */
-bool td_wake(thud_world *w, td_body_index body);
+/* td_sleep_hooks.wake. */
+bool td_wake_island(thud_world *w, td_body_index body);
 
 #endif

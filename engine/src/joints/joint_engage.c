@@ -6,7 +6,7 @@
 
 #include "joints/gear.h"
 #include "contact/contact.h"
-#include "islands/wake.h"
+#include "state/awake.h"
 
 static bool is_solid_contact(const td_constraint *constraint) {
     return td_is_contact(constraint) && constraint->kind != TD_PAIR_SENSOR;

@@ -192,11 +192,6 @@ TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_con
     }
 }
 
-/* The restitution pass: joints have none. */
-static void no_bounce(td_block *const *blocks, int count, const td_solve_context *c) {
-    (void)blocks, (void)count, (void)c;
-}
-
 /* Defines the passes td_solve_drive_NAME of a kind of drive. */
 #define DRIVE_PASSES(name, which)                                                              \
     TD_PASS(warm_start_##name, warm_start, false, which)                                       \
@@ -209,8 +204,7 @@ static void no_bounce(td_block *const *blocks, int count, const td_solve_context
     const td_solve_ops TD_WIDE(                                                                \
         td_solve_drive_##name) = {.warm_start = {warm_start_##name, warm_start_static_##name}, \
                                   .solve = {solve_##name, solve_static_##name},                \
-                                  .relax = {relax_##name, relax_static_##name},                \
-                                  .bounce = no_bounce};
+                                  .relax = {relax_##name, relax_static_##name}};
 
 DRIVE_PASSES(line, LINE)
 DRIVE_PASSES(axis, AXIS)

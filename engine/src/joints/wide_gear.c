@@ -73,14 +73,8 @@ static void relax(td_block *const *blocks, int count, const td_solve_context *c)
     solve_gear(blocks, count, c, false);
 }
 
-/* The restitution pass: joints have none. */
-static void no_bounce(td_block *const *blocks, int count, const td_solve_context *c) {
-    (void)blocks, (void)count, (void)c;
-}
-
 /* Both entries of a pair are the same, since neither side of a gear is static. */
 extern const td_solve_ops TD_WIDE(td_solve_gear);
 const td_solve_ops TD_WIDE(td_solve_gear) = {.warm_start = {warm_start, warm_start},
                                              .solve = {solve, solve},
-                                             .relax = {relax, relax},
-                                             .bounce = no_bounce};
+                                             .relax = {relax, relax}};

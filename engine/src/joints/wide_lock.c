@@ -201,11 +201,6 @@ TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context 
     }
 }
 
-/* The restitution pass: joints have none. */
-static void no_bounce(td_block *const *blocks, int count, const td_solve_context *c) {
-    (void)blocks, (void)count, (void)c;
-}
-
 TD_PASS(warm_start_moving, warm_start, false)
 TD_PASS(warm_start_static, warm_start, true)
 TD_PASS(solve_moving, solve, false)
@@ -219,5 +214,4 @@ extern const td_solve_ops TD_WIDE(td_solve_lock);
 const td_solve_ops TD_WIDE(td_solve_lock) = {.warm_start = {warm_start_moving, warm_start_static},
                                              .solve = {solve_moving, solve_static},
                                              .relax = {relax_moving, relax_static},
-                                             .bounce = no_bounce,
                                              .brace = {brace_moving, brace_static}};

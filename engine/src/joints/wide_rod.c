@@ -130,11 +130,6 @@ TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context 
     }
 }
 
-/* The restitution pass: joints do not bounce. */
-static void no_bounce(td_block *const *blocks, int count, const td_solve_context *c) {
-    (void)blocks, (void)count, (void)c;
-}
-
 TD_PASS(warm_start_moving, warm_start, false)
 TD_PASS(warm_start_static, warm_start, true)
 TD_PASS(solve_moving, solve, false, true)
@@ -148,5 +143,4 @@ extern const td_solve_ops TD_WIDE(td_solve_rod);
 const td_solve_ops TD_WIDE(td_solve_rod) = {.warm_start = {warm_start_moving, warm_start_static},
                                             .solve = {solve_moving, solve_static},
                                             .relax = {relax_moving, relax_static},
-                                            .bounce = no_bounce,
                                             .brace = {brace_moving, brace_static}};

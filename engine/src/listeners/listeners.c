@@ -39,10 +39,12 @@ static void accept(const thud_world *w, const thud_contact_settings *answer,
         return;
     }
     td_reason why;
-    if (settings_valid(w, &why, answer)) {
-        *settings = *answer;
-    } else {
+    if (!settings_valid(w, &why, answer)) {
         td_refuse(w, THUD_ERROR_INVALID, why.text);
+    } else if (answer->restitution > 0.0f && !w->restitution_hooks) {
+        td_refuse(w, THUD_ERROR_INVALID, TD_NO_RESTITUTION("prologue: "));
+    } else {
+        *settings = *answer;
     }
 }
 

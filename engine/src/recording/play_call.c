@@ -159,6 +159,8 @@ thud_result td_play_call(td_play *p, thud_world *w, int call, td_decoded *d) {
         return thud_shape_set_texture(w, ARGUMENT(thud_shape_id, 0), ARGUMENT(const thud_texture *, 1));
     case TD_CALL_WORLD_USE_TEXTURES:
         return thud_world_use_textures(w);
+    case TD_CALL_WORLD_USE_STEP_ERROR:
+        return thud_world_use_step_error(w);
     }
     return THUD_ERROR_INVALID;
 }

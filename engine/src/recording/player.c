@@ -250,7 +250,8 @@ void thud_player_destroy(thud_player *p) {
     td_memory_put(&memory, p, sizeof *p);
 }
 
-/* Creates the world of the first keyframe, with everything plugged in that a snapshot may need. */
+/* Creates the world of the first keyframe, with everything plugged in that a snapshot may need. Of
+ * what thud_default_small_world_def leaves out, the snapshot then says what the world has. */
 static thud_result make_world(thud_player *p) {
     const thud_player_options *o = &p->options;
     const td_keyframe *keyframe = TD_AT(td_keyframe, &p->keyframes, 0);
@@ -266,6 +267,9 @@ static thud_result make_world(thud_player *p) {
     def.clock = o->clock;
     def.clock_context = o->clock_context;
     thud_result result = thud_world_create(&def, &p->play.world);
+    if (result == THUD_OK) {
+        p->play.world->def.parts = NULL; /* from its keyframe on it has what the recorded one had */
+    }
     result = result == THUD_OK ? thud_world_use_joints(p->play.world) : result;
     result = result == THUD_OK ? thud_world_use_rules(p->play.world) : result;
     return result == THUD_OK ? thud_world_use_textures(p->play.world) : result;

@@ -509,4 +509,11 @@ THUD_API thud_result thud_recorded_world_use_textures(thud_world *world) {
     td_record_open(&own, world, TD_CALL_WORLD_USE_TEXTURES, args);
     return td_record_close(&own, thud_world_use_textures(world));
 }
+
+THUD_API thud_result thud_recorded_world_use_step_error(thud_world *world) {
+    const void *const args[] = {NULL};
+    td_record_frame own;
+    td_record_open(&own, world, TD_CALL_WORLD_USE_STEP_ERROR, args);
+    return td_record_close(&own, thud_world_use_step_error(world));
+}
 /* clang-format on */

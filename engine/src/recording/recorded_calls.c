@@ -374,5 +374,6 @@ const td_recorded_call td_recorded_calls[TD_CALL_COUNT] = {
     [TD_CALL_WORLD_SET_FILTER] = {"thud_world_set_filter", ARGUMENTS_thud_world_set_filter, 2},
     [TD_CALL_SHAPE_SET_TEXTURE] = {"thud_shape_set_texture", ARGUMENTS_thud_shape_set_texture, 2},
     [TD_CALL_WORLD_USE_TEXTURES] = {"thud_world_use_textures", NULL, 0},
+    [TD_CALL_WORLD_USE_STEP_ERROR] = {"thud_world_use_step_error", NULL, 0},
 };
 /* clang-format on */

@@ -81,6 +81,7 @@ enum td_call {
     TD_CALL_WORLD_SET_FILTER,
     TD_CALL_SHAPE_SET_TEXTURE,
     TD_CALL_WORLD_USE_TEXTURES,
+    TD_CALL_WORLD_USE_STEP_ERROR,
     TD_CALL_COUNT
 };
 /* clang-format on */

@@ -24,6 +24,9 @@ const char *td_rule_error(const thud_world *w, uint32_t first, uint32_t second,
         !in_range(rule->surface_speed, -max_speed, max_speed) || !(rule->event_impulse >= 0.0f)) {
         return "rule: friction, restitution, surface_speed or event_impulse is out of range";
     }
+    if (rule->restitution > 0.0f && !w->restitution_hooks) {
+        return TD_NO_RESTITUTION("rule: ");
+    }
     return NULL;
 }
 

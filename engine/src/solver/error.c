@@ -3,8 +3,9 @@
 
 #include "state/kinds.h"
 #include "constraint/lanes.h"
+#include "state/handles.h"
 
-void td_errors_resum_kinetic(thud_world *w) {
+static void resum_kinetic(thud_world *w) {
     double kinetic = TD_PICK_WIDE(w, td_kinetic_energy)(w);
     w->errors.energy_change += kinetic - w->kinetic;
     w->kinetic = kinetic;
@@ -12,15 +13,15 @@ void td_errors_resum_kinetic(thud_world *w) {
 
 /* The kinetic energy at the end of the last step is stale where a body has woken, fallen asleep or
  * been edited since. */
-void td_errors_begin(thud_world *w) {
+static void begin(thud_world *w) {
     if (w->kinetic_stale) {
-        td_errors_resum_kinetic(w);
+        resum_kinetic(w);
     }
     w->errors =
         (td_errors){.energy_change = -w->kinetic, .energy_decided = w->errors.energy_decided};
 }
 
-void td_errors_add_tally(thud_world *w, const td_tally *tally) {
+static void add_tally(thud_world *w, const td_tally *tally) {
     td_errors *e = &w->errors;
     for (int i = 0; i < TD_LANES; i++) {
         e->points += tally->points[i];
@@ -29,10 +30,6 @@ void td_errors_add_tally(thud_world *w, const td_tally *tally) {
         e->residual = td_max_float(e->residual, -tally->min_speed[i]);
     }
     e->depth += tally->depth[0] + tally->depth[1] + tally->depth[2] + tally->depth[3];
-}
-
-float td_overlap_depth_min(const thud_world *w) {
-    return w->def.max_error > 0.0 ? (float)w->def.max_error : TD_SLOP * w->length_scale;
 }
 
 /* Normal speed of a point; negative where it closes. */
@@ -67,7 +64,7 @@ static void count_block(thud_world *w, const td_block *block, int points) {
     }
 }
 
-void td_errors_recount(thud_world *w) {
+static void recount(thud_world *w) {
     w->errors = (td_errors){.energy_change = w->errors.energy_change,
                             .energy_decided = w->errors.energy_decided};
     for (int i = 0; i < w->scratch.runs.count; i++) {
@@ -82,4 +79,21 @@ void td_errors_recount(thud_world *w) {
             }
         }
     }
+}
+
+const td_error_hooks td_error_report = {.begin = begin,
+                                        .tally = TD_BOTH_WIDE(td_tally_points),
+                                        .add = add_tally,
+                                        .resum_kinetic = resum_kinetic,
+                                        .recount = recount};
+
+thud_result thud_world_use_step_error(thud_world *w) {
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "use step error: not inside a callback");
+    }
+    w->error_hooks = &td_error_report;
+    return THUD_OK;
 }

@@ -12,13 +12,24 @@
 #include "solver/motion.h"
 #include "state/world.h"
 
-/* Before the solver: resets the statistics but energy_decided, which prologues have added to. The
- * energy change begins at minus the kinetic energy that bodies had before prologues decided
- * velocities; td_finalize adds that at the end of the step. */
-void td_errors_begin(thud_world *w);
+/* The statistics that are collected while a step is solved.
+ *
+ * A world has them by its def (thud_parts), or is given them by thud_world_use_step_error or a
+ * snapshot, so that a program that does not read them does not link them. */
+typedef struct td_error_hooks {
+    /* Before the solver: resets the statistics but energy_decided, which prologues have added to.
+     * The energy change begins at minus the kinetic energy that bodies had before prologues decided
+     * velocities; td_finalize adds that at the end of the step. */
+    void (*begin)(thud_world *w);
+    td_tally_fn *tally[2]; /* td_tally_points, by thud_world.wide */
+    /* Adds the statistics of the contact points and joints that one worker has solved. */
+    void (*add)(thud_world *w, const td_tally *tally);
+    void (*resum_kinetic)(thud_world *w); /* td_errors_resum_kinetic */
+    void (*recount)(thud_world *w);       /* td_errors_recount */
+} td_error_hooks;
 
-/* Adds the statistics of the contact points and joints that one worker has solved. */
-void td_errors_add_tally(thud_world *w, const td_tally *tally);
+/* error.c */
+extern const td_error_hooks td_error_report;
 
 /* The energy change is the gain of kinetic energy less the work of gravity along the whole motion
  * of the step. (x, y) is the part of a body's motion that detection has cut off, in world axes:
@@ -34,7 +45,11 @@ static inline void td_errors_undo_gravity_work(thud_world *w, td_awake_slot slot
 /* After detection has changed velocities: sums up the kinetic energy anew, and adds its change to
  * the energy change. The corrections of td_errors_undo_gravity_work stay, whichever is called
  * first. */
-void td_errors_resum_kinetic(thud_world *w);
+static inline void td_errors_resum_kinetic(thud_world *w) {
+    if (w->error_hooks) {
+        w->error_hooks->resum_kinetic(w);
+    }
+}
 
 /* Detection stopped a body (x, y) before the end of its motion: keeps the longest such distance,
  * squared. */
@@ -64,10 +79,16 @@ td_errors td_errors_of_step(const thud_world *w);
  * present velocities: after the direct solver, or yielding joints (joint_yield.c), have replaced
  * results of the soft solver. It is a pass over all blocks. The residual is final then:
  * td_errors_of_step does not count it anew. */
-void td_errors_recount(thud_world *w);
+static inline void td_errors_recount(thud_world *w) {
+    if (w->error_hooks) {
+        w->error_hooks->recount(w);
+    }
+}
 
 /* The penetration depth above which a contact point counts as an overlap, length: max_error, or
  * TD_SLOP length scales where that is 0. */
-float td_overlap_depth_min(const thud_world *w);
+static inline float td_overlap_depth_min(const thud_world *w) {
+    return w->def.max_error > 0.0 ? (float)w->def.max_error : TD_SLOP * w->length_scale;
+}
 
 #endif

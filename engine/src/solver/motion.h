@@ -38,10 +38,12 @@ typedef void td_begin_motion_fn(const td_motion_context *context);
  * warm start of all constraints, at the price of two vector operations a body instead of a pass
  * over the constraints. */
 typedef void td_integrate_velocity_fn(const td_motion_context *context);
-/* delta += h v. In the last substep the bodies that a bounce pass has marked, and whose constraints
- * all the same did nothing in this step, are moved on to the exact path: what flies up from a
- * bounce would else lose energy while it is near what it met. */
-typedef void td_integrate_position_fn(const td_motion_context *context, bool last);
+/* delta += h v. */
+typedef void td_integrate_position_fn(const td_motion_context *context);
+/* After the positions of the last substep: the bodies that a bounce pass has marked, and whose
+ * constraints all the same did nothing in this step, are moved on to the exact path: what flies up
+ * from a bounce would else lose energy while it is near what it met. */
+typedef void td_end_flights_fn(const td_motion_context *context);
 struct thud_world;
 
 /* Four sums of each kind, which td_total_of adds up. */

@@ -35,21 +35,24 @@ const char *td_check_max_error(double max_error, const thud_quality *quality, td
                                                 : NULL;
 }
 
-/* Sets the detection of the world, and of all bodies that have none of their own, and the skin: the
- * gap that the solver leaves between resting shapes, so that shapes do not touch yet when `bisect`
- * or `swept` moves them on from there. `overlap` and `continuous` leave none. w->quality is set
- * already. */
-static void set_detection(thud_world *w, const thud_detection *detection) {
+/* The skin: the gap that the solver leaves between resting shapes, so that shapes do not touch yet
+ * when `bisect` or `swept` moves them on from there. `overlap` and `continuous` leave none. */
+static float skin_of(const thud_world *w) {
     /* At overlap_limit 0 the island solver solves every island. Contacts do not give way under a
      * load then, so that a thinner gap is enough. */
     bool direct = w->quality.islands && w->quality.overlap_limit == 0.0f;
     float gap = direct ? TD_IMPACT_DISTANCE : TD_SKIN; /* length scales */
-    float skin = detection->rank >= TD_RANK_BISECT ? gap * w->length_scale : 0.0f;
-    w->detections[detection->rank] = detection;
+    return w->quality.detection->rank >= TD_RANK_BISECT ? gap * w->length_scale : 0.0f;
+}
+
+/* Sets the detection of all bodies that have none of their own, and the skin. w->quality is set
+ * already. */
+static void set_detection(thud_world *w) {
+    float skin = skin_of(w);
     for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         td_body *body = td_body_at(w, i);
         if (!(body->flags & TD_BODY_OWN_DETECTION)) {
-            body->detection = detection;
+            body->detection = w->quality.detection;
         }
     }
     if (skin == w->skin) {
@@ -110,7 +113,8 @@ void td_substeps_set(thud_world *w, int substeps) {
     }
 }
 
-void td_quality_apply(thud_world *w, const thud_quality *quality) {
+/* Takes over the quality, except for what the world's def sets itself. */
+static void take_quality(thud_world *w, const thud_quality *quality) {
     w->quality = *quality;
     /* A value of 0 in the def is not set, and leaves that of the quality. */
     if (w->def.contact_stiffness != 0.0f) {
@@ -127,8 +131,20 @@ void td_quality_apply(thud_world *w, const thud_quality *quality) {
     if (w->joint_hooks && w->quality.islands) {
         w->quality.islands = w->joint_hooks->islands;
     }
+    w->detections[w->quality.detection->rank] = w->quality.detection;
+}
+
+void td_quality_begin(thud_world *w) {
+    take_quality(w, w->def.quality);
+    w->substeps = td_substeps_asked(w);
+    w->substep_gain_stale = true;
+    w->skin = skin_of(w);
+}
+
+static void apply_quality(thud_world *w, const thud_quality *quality) {
+    take_quality(w, quality);
     td_substeps_set(w, td_substeps_asked(w));
-    set_detection(w, w->quality.detection);
+    set_detection(w);
 }
 
 thud_result thud_world_set_quality(thud_world *w, const thud_quality *quality) {
@@ -145,7 +161,7 @@ thud_result thud_world_set_quality(thud_world *w, const thud_quality *quality) {
     if (w->locked) {
         return td_refuse(w, THUD_ERROR_LOCKED, "set quality: not inside a callback");
     }
-    td_quality_apply(w, quality);
+    apply_quality(w, quality);
     td_wake_all(w);
     return THUD_OK;
 }

@@ -12,8 +12,8 @@ const char *td_quality_error(const thud_quality *quality, td_reason *why);
  * null; the text may be in `why`. Only an island solver can keep to one. */
 const char *td_check_max_error(double max_error, const thud_quality *quality, td_reason *why);
 
-/* Applies a quality's settings, except for those that the world's def sets itself. */
-void td_quality_apply(thud_world *w, const thud_quality *quality);
+/* Gives a new world, which is empty, the quality of its def. */
+void td_quality_begin(thud_world *w);
 
 /* The number of substeps that the def sets, or else the quality. */
 int td_substeps_asked(const thud_world *w);

@@ -14,6 +14,7 @@
  * result does not depend on which worker solves which. */
 #include "state/jobs.h"
 #include "solver/error.h"
+#include "solver/restitution.h"
 #include "state/kinds.h"
 #include "constraint/joint_hooks.h"
 #include "constraint/lanes.h"
@@ -75,7 +76,7 @@ static td_solve_context solve_context(const thud_world *w, float h) {
     c.elastic_speed = td_max_float(c.bounce_speed, -ELASTIC_REST * gravity_speed);
     c.keep_tangents = w->tells || w->islands.adds_up;
     c.keep_totals = c.keep_tangents || w->adds_impulses;
-    c.bounces = w->bouncy > 0;
+    c.bounces = td_has_bounces(w);
     c.surface_speeds = w->surface_speeds > 0;
     c.passes_over = w->islands.passes_over;
     /* Contacts with static bodies have twice the frequency, as in Box2D, so that bodies are not
@@ -150,8 +151,8 @@ static void solve_in_turn(const solving *s, td_solve_fn *solve, td_block *const 
 }
 
 /* Solves `count` blocks of a run; only the last block of a run may have empty lanes. */
-static void solve_part(const solving *s, const td_run *run, td_solve_fn *solve,
-                       td_block *const *blocks, int count) {
+TD_INLINE void solve_part(const solving *s, const td_run *run, td_solve_fn *solve,
+                          td_block *const *blocks, int count) {
     td_block *const *all = s->w->scratch.blocks.data;
     if (td_worker_shares(&s->worker) && blocks + count == all + run->first + run->count) {
         solve_in_turn(s, solve, blocks, count);
@@ -165,12 +166,21 @@ static void solve_part(const solving *s, const td_run *run, td_solve_fn *solve,
 static void solve_and_tally(const solving *s, const td_run *run, td_solve_fn *solve,
                             td_block *const *blocks, int count) {
     int points = td_form_points(s->w->kinds[run->kind]->form);
-    td_tally_fn *tally = &TD_PICK_WIDE(s->w, td_tally_points);
+    td_tally_fn *tally = s->w->error_hooks->tally[s->w->wide];
     for (int i = 0; i < count; i += TD_CHUNK_BLOCKS) {
         int part = td_min_int(count - i, TD_CHUNK_BLOCKS);
         solve_part(s, run, solve, blocks + i, part);
         tally(s->contacts.tally, blocks + i, part, points, &s->tally);
     }
+}
+
+/* The bounce pass of a run of contacts; null: joints do not bounce. */
+static td_solve_fn *bounce_of(const thud_world *w, const td_run *run) {
+    const td_restitution_hooks *hooks = w->restitution_hooks;
+    bool two = td_form_points(w->kinds[run->kind]->form) == 2;
+    return run->kind >= TD_PAIR_COUNT ? NULL
+           : two                      ? hooks->two_points[w->wide]
+                                      : hooks->one_point[w->wide];
 }
 
 /* Runs the present pass on one chunk. A kind of constraint that has no such pass is skipped. */
@@ -185,11 +195,12 @@ static void solve_chunk(const solving *s, int index) {
                               : s->which == BRACE    ? ops->brace
                               : s->which == SOLVE    ? ops->solve
                                                      : ops->relax;
-    td_solve_fn *solve = s->which == BOUNCE ? ops->bounce : fns[run->a_static];
+    td_solve_fn *solve = s->which == BOUNCE ? bounce_of(w, run) : fns[run->a_static];
     if (!solve) {
         return;
     }
-    if (s->which == RELAX && s->contacts.last && !s->contacts.again && run->kind < TD_PAIR_COUNT) {
+    if (s->which == RELAX && s->contacts.last && !s->contacts.again && run->kind < TD_PAIR_COUNT &&
+        w->error_hooks) {
         solve_and_tally(s, run, solve, blocks, chunk->count);
     } else {
         solve_part(s, run, solve, blocks, chunk->count);
@@ -263,7 +274,10 @@ static void velocities(void *work, int chunk) {
 static void positions(void *work, int chunk) {
     const solving *s = work;
     td_motion_context part = part_of(s, chunk);
-    TD_PICK_WIDE(s->w, td_integrate_position)(&part, s->contacts.last);
+    TD_PICK_WIDE(s->w, td_integrate_position)(&part);
+    if (s->contacts.last && part.bouncy) {
+        s->w->restitution_hooks->end_flights[s->w->wide](&part);
+    }
 }
 
 /* Runs bounce passes until one finds no pair that bounces, at most TD_BOUNCE_PASSES. Returns
@@ -398,7 +412,7 @@ void td_solve(thud_world *w) {
                    .start = w->start.data,
                    .substep_gain = w->substep_gain.data,
                    .damping = w->damped ? w->damping.data : NULL,
-                   .bouncy = w->bouncy > 0,
+                   .bouncy = td_has_bounces(w),
                    .colours = w->colours.data,
                    .count = w->body_of.count,
                    .substeps = w->substeps,
@@ -413,9 +427,11 @@ void td_solve(thud_world *w) {
     s.contacts.torn = &torn;
     s.contacts.adds = adds;
     memset(tallies, 0, (size_t)job.workers * sizeof *tallies);
-    td_errors_begin(w);
+    if (w->error_hooks) {
+        w->error_hooks->begin(w);
+    }
     td_job_run(w, &job, run_passes, &s);
-    for (int i = 0; i < job.workers; i++) {
-        td_errors_add_tally(w, &tallies[i]);
+    for (int i = 0; i < job.workers && w->error_hooks; i++) {
+        w->error_hooks->add(w, &tallies[i]);
     }
 }

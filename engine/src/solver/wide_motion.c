@@ -124,38 +124,12 @@ void TD_WIDE(td_integrate_velocity)(const td_motion_context *c) {
     }
 }
 
-/* The share of a velocity that counts as its rounding: two units of single precision of the
- * velocity at either end of a substep. */
-#define ROUNDING 0x1p-22f
-
-/* Moves a marked body on to the exact path where only gravity and forces have changed its velocity,
- * and removes the mark. Substeps of semi-implicit Euler, with a gain g in each of n substeps, have
- * moved what ends with v by n h (v - g (n - 1) / 2); the path is n h (v - n g / 2). */
-static void end_flight(const td_motion_context *c, int i) {
-    float n = (float)c->substeps, time = n * c->h;
-    for (int k = 0; k < 3; k++) {
-        float v = c->velocity[i][k], start = c->start[i][k], gain = c->substep_gain[i][k];
-        float tolerance = ROUNDING * (__builtin_fabsf(start) + __builtin_fabsf(v));
-        float way = time * (v - 0.5f * (n - 1.0f) * gain), *delta = &c->delta[i][k];
-        if (__builtin_fabsf(v - start - gain) <= tolerance &&
-            __builtin_fabsf(*delta - way) <= tolerance * time) {
-            *delta -= 0.5f * time * gain;
-        }
-    }
-    c->delta[i][3] = 0.0f;
-}
-
 td_integrate_position_fn TD_WIDE(td_integrate_position);
-void TD_WIDE(td_integrate_position)(const td_motion_context *c, bool last) {
+void TD_WIDE(td_integrate_position)(const td_motion_context *c) {
     f8 h = {c->h, c->h, c->h, 0.0f, c->h, c->h, c->h, 0.0f};
     for (int i = 0; i < c->count; i += 2) {
         f8 v = clamp_velocity(c, load((const float(*)[4])c->velocity, i));
         store(c->velocity, i, v);
         store(c->delta, i, load((const float(*)[4])c->delta, i) + v * h);
-        for (int k = i; last && c->bouncy && k < i + 2; k++) {
-            if (c->delta[k][3] > 0.0f) {
-                end_flight(c, k);
-            }
-        }
     }
 }

@@ -4,6 +4,7 @@
 #include "state/awake.h"
 
 #include "constraint/lanes.h"
+#include "state/sleep_hooks.h"
 
 #include <string.h>
 
@@ -98,4 +99,17 @@ void td_awake_remove(thud_world *w, td_body_index index) {
     memset(td_row(&w->velocity, last), 0, sizeof(float[4]));
     w->body_of.count = last.at;
     w->kinetic_stale = true;
+}
+
+/* Without the hooks no body is asleep. They are asked for since a snapshot that was tampered with
+ * may say otherwise. */
+bool td_wake(thud_world *w, td_body_index index) {
+    const td_body *body = td_body_at(w, index);
+    if (td_may_wake(body) && w->sleep_hooks) {
+        return w->sleep_hooks->wake(w, index);
+    }
+    if (body->awake.at > 0) {
+        *td_row(&w->idle, body->awake) = 0.0f;
+    }
+    return true;
 }

@@ -19,4 +19,15 @@ void td_awake_remove(thud_world *w, td_body_index body);
  * one; marks the sums that depend on them as stale. */
 void td_awake_refresh(thud_world *w, td_body_index body);
 
+/* Whether a body is asleep and can wake. */
+static inline bool td_may_wake(const td_body *body) {
+    return body->kind == THUD_BODY_DYNAMIC && body->awake.at < 0 &&
+           !(body->flags & (TD_BODY_QUARANTINED | TD_BODY_DISABLED)) &&
+           !(body->changes & TD_CHANGE_ENTER);
+}
+
+/* Wakes the whole island of a body; if the body is awake, sets its idle time to 0. False when
+ * memory is short; nothing has changed then. */
+bool td_wake(thud_world *w, td_body_index body);
+
 #endif

@@ -10,7 +10,6 @@
 #include "contact/internal_edges.h"
 #include "state/shape.h"
 #include "api/step.h"
-#include "islands/wake.h"
 #include "textures/texture_hooks.h"
 
 #include <string.h>
@@ -41,20 +40,6 @@ static bool reserve_ends(thud_world *w, td_body_index body) {
     return count == 0 || td_contact_end_reserve(w, count);
 }
 
-/* Destroys the contacts of the body, or only those of one of its shapes (`shape` not TD_NONE); with
- * `joints` also the constraints of its joints. */
-static void destroy_contacts(thud_world *w, td_body_index body, int shape, bool joints) {
-    for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE;) {
-        int next = td_next_edge(w, e);
-        const td_constraint *c = td_constraint_at(w, td_edge_constraint(e));
-        if (td_is_contact(c) ? shape == TD_NONE || c->shape_a == shape || c->shape_b == shape
-                             : joints) {
-            td_contact_destroy(w, td_edge_constraint(e));
-        }
-        e = next;
-    }
-}
-
 /* Frees a shape's slot, its line of terrain, and what the world counts of it. */
 static void free_shape(thud_world *w, int index) {
     td_shape *shape = td_shape_at(w, index);
@@ -80,7 +65,7 @@ static void free_shape(thud_world *w, int index) {
 /* Frees a destroyed body with its constraints and shapes. */
 static void remove_body(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
-    destroy_contacts(w, index, TD_NONE, true);
+    td_contacts_destroy(w, index, TD_NONE, true);
     if (body->awake.at > 0) {
         td_awake_remove(w, index);
     }
@@ -106,7 +91,7 @@ static void update_shapes(thud_world *w, td_body_index index) {
             continue;
         }
         *link = td_shape_at(w, i)->next;
-        destroy_contacts(w, index, i, false);
+        td_contacts_destroy(w, index, i, false);
         free_shape(w, i);
         body->shape_count--;
     }
@@ -125,37 +110,13 @@ static void update_shapes(thud_world *w, td_body_index index) {
     }
 }
 
-/* Destroys the contacts of a body's terrain lines, and marks the lines as new, so that all their
- * pairs are searched again. */
-static void restart_terrain_pairs(thud_world *w, td_body_index index) {
-    for (int i = td_body_at(w, index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
-        if (td_kind_is_line(td_shape_at(w, i)->kind)) {
-            destroy_contacts(w, index, i, false);
-            *td_marks_at(w, i) |= TD_MARK_FRESH;
-        }
-    }
-}
-
-/* Has the manifolds of a teleported body with terrain computed anew. Their cache has the body's
- * place modulo 256 length scales (contact/wide_terrain.c), and would not notice a teleport by that.
- */
-static void renew_terrain_contacts(thud_world *w, td_body_index index) {
-    for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
-        if (constraint->state == TD_TOUCHING && td_is_contact(constraint) &&
-            td_pair_is_on_line((td_pair_kind)constraint->kind)) {
-            td_lane_renew(w, td_edge_constraint(e));
-        }
-    }
-}
-
 /* After a body was enabled or disabled: its contacts and forces end, and its awake slot follows.
  * Its shapes stay in the broadphase: td_pair_allowed rules out those of a disabled body, and the
  * mark TD_MARK_FRESH makes all pairs of an enabled one new. */
 static void apply_enabled(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     bool enabled = !(body->flags & TD_BODY_DISABLED);
-    destroy_contacts(w, index, TD_NONE, false);
+    td_contacts_destroy(w, index, TD_NONE, false);
     if (w->joint_hooks) {
         w->joint_hooks->suspend(w, index);
     }
@@ -170,17 +131,6 @@ static void apply_enabled(thud_world *w, td_body_index index) {
     }
     td_proxy_set_forget(&w->awake_shapes);
     td_proxy_set_forget(&w->rest_shapes);
-}
-
-/* Destroys the body's contacts with terrain segments that an edit has removed (child TD_NONE). */
-static void destroy_contacts_of_removed_segments(thud_world *w, td_body_index index) {
-    for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE;) {
-        int next = td_next_edge(w, e);
-        if (td_constraint_at(w, td_edge_constraint(e))->child == TD_NONE) {
-            td_contact_destroy(w, td_edge_constraint(e));
-        }
-        e = next;
-    }
 }
 
 /* For a body whose detection follows it from collision to collision: extends the fat bounds of its
@@ -233,15 +183,15 @@ static bool apply_changes(thud_world *w, td_body_index index) {
          * other detections only. */
         w->detections[body->detection->rank] = body->detection;
     }
-    if (changes & TD_CHANGE_WAKE) {
-        destroy_contacts_of_removed_segments(w, index);
+    if (changes & TD_CHANGE_WAKE && w->ground) {
+        w->ground->drop_removed(w, index);
     }
     if (changes & TD_CHANGE_SHAPES) {
         update_shapes(w, index);
     }
-    if (changes & TD_CHANGE_PLACE) {
-        restart_terrain_pairs(w, index);
-        renew_terrain_contacts(w, index);
+    if (changes & TD_CHANGE_PLACE && w->ground) {
+        w->ground->restart(w, index);
+        w->ground->renew(w, index);
     }
     if (changes & (TD_CHANGE_SHAPES | TD_CHANGE_PLACE) && w->joint_hooks) {
         w->joint_hooks->move_locks(w, index);

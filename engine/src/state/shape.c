@@ -31,6 +31,9 @@ const char *td_shape_def_error(const thud_world *w, const thud_shape_def *def, t
         td_float_in(why, "shape def: friction", def->friction, 0.0f, THUD_FRICTION_MAX) &&
         td_float_in(why, "shape def: restitution", def->restitution, 0.0f, THUD_RESTITUTION_MAX) &&
         td_float_in(why, "shape def: surface_speed", def->surface_speed, -max_speed, max_speed);
+    if (in && def->restitution > 0.0f && !w->restitution_hooks) {
+        return TD_NO_RESTITUTION("shape def: ");
+    }
     if (def->sensor && !w->sensor_hooks) {
         return "shape def: sensor, in a world of thud_default_small_world_def before thud_shape_set_sensor";
     }

@@ -112,6 +112,11 @@ typedef struct td_ground_ops {
     bool (*each)(thud_world *w, int line, int shape,
                  bool (*visit)(thud_world *w, int shape, int line, int segment));
     bool (*add_pairs)(thud_world *w); /* broadphase/pairs.h */
+    /* Changes of a body that is or touches terrain: it was moved by an edit (both); segments that
+     * it may touch were removed. */
+    void (*restart)(thud_world *w, td_body_index body);
+    void (*renew)(thud_world *w, td_body_index body);
+    void (*drop_removed)(thud_world *w, td_body_index body);
 } td_ground_ops;
 
 /* broadphase/ground.c */

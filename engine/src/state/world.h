@@ -21,8 +21,24 @@ struct td_swept; /* shape.h */
 
 /* What a world has from the start, of what it may do without: thud_world_def.parts. */
 struct thud_parts {
-    const struct td_sensor_hooks *sensors; /* contact/sensors.h */
+    const struct td_sensor_hooks *sensors;          /* contact/sensors.h */
+    const struct td_restitution_hooks *restitution; /* solver/restitution.h */
+    const thud_broadphase *broadphase;              /* of a def that names none */
+    /* td_budget_keep of solver/budget.h */
+    void (*keep_budget)(struct thud_world *w);
+    /* td_broadphase_few_resting of api/step.h */
+    bool (*few_resting)(struct thud_world *w, const td_array **few);
+    const struct td_error_hooks *errors; /* solver/error.h */
+    const struct td_sleep_hooks *sleep;  /* state/sleep_hooks.h */
 };
+
+/* api/world.c: the defaults without a broadphase and without parts. */
+thud_world_def td_world_def_of(const thud_quality *quality);
+
+/* Why restitution is refused without that part; `what` names the argument. */
+#define TD_NO_RESTITUTION(what)                                            \
+    what "restitution, in a world of thud_default_small_world_def before " \
+         "thud_shape_set_restitution"
 
 /* Copies of the proxies that pending edits will give to shapes: preview.h. */
 typedef struct td_preview {
@@ -49,6 +65,11 @@ struct thud_world {
     const struct td_texture_hooks *texture_hooks; /* null: the world never had a texture */
     struct td_textures *textures;                 /* null as texture_hooks; in snapshots */
     const struct td_sensor_hooks *sensor_hooks;   /* null: no shape can be a sensor yet */
+    const struct td_error_hooks *error_hooks;     /* null: errors of steps are not collected yet */
+    const struct td_sleep_hooks *sleep_hooks;     /* null: no body can fall asleep yet */
+    const struct td_restitution_hooks *restitution_hooks; /* null: no contact can bounce yet */
+    /* td_broadphase_few_resting; null: not in thud_parts */
+    bool (*few_resting)(struct thud_world *w, const td_array **few);
     bool adds_impulses; /* a rule has a bound of the impulse: add up those of contacts */
     const struct td_listener_hooks *listener_hooks; /* null: the world never had a listener */
     struct td_listeners *listeners;                 /* null as listener_hooks */

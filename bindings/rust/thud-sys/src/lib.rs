@@ -1371,6 +1371,7 @@ extern "C" {
     pub fn thud_stage_name(stage: thud_stage) -> *const c_char;
     pub fn thud_world_get_stats(world: *const thud_world, out: *mut thud_stats) -> thud_result;
     pub fn thud_world_get_bisection_limit(world: *mut thud_world, out_speed: *mut f64) -> thud_result;
+    pub fn thud_world_use_step_error(world: *mut thud_world) -> thud_result;
     pub fn thud_world_get_step_error(world: *const thud_world, out: *mut thud_step_error) -> thud_result;
     pub fn thud_world_get_measure(world: *const thud_world, out: *mut thud_measure) -> thud_result;
     pub fn thud_world_get_hash(world: *const thud_world, out: *mut u64) -> thud_result;

@@ -887,6 +887,11 @@ impl World {
         Ok(out_speed)
     }
 
+    pub fn use_step_error(&mut self) -> Result<()> {
+        self.check(unsafe { sys::thud_world_use_step_error(self.raw()) })?;
+        Ok(())
+    }
+
     pub fn step_error(&self) -> Result<StepError> {
         let mut out = zeroed::<StepError>();
         self.check(unsafe { sys::thud_world_get_step_error(self.raw(), &mut out) })?;

@@ -1,4 +1,4 @@
-/* wide_bounce.h: restitution by Newton's impact law, v_after = -e v_before along the normal,
+/* wide_bounce.c: restitution by Newton's impact law, v_after = -e v_before along the normal,
  * over blocks of one or two points.
  *
  * Before the substeps, a point that closes faster than a threshold and will touch within the step,
@@ -8,9 +8,7 @@
  * contacts. Where it has stopped a pair all the same, as a body on ground without restitution, a
  * last pass after the substeps (TD_BOUNCE_LAST) gives the pair its speed back, with no more energy
  * than the pair had. */
-#ifndef TD_WIDE_BOUNCE_H
-#define TD_WIDE_BOUNCE_H
-
+#include "solver/motion.h"
 #include "solver/wide_solve.h"
 
 /* x / inverse, and 0 for an infinite mass (inverse 0). */
@@ -173,4 +171,42 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
     }
 }
 
-#endif
+td_solve_fn TD_WIDE(td_bounce_one);
+void TD_WIDE(td_bounce_one)(td_block *const *blocks, int count, const td_solve_context *c) {
+    bounce_blocks(blocks, count, c, 1);
+}
+
+td_solve_fn TD_WIDE(td_bounce_two);
+void TD_WIDE(td_bounce_two)(td_block *const *blocks, int count, const td_solve_context *c) {
+    bounce_blocks(blocks, count, c, 2);
+}
+
+/* The share of a velocity that counts as its rounding: two units of single precision of the
+ * velocity at either end of a substep. */
+#define ROUNDING 0x1p-22f
+
+/* Moves a marked body on to the exact path where only gravity and forces have changed its velocity,
+ * and removes the mark. Substeps of semi-implicit Euler, with a gain g in each of n substeps, have
+ * moved what ends with v by n h (v - g (n - 1) / 2); the path is n h (v - n g / 2). */
+static void end_flight(const td_motion_context *c, int i) {
+    float n = (float)c->substeps, time = n * c->h;
+    for (int k = 0; k < 3; k++) {
+        float v = c->velocity[i][k], start = c->start[i][k], gain = c->substep_gain[i][k];
+        float tolerance = ROUNDING * (__builtin_fabsf(start) + __builtin_fabsf(v));
+        float way = time * (v - 0.5f * (n - 1.0f) * gain), *delta = &c->delta[i][k];
+        if (__builtin_fabsf(v - start - gain) <= tolerance &&
+            __builtin_fabsf(*delta - way) <= tolerance * time) {
+            *delta -= 0.5f * time * gain;
+        }
+    }
+    c->delta[i][3] = 0.0f;
+}
+
+td_end_flights_fn TD_WIDE(td_end_flights);
+void TD_WIDE(td_end_flights)(const td_motion_context *c) {
+    for (int i = 0; i < c->count; i++) {
+        if (c->delta[i][3] > 0.0f) {
+            end_flight(c, i);
+        }
+    }
+}
