@@ -28,10 +28,12 @@ enum { BACKOFF_MAX = 5 };
  * ragdolls the solves would cost much and improve little. Chosen. */
 enum { OVERLOADED_MAX = 64 };
 /* A linkage is solved if at least one in OVERLOADED_PART of its joints is overloaded: the soft
- * solver corrects a few overloaded joints by itself. Chosen. Measured on the wrecking ball with 30
- * to 100 bricks, at default: with 4 the widest gap of its chain is three quarters of that with 2
- * (geometric mean); 200 ragdolls take as long. */
-enum { OVERLOADED_PART = 4 };
+ * solver corrects a few overloaded joints by itself. Of hinges and welds alone, such as a chain,
+ * one in OVERLOADED_PART_OF_LOCKS is enough. Chosen. Measured on the wrecking ball with 30 to 100
+ * bricks, at default: with 4 the widest gap of its chain is three quarters of that with 2
+ * (geometric mean). Machines with limits and motors slide on their feet where they are solved as
+ * early, since the friction of known contacts is known as well (the walker's, on rock). */
+enum { OVERLOADED_PART = 2, OVERLOADED_PART_OF_LOCKS = 4 };
 /* The value of td_islands.local of bodies whose linkage cannot be solved in this step. */
 enum { UNFIT = -5 };
 
@@ -76,8 +78,7 @@ static bool is_soft(const thud_world *w, td_awake_slot slot) {
     return td_inv_mass_of(w, slot) > 0.0f && local <= 0 && (left || tried);
 }
 
-/* Whether the load of a joint is above the threshold of td_islands_load_max, or its gap above
- * max_error. */
+/* Whether the load of a joint is above the threshold of td_islands_load_max. */
 static bool is_overloaded(const thud_world *w, const td_block *block, int lane, int kind) {
     td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
     float size = td_islands_size(w, a, b), off = 0.0f;
@@ -85,11 +86,16 @@ static bool is_overloaded(const thud_world *w, const td_block *block, int lane, 
     return load > td_islands_load_max(w, size);
 }
 
-/* Adds the joints of a body and the bodies at their other ends. Counts its contacts with moving
- * bodies, and its overloaded joints. False if the linkage is too large, or contains a body that is
- * marked as unfit. */
-static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot, int *contacts,
-                          int *overloaded) {
+/* What add_joints_of counts: contacts with moving bodies, joints that are overloaded, and those
+ * that are locks (of hinges and welds). */
+typedef struct linkage_counts {
+    int contacts, overloaded, locks;
+} linkage_counts;
+
+/* Adds the joints of a body and the bodies at their other ends. False if the linkage is too large,
+ * or contains a body that is marked as unfit. */
+static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot,
+                          linkage_counts *counts) {
     td_body_index body = td_body_of(w, slot);
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
@@ -98,7 +104,7 @@ static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot,
         }
         td_awake_slot other = td_island_neighbour(w, constraint, td_edge_side(e));
         if (td_is_contact(constraint)) {
-            *contacts += other.at > 0;
+            counts->contacts += other.at > 0;
             continue;
         }
         if (other.at && *td_island_local_at(w, other) == UNFIT) {
@@ -111,7 +117,8 @@ static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot,
             td_lane at = td_lane_of(w, constraint);
             td_push_int(&w->islands.constraints, td_edge_constraint(e));
             linkage->constraints++;
-            *overloaded += is_overloaded(w, at.block, at.lane, constraint->kind);
+            counts->overloaded += is_overloaded(w, at.block, at.lane, constraint->kind);
+            counts->locks += constraint->kind == TD_CONSTRAINT_LOCK;
         }
     }
     return linkage->bodies <= TD_RESOLVE_BODIES_MAX &&
@@ -123,15 +130,17 @@ static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot,
 static bool collect(thud_world *w, td_awake_slot seed, td_island *linkage) {
     td_islands *s = &w->islands;
     bool whole = true;
-    int contacts = 0, overloaded = 0;
+    linkage_counts counts = {0};
     s->slots.count = s->constraints.count = 0;
     *linkage = (td_island){0};
     td_island_add(w, linkage, seed);
     for (int i = 0; whole && i < s->slots.count; i++) {
-        whole = add_joints_of(w, linkage, td_slot_in(&s->slots, i), &contacts, &overloaded);
+        whole = add_joints_of(w, linkage, td_slot_in(&s->slots, i), &counts);
     }
-    whole = whole && contacts <= linkage->bodies &&
-            OVERLOADED_PART * overloaded >= linkage->constraints;
+    bool locks = counts.locks == linkage->constraints;
+    int part = locks ? OVERLOADED_PART_OF_LOCKS : OVERLOADED_PART;
+    whole = whole && counts.contacts <= linkage->bodies &&
+            part * counts.overloaded >= linkage->constraints;
     for (int i = 0; !whole && i < s->slots.count; i++) {
         *td_island_local_at(w, td_slot_in(&s->slots, i)) = UNFIT;
     }
