@@ -25,8 +25,8 @@
  *     welcome: "TNW2"; 1, the receiver's number; 1, players; 2, steps a second; 2, depth of the
  *     rollback; 4, steps of the game, 0: no end; 4, its seed; 4, the step before which the receiver
  *     begins; 2, events that are over by then; 4, who is absent, by bits; 4, bytes of the game; 4,
- * how many of these, the last ones, the program has added part of a game: "TNG1"; 4, its place in
- * the game; its bytes */
+ *     how many of these, the last ones, the program has added
+ *     part of a game: "TNG1"; 4, its place in the game; its bytes */
 #ifndef THUD_NETWORK_MESSAGES_H
 #define THUD_NETWORK_MESSAGES_H
 

@@ -24,7 +24,7 @@ static bool reserve_system(thud_world *w) {
            td_array_reserve(memory, &s->entry, TD_RESOLVE_ENTRIES_MAX);
 }
 
-/* Reserves the memory of joint_tree.c and of direct/lock_tree.c for the largest island. False when
+/* Reserves the memory of joint_tree.c and of lock_tree_step.c for the largest island. False when
  * memory is short. */
 static bool reserve_tree(thud_world *w) {
     int bodies = TD_RESOLVE_BODIES_MAX;

@@ -294,6 +294,7 @@ static void solve_one(thud_world *w, td_awake_slot seed) {
     if (!list_contacts(w, &linkage) || !td_joint_island_begin(w, &linkage)) {
         return;
     }
+    joints.system = linkage.system;
     td_island_work work = td_island_set_up(w, &linkage);
     work.problem.factoring_budget = LINKAGE_FACTORINGS;
     double pushed = work.correction_speed + work.problem.unit_speed;

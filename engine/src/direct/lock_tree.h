@@ -100,7 +100,7 @@ typedef struct td_lock_trees {
 typedef struct td_lock_result {
     float velocity[3], moved[3];
     float impulse[3];
-    float separation[2], turn_gap; /* at the end of the step */
+    float separation[2], turn_gap; /* at the end of the step; turn_gap of a weld */
     td_awake_slot slot;
     int lane;
     struct td_block *block; /* null: the body has no joint of its own */

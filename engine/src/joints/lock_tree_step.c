@@ -360,7 +360,9 @@ static void keep_result(const tree_group *g, int i, int tree, td_lock_result *re
     result->impulse[TD_DIRECT_TANGENT] = (float)(of_substep * turn_sign * t->turn_impulse[tree]);
     result->separation[0] = (float)(sign * (x * gap_x + y * gap_y));
     result->separation[1] = (float)(sign * (x * gap_y - y * gap_x));
-    result->turn_gap = (float)(turn_sign * gap_after(&g->trees, t, 2, tree, g->step.time));
+    if (t->weld) {
+        result->turn_gap = (float)(turn_sign * gap_after(&g->trees, t, 2, tree, g->step.time));
+    }
 }
 
 /* Keeps the result of a tree. */
@@ -507,7 +509,9 @@ static bool write_joint(thud_world *w, const td_lock_result *result, bool known)
         at.block->point[k].separation[at.lane] = result->separation[k];
     }
     at.block->tangent_impulse[at.lane] = result->impulse[TD_DIRECT_TANGENT];
-    td_lock_rows_of(at.block)->turn_gap[at.lane] = result->turn_gap;
+    if (at.block->tangent_mass[at.lane] > 0.0f) {
+        td_lock_rows_of(at.block)->turn_gap[at.lane] = result->turn_gap;
+    }
     at.block->mark[at.lane].loaded |= TD_DIRECT;
     double load = 0.0;
     for (int k = 0; k < TD_DIRECT_ROWS; k++) {
