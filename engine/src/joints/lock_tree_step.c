@@ -258,7 +258,7 @@ static bool are_alike(const td_listed_body *one, const td_listed_body *other, in
 /* Sets the shape of the trees from the list of one of them, and clears what set_lane does not set.
  */
 static void set_shape(tree_group *g, const td_listed_body *list, int parts) {
-    td_reals zero = td_reals_all(0.0);
+    td_reals zero = {0.0};
     g->trees.parts = parts;
     memset(g->trees.used, 0, sizeof g->trees.used);
     for (int i = 0; i < g->trees.count; i++) {

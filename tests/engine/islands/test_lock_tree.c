@@ -8,21 +8,17 @@
 
 enum { BODIES_MOST = 40, TREES = 2000 };
 
-/* A number for each tree. */
-static td_reals random_reals(uint64_t *seed) {
-    td_reals x;
+/* Sets a number of each tree. */
+static void randomise(td_reals *x, uint64_t *seed) {
     for (int tree = 0; tree < TD_TREES; tree++) {
-        x[tree] = random_in(seed, -1, 1);
+        (*x)[tree] = random_in(seed, -1, 1);
     }
-    return x;
 }
 
-static td_reals random_power(uint64_t *seed) {
-    td_reals x = random_reals(seed);
+static void randomise_power(td_reals *x, uint64_t *seed) {
     for (int tree = 0; tree < TD_TREES; tree++) {
-        x[tree] = pow(10, 3 * x[tree]);
+        (*x)[tree] = pow(10, random_in(seed, -3, 3));
     }
-    return x;
 }
 
 /* Trees of the same shape, of bodies whose masses differ by up to 10^6; their root may be joined to
@@ -35,18 +31,19 @@ static int grow(td_lock_body *bodies, uint64_t *seed) {
         *t = (td_lock_body){.parent = i ? (int)random_in(seed, 0, i) : -1,
                             .joined = i || held,
                             .weld = (i || held) && random_in(seed, 0, 1) < 0.3};
-        t->mass = random_power(seed);
-        t->turning = random_power(seed);
+        randomise_power(&t->mass, seed);
+        randomise_power(&t->turning, seed);
         for (int k = 0; k < 3; k++) {
-            t->momentum[k] = random_reals(seed) * (k < 2 ? t->mass : t->turning);
-            t->outside[k] = random_reals(seed);
+            randomise(&t->momentum[k], seed);
+            t->momentum[k] *= k < 2 ? t->mass : t->turning;
+            randomise(&t->outside[k], seed);
         }
         for (int k = 0; k < 2 && t->joined; k++) {
-            t->arm_now[k] = random_reals(seed);
-            t->holder_now[k] = random_reals(seed);
-            t->target[k] = random_reals(seed);
+            randomise(&t->arm_now[k], seed);
+            randomise(&t->holder_now[k], seed);
+            randomise(&t->target[k], seed);
         }
-        t->turn_target = random_reals(seed);
+        randomise(&t->turn_target, seed);
     }
     return count;
 }
@@ -154,12 +151,15 @@ static void trees_side_by_side_do_not_depend_on_each_other(void **state) {
 
 static void what_has_no_finite_solution_is_refused(void **state) {
     (void)state;
-    td_reals one = td_reals_all(1);
-    td_lock_body body = {.parent = -1, .mass = one, .turning = one};
+    td_lock_body body = {.parent = -1};
+    body.mass += 1;
+    body.turning += 1;
     const double turns[] = {1e9, NAN, 1};
     for (int i = 0; i < 3; i++) {
         td_choice which = {-1};
-        body.momentum[2] = td_reals_all(turns[i]);
+        for (int tree = 0; tree < TD_TREES; tree++) {
+            body.momentum[2][tree] = turns[i];
+        }
         solve(&body, 1, &which);
         assert_int_equal(which[0], i == 2 ? -1 : 0);
     }
