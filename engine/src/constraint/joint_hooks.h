@@ -66,11 +66,11 @@ typedef struct td_joint_hooks {
     void (*draw)(const struct td_drawing *drawing);
     /* direct/island_step_joints.c: a step of an island with joints; see island_step.h. */
     double (*solve)(struct td_island_work *work, double tolerance);
-    /* joints/lock_tree_step.c: the same for an island of hinges and welds that form a tree, and
-     * writes its result to the world. */
+    /* joints/lock_tree_step.c: the same for an island of hinges and welds that form a tree, whose
+     * result is kept in td_islands.results; for all islands that are listed, setting td_island.tree
+     * of each; and writes a result to the world. */
     td_tree_outcome (*solve_tree)(thud_world *w, const struct td_island *island,
                                   const struct td_direct_body *known);
-    /* The same for all islands that td_islands lists: sets td_island.tree of each. */
     void (*solve_trees)(thud_world *w);
     void (*write_tree)(thud_world *w, const struct td_island *island);
     /* direct/joint_islands.c: the direct solver that replaces thud_islands_direct in a world with

@@ -22,10 +22,6 @@ typedef struct tree_step {
     int *factorings;     /* solutions, by tree */
 } tree_step;
 
-TD_INLINE td_choice nothing(void) {
-    return (td_choice){0};
-}
-
 /* ---- rotation ---- */
 
 /* Sine and cosine, by their series where the angle is small (td_joint_sincos). */
@@ -448,8 +444,6 @@ void TD_WIDE(td_lock_tree_parts)(td_lock_trees *trees, const td_lock_step *step)
                    .count = trees->count,
                    .of = step,
                    .part = step->time / trees->parts,
-                   .going = nothing(),
-                   .closed = nothing(),
                    .factorings = trees->factorings};
     for (int i = 0; i < TD_TREES; i++) {
         trees->factorings[i] = 0;

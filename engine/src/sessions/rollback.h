@@ -70,4 +70,21 @@ thud_result td_rollback_save_step(thud_rollback *r, int64_t step);
  * absent. `inputs`: those of the step before, by player. */
 void td_rollback_begin(thud_rollback *r, int64_t step, const uint64_t *inputs);
 
+/* Writes a number, its low bytes first; returns the place after it. */
+static inline uint8_t *td_put_number(uint8_t *at, uint64_t value, int bytes) {
+    for (int i = 0; i < bytes; i++) {
+        at[i] = (uint8_t)(value >> (8 * i));
+    }
+    return at + bytes;
+}
+
+/* Reads such a number. */
+static inline uint64_t td_number_at(const uint8_t *at, int bytes) {
+    uint64_t value = 0;
+    for (int i = 0; i < bytes; i++) {
+        value |= (uint64_t)at[i] << (8 * i);
+    }
+    return value;
+}
+
 #endif

@@ -24,21 +24,6 @@ static const uint32_t MARK = 0x324a6474; /* "tdJ2" */
 
 enum { HEAD_BYTES = 32, PLAYER_BYTES = 24, SUM_BYTES = 4 };
 
-static uint8_t *put(uint8_t *at, uint64_t value, int bytes) {
-    for (int i = 0; i < bytes; i++) {
-        at[i] = (uint8_t)(value >> (8 * i));
-    }
-    return at + bytes;
-}
-
-static uint64_t number_at(const uint8_t *at, int bytes) {
-    uint64_t value = 0;
-    for (int i = 0; i < bytes; i++) {
-        value |= (uint64_t)at[i] << (8 * i);
-    }
-    return value;
-}
-
 static uint32_t checksum(const uint8_t *bytes, size_t count) {
     uint32_t sum = 2166136261u;
     for (size_t i = 0; i < count; i++) {
@@ -59,16 +44,16 @@ static size_t bytes_of(const thud_rollback *r, size_t world_bytes) {
 
 /* Writes what stands before the world's snapshot. */
 static uint8_t *write_head(const thud_rollback *r, int64_t step, size_t world_bytes, uint8_t *at) {
-    at = put(at, MARK, 4);
-    at = put(at, (uint64_t)r->options.players, 4);
-    at = put(at, (uint64_t)step, 8);
-    at = put(at, world_bytes, 8);
-    at = put(at, r->options.state_bytes, 8);
+    at = td_put_number(at, MARK, 4);
+    at = td_put_number(at, (uint64_t)r->options.players, 4);
+    at = td_put_number(at, (uint64_t)step, 8);
+    at = td_put_number(at, world_bytes, 8);
+    at = td_put_number(at, r->options.state_bytes, 8);
     for (int i = 0; i < r->options.players; i++) {
         const td_player_inputs *k = &r->players[i];
-        at = put(at, td_rollback_saved(r, step - 1)->inputs[i], 8);
-        at = put(at, (uint64_t)k->gone_from, 8);
-        at = put(at, (uint64_t)k->back_at, 8);
+        at = td_put_number(at, td_rollback_saved(r, step - 1)->inputs[i], 8);
+        at = td_put_number(at, (uint64_t)k->gone_from, 8);
+        at = td_put_number(at, (uint64_t)k->back_at, 8);
     }
     return at;
 }
@@ -105,7 +90,7 @@ thud_result thud_rollback_snapshot(thud_rollback *r, void *buffer, size_t capaci
             memcpy(world + world_bytes, r->options.state, state_bytes);
         }
     }
-    put(out + bytes - SUM_BYTES, checksum(out, bytes - SUM_BYTES), SUM_BYTES);
+    td_put_number(out + bytes - SUM_BYTES, checksum(out, bytes - SUM_BYTES), SUM_BYTES);
     return THUD_OK;
 }
 
@@ -116,24 +101,24 @@ static bool is_step(uint64_t value) {
 
 /* Why the bytes are no game that can be joined; null: they are one. */
 static const char *fault_of(const thud_rollback *r, const uint8_t *from, size_t bytes) {
-    if (bytes < HEAD_BYTES + SUM_BYTES || number_at(from, 4) != MARK) {
+    if (bytes < HEAD_BYTES + SUM_BYTES || td_number_at(from, 4) != MARK) {
         return "rollback: these are no bytes of thud_rollback_snapshot";
     }
-    if (number_at(from + bytes - SUM_BYTES, SUM_BYTES) != checksum(from, bytes - SUM_BYTES)) {
+    if (td_number_at(from + bytes - SUM_BYTES, SUM_BYTES) != checksum(from, bytes - SUM_BYTES)) {
         return "rollback: the bytes are damaged";
     }
-    if (number_at(from + 4, 4) != (uint64_t)r->options.players ||
-        number_at(from + 24, 8) != r->options.state_bytes) {
+    if (td_number_at(from + 4, 4) != (uint64_t)r->options.players ||
+        td_number_at(from + 24, 8) != r->options.state_bytes) {
         return "rollback: the bytes are of a game with other players, or another state";
     }
-    uint64_t world_bytes = number_at(from + 16, 8);
-    if (number_at(from + 8, 8) >= TD_NO_STEP / 2 || world_bytes > bytes ||
+    uint64_t world_bytes = td_number_at(from + 16, 8);
+    if (td_number_at(from + 8, 8) >= TD_NO_STEP / 2 || world_bytes > bytes ||
         bytes_of(r, (size_t)world_bytes) != bytes) {
         return "rollback: the bytes are not as long as they say";
     }
     for (int i = 0; i < r->options.players; i++) {
         const uint8_t *player = from + HEAD_BYTES + PLAYER_BYTES * i;
-        if (!is_step(number_at(player + 8, 8)) || !is_step(number_at(player + 16, 8))) {
+        if (!is_step(td_number_at(player + 8, 8)) || !is_step(td_number_at(player + 16, 8))) {
             return "rollback: the bytes do not say who is absent";
         }
     }
@@ -154,7 +139,7 @@ thud_result thud_rollback_restore(thud_rollback *r, const void *buffer, size_t b
         return td_refuse(r->world, THUD_ERROR_INVALID, fault);
     }
     const uint8_t *world = from + head_bytes(r);
-    size_t world_bytes = (size_t)number_at(from + 16, 8);
+    size_t world_bytes = (size_t)td_number_at(from + 16, 8);
     result = thud_world_restore(r->world, world, world_bytes);
     if (result != THUD_OK) {
         return result;
@@ -165,10 +150,10 @@ thud_result thud_rollback_restore(thud_rollback *r, const void *buffer, size_t b
     uint64_t inputs[THUD_ROLLBACK_PLAYERS_MAX];
     for (int i = 0; i < r->options.players; i++) {
         const uint8_t *player = from + HEAD_BYTES + PLAYER_BYTES * i;
-        inputs[i] = number_at(player, 8);
-        r->players[i].gone_from = (int64_t)number_at(player + 8, 8);
-        r->players[i].back_at = (int64_t)number_at(player + 16, 8);
+        inputs[i] = td_number_at(player, 8);
+        r->players[i].gone_from = (int64_t)td_number_at(player + 8, 8);
+        r->players[i].back_at = (int64_t)td_number_at(player + 16, 8);
     }
-    td_rollback_begin(r, (int64_t)number_at(from + 8, 8), inputs);
+    td_rollback_begin(r, (int64_t)td_number_at(from + 8, 8), inputs);
     return THUD_OK;
 }

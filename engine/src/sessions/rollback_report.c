@@ -38,22 +38,7 @@ static size_t bytes_of(const thud_rollback *r, const report *p) {
            SUM_BYTES;
 }
 
-/* ---- numbers ---- */
-
-static uint8_t *put(uint8_t *at, uint64_t value, int bytes) {
-    for (int i = 0; i < bytes; i++) {
-        at[i] = (uint8_t)(value >> (8 * i));
-    }
-    return at + bytes;
-}
-
-static uint64_t number_at(const uint8_t *at, int bytes) {
-    uint64_t value = 0;
-    for (int i = 0; i < bytes; i++) {
-        value |= (uint64_t)at[i] << (8 * i);
-    }
-    return value;
-}
+/* ---- hashes ---- */
 
 /* FNV-1a (Fowler, Noll, Vo), by words of 64 bits in place of bytes, with high bits folded into low
  * ones. */
@@ -152,27 +137,28 @@ static int64_t count_bodies(const thud_world *w) {
 
 /* Writes what go_back has prepared. */
 static void write_report(const thud_rollback *r, const report *p, uint64_t present, uint8_t *out) {
-    uint8_t *at = put(out, MARK, 4);
-    at = put(at, (uint64_t)r->options.players, 4);
-    at = put(at, (uint64_t)p->first, 8);
-    at = put(at, (uint64_t)p->hashes, 4);
-    at = put(at, (uint64_t)p->bodies, 4);
-    at = put(at, (uint64_t)p->step, 8);
-    at = put(at, p->has_inputs, 4);
+    uint8_t *at = td_put_number(out, MARK, 4);
+    at = td_put_number(at, (uint64_t)r->options.players, 4);
+    at = td_put_number(at, (uint64_t)p->first, 8);
+    at = td_put_number(at, (uint64_t)p->hashes, 4);
+    at = td_put_number(at, (uint64_t)p->bodies, 4);
+    at = td_put_number(at, (uint64_t)p->step, 8);
+    at = td_put_number(at, p->has_inputs, 4);
     for (int64_t i = 0; i < p->hashes; i++) {
         int64_t step = p->first + i;
-        at = put(at, step < r->steps ? td_rollback_saved(r, step)->hash : present, HASH_BYTES);
+        at = td_put_number(at, step < r->steps ? td_rollback_saved(r, step)->hash : present,
+                           HASH_BYTES);
     }
     for (int i = 0; p->has_inputs && i < r->options.players; i++) {
-        at = put(at, td_rollback_saved(r, p->step - 1)->inputs[i], HASH_BYTES);
+        at = td_put_number(at, td_rollback_saved(r, p->step - 1)->inputs[i], HASH_BYTES);
     }
     for (td_body_index i = {0}; p->step >= 0 && i.at < r->world->bodies.count; i.at++) {
         if (td_body_lives(r->world, i)) {
-            at = put(at, (uint64_t)i.at, 4);
-            at = put(at, hash_of_body(r->world, i), HASH_BYTES);
+            at = td_put_number(at, (uint64_t)i.at, 4);
+            at = td_put_number(at, hash_of_body(r->world, i), HASH_BYTES);
         }
     }
-    put(at, checksum(out, (size_t)(at - out)), SUM_BYTES);
+    td_put_number(at, checksum(out, (size_t)(at - out)), SUM_BYTES);
 }
 
 thud_result thud_rollback_report(thud_rollback *r, int64_t step, void *buffer, size_t capacity,
@@ -212,17 +198,17 @@ thud_result thud_rollback_report(thud_rollback *r, int64_t step, void *buffer, s
 
 /* Reads the head. False for bytes that are no report of a game with so many players. */
 static bool read_head(const thud_rollback *r, const uint8_t *from, size_t bytes, report *out) {
-    if (bytes < HEAD_BYTES + SUM_BYTES || number_at(from, 4) != MARK ||
-        number_at(from + 4, 4) != (uint64_t)r->options.players ||
-        number_at(from + bytes - SUM_BYTES, SUM_BYTES) != checksum(from, bytes - SUM_BYTES)) {
+    if (bytes < HEAD_BYTES + SUM_BYTES || td_number_at(from, 4) != MARK ||
+        td_number_at(from + 4, 4) != (uint64_t)r->options.players ||
+        td_number_at(from + bytes - SUM_BYTES, SUM_BYTES) != checksum(from, bytes - SUM_BYTES)) {
         return false;
     }
-    *out = (report){.first = (int64_t)number_at(from + 8, 8),
-                    .hashes = (int64_t)number_at(from + 16, 4),
-                    .bodies = (int64_t)number_at(from + 20, 4),
-                    .step = (int64_t)number_at(from + 24, 8),
-                    .has_inputs = number_at(from + 32, 4) == 1};
-    return number_at(from + 32, 4) <= 1 && out->first >= 0 && out->first < TD_NO_STEP / 2 &&
+    *out = (report){.first = (int64_t)td_number_at(from + 8, 8),
+                    .hashes = (int64_t)td_number_at(from + 16, 4),
+                    .bodies = (int64_t)td_number_at(from + 20, 4),
+                    .step = (int64_t)td_number_at(from + 24, 8),
+                    .has_inputs = td_number_at(from + 32, 4) == 1};
+    return td_number_at(from + 32, 4) <= 1 && out->first >= 0 && out->first < TD_NO_STEP / 2 &&
            bytes_of(r, out) == bytes && (out->step >= 0 || (out->step == -1 && !out->bodies));
 }
 
@@ -230,7 +216,7 @@ static bool read_head(const thud_rollback *r, const uint8_t *from, size_t bytes,
 static bool is_in_order(const uint8_t *bodies, int64_t count) {
     int64_t before = -1;
     for (int64_t i = 0; i < count; i++) {
-        int64_t slot = (int64_t)number_at(bodies + i * BODY_BYTES, 4);
+        int64_t slot = (int64_t)td_number_at(bodies + i * BODY_BYTES, 4);
         if (slot <= before || slot >= INT32_MAX) {
             return false;
         }
@@ -246,7 +232,7 @@ static int64_t first_difference(const thud_rollback *r, const report *p, const u
     for (int64_t i = 0; i < p->hashes; i++) {
         int64_t step = p->first + i;
         if (step >= own.first && step < own.first + own.hashes &&
-            number_at(hashes + i * HASH_BYTES, HASH_BYTES) != hash_before(r, step)) {
+            td_number_at(hashes + i * HASH_BYTES, HASH_BYTES) != hash_before(r, step)) {
             return step;
         }
     }
@@ -268,14 +254,14 @@ static void compare_bodies(const thud_rollback *r, const report *p, const uint8_
     for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         const uint8_t *body = bodies + next * BODY_BYTES;
         bool here = td_body_lives(w, i);
-        bool there = next < p->bodies && number_at(body, 4) == (uint64_t)i.at;
-        if (here != there || (here && hash_of_body(w, i) != number_at(body + 4, HASH_BYTES))) {
+        bool there = next < p->bodies && td_number_at(body, 4) == (uint64_t)i.at;
+        if (here != there || (here && hash_of_body(w, i) != td_number_at(body + 4, HASH_BYTES))) {
             note_body(out, i.at, here ? td_body_handle(w, i) : (thud_body_id){0, 0});
         }
         next += there;
     }
     for (; next < p->bodies; next++) {
-        note_body(out, (int64_t)number_at(bodies + next * BODY_BYTES, 4), (thud_body_id){0, 0});
+        note_body(out, (int64_t)td_number_at(bodies + next * BODY_BYTES, 4), (thud_body_id){0, 0});
     }
 }
 
@@ -305,7 +291,7 @@ thud_result thud_rollback_compare(thud_rollback *r, const void *from, size_t byt
     if (found.is_detailed) {
         bool both = p.has_inputs && has_inputs_before(r, p.step);
         for (int i = r->options.players - 1; both && i >= 0; i--) {
-            bool same = number_at(inputs + HASH_BYTES * i, HASH_BYTES) ==
+            bool same = td_number_at(inputs + HASH_BYTES * i, HASH_BYTES) ==
                         td_rollback_saved(r, p.step - 1)->inputs[i];
             found.player = same ? found.player : i;
         }
