@@ -1,8 +1,9 @@
 /* wide_grid_sweep.c: finds the overlapping bounds of a grid (grid.h). In the shape's own level,
  * half of the 3 x 3 cells about its cell are searched (the rest of its cell, the next one, and
  * three of the row above), so that each pair is found once; the other half is searched for shapes
- * that have not moved where only moved shapes search. Of coarser levels the 3 x 3 cells about the
- * centre are searched, of finer ones all cells that the bounds overlap, extended by half a cell. */
+ * that have not moved where only moved shapes search. Of coarser levels the cells within reach of
+ * the centre are searched, of finer ones all cells that the bounds overlap, extended by half a
+ * cell. */
 #include "broadphase/wide_scan.h"
 
 /* A level of at most so many shapes is tested whole, which is two tests of eight: fewer than the
@@ -11,9 +12,8 @@ enum { SCAN_WHOLE_MAX = 2 * TD_LANES };
 static_assert((int)TD_STRAYS_MAX <= (int)SCAN_WHOLE_MAX, "strays are tested whole");
 
 /* Rows of a hashed level up to which a window is searched by cells, and above which the whole level
- * is tested. It bounds the time of rows_overlap, which compares each two rows. Chosen; not tuned.
- */
-enum { HASHED_ROWS_MAX = 16 };
+ * is tested. Chosen; not tuned. */
+enum { HASHED_ROWS_MAX = 64 };
 
 /* Tests the shapes in the cells cell .. cell + n - 1 of a level, modulo its table. Like all
  * functions here that return bool: false when memory is short. */
@@ -91,33 +91,36 @@ TD_INLINE bool scan_half(scan *s, const td_level *level, int i, uint32_t cell, b
     return true;
 }
 
-/* Tests the shapes of a coarser level in the 3 x 3 cells about a centre, which is given in bounds
- * quanta from the grid's origin and not negative. These rows share no cell of a hashed table: two
- * of three consecutive ones are at least 0.23 of the table apart, which has 64 cells or more. */
-TD_INLINE bool scan_neighbourhood(scan *s, const td_level *level, double x, double y,
-                                  scan_filter which) {
+/* Tests the shapes of a coarser level that can overlap a shape of the level `own`, whose centre is
+ * given in bounds quanta from the grid's origin. They have their centres within half a cell of
+ * either level of it along each axis, which is mostly a square of 2 x 2 cells and never more than
+ * 3 x 3. These rows share no cell of a hashed table: two of three consecutive ones are at least
+ * 0.23 of the table apart, which has 64 cells or more. */
+TD_INLINE bool scan_coarser(scan *s, const td_level *level, const td_level *own, double x, double y,
+                            scan_filter which) {
     if (level->count <= SCAN_WHOLE_MAX) {
         return scan_level(s, level, which);
     }
-    int64_t column = (int64_t)(x * level->inv_cell), row = (int64_t)(y * level->inv_cell);
-    return scan_rows(s, level, column - 1, row - 1, 3, 3, which);
+    /* Half a cell is half the greatest extent, the slack, and a quantum for rounding. Truncation
+     * rounds negative ones up to 0, where the first cells are. */
+    double reach = 0.5 * (double)(level->cell + own->cell), inv_cell = level->inv_cell;
+    int64_t column = (int64_t)((x - reach) * inv_cell), row = (int64_t)((y - reach) * inv_cell);
+    int64_t columns = (int64_t)((x + reach) * inv_cell) - column + 1;
+    int64_t rows = (int64_t)((y + reach) * inv_cell) - row + 1;
+    return scan_rows(s, level, column, row, (uint32_t)columns, rows, which);
 }
 
-/* Whether two of the rows of n cells from (column, row) on share cells of a hashed table, so that a
- * shape could be found twice. */
-TD_INLINE bool rows_overlap(const td_level *level, int64_t column, int64_t row, uint32_t n,
-                            int64_t rows) {
+/* Whether two of `rows` successive rows of n cells share cells of a hashed table, so that a shape
+ * could be found twice. Rows begin at equal distances, modulo the table's length. */
+TD_INLINE bool rows_overlap(const td_level *level, uint32_t n, int64_t rows) {
     if (rows > HASHED_ROWS_MAX || n > (level->mask + 1) / 2) {
         return true;
     }
-    uint32_t first[HASHED_ROWS_MAX];
-    for (int i = 0; i < rows; i++) {
-        first[i] = td_grid_cell(level, column, row + i);
-        for (int k = 0; k < i; k++) {
-            uint32_t apart = (first[i] - first[k]) & level->mask;
-            if (apart < n || level->mask + 1 - apart < n) {
-                return true;
-            }
+    uint32_t apart = 0;
+    for (int64_t i = 1; i < rows; i++) {
+        apart = (apart + level->row) & level->mask;
+        if (apart < n || level->mask + 1 - apart < n) {
+            return true;
         }
     }
     return false;
@@ -156,28 +159,55 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b,
         return true;
     }
     if (c1 - c0 + 1 > level->count || r1 - r0 + 1 > level->count ||
-        (level->hashed && rows_overlap(level, c0, r0, (uint32_t)(c1 - c0 + 1), r1 - r0 + 1))) {
+        (level->hashed && rows_overlap(level, (uint32_t)(c1 - c0 + 1), r1 - r0 + 1))) {
         return scan_level(s, level, which);
     }
     return scan_rows(s, level, c0, r0, (uint32_t)(c1 - c0 + 1), r1 - r0 + 1, which);
 }
 
-/* Tests the i-th shape against the levels other than its own. `every`: every shape searches, so
- * that coarser levels suffice; else only moved ones do, which then also search finer levels for
- * shapes that have not moved. */
-TD_INLINE bool scan_other_levels(scan *s, int own, int i, td_position near_position, bool every) {
+/* Sets, for each level, the bits of those other levels that its shapes search.
+ *
+ * Where only moved shapes search, each searches all levels. Where every shape does, a pair of
+ * levels is searched from one side: a shape of the finer level tests some two rows of cells of the
+ * coarser one, and a shape of the coarser level as many rows of the finer one as its window covers.
+ * The side with fewer rows in all searches; a third of the greatest extent is taken for the mean
+ * one. Chosen, for sizes of which small ones are frequent. */
+TD_INLINE void choose_searches(const td_level *levels, bool every, uint32_t *searches) {
+    for (int fine = 0; fine < TD_LEVELS; fine++) {
+        searches[fine] = 0;
+    }
+    for (int fine = 0; fine < TD_LEVELS; fine++) {
+        for (int coarse = fine + 1; coarse < TD_LEVELS && levels[fine].count; coarse++) {
+            if (!levels[coarse].count) {
+                continue;
+            }
+            int64_t up = 2 * (int64_t)levels[fine].count;
+            int64_t down =
+                levels[coarse].count * (levels[coarse].cell / (3 * levels[fine].cell) + 2);
+            searches[fine] |= !every || up <= down ? 1u << coarse : 0;
+            searches[coarse] |= !every || up > down ? 1u << fine : 0;
+        }
+    }
+}
+
+/* Tests the i-th shape, of the level `own`, against those other levels whose bits are in
+ * `searches`. `every`: every shape searches, so that a pair is found from one side. Else only moved
+ * shapes do; of finer levels they test those that have not moved, since moved ones search
+ * themselves. */
+TD_INLINE bool scan_other_levels(scan *s, int own, int i, td_position near_position, bool every,
+                                 uint32_t searches) {
     const td_proxy_set *grid = s->set;
     td_bounds b = bounds_at(s, i);
     double x = (double)(td_unwrap(td_middle(b.min_x, b.max_x), near_position.x) - grid->origin_x);
     double y = (double)(td_unwrap(td_middle(b.min_y, b.max_y), near_position.y) - grid->origin_y);
-    for (int l = every ? own + 1 : 0; l < TD_LEVELS; l++) {
+    scan_filter which = s->moved[i] ? SCAN_ALL : SCAN_MOVED;
+    for (int l = 0; l < TD_LEVELS; l++) {
         const td_level *level = &grid->levels[l];
-        if (l == own || !level->count) {
+        if (!(searches >> l & 1)) {
             continue;
         }
-        scan_filter which = s->moved[i] ? SCAN_ALL : SCAN_MOVED;
-        bool done = l < own ? scan_window(s, level, &b, near_position, SCAN_UNMOVED)
-                            : scan_neighbourhood(s, level, x, y, which);
+        bool done = l < own ? scan_window(s, level, &b, near_position, every ? which : SCAN_UNMOVED)
+                            : scan_coarser(s, level, &grid->levels[own], x, y, which);
         if (!done) {
             return false;
         }
@@ -192,7 +222,8 @@ bool TD_WIDE(td_grid_sweep)(const td_proxy_set *grid, td_memory *memory,
     scan s = begin_scan(grid, memory, hits);
     const int32_t *cells = grid->cells.data;
     bool every = td_sweeps_every(grid);
-    bool one_level = grid->levels[TD_LEVELS - 1].count == grid->ids.count;
+    uint32_t searches[TD_LEVELS];
+    choose_searches(grid->levels, every, searches);
     for (int l = 0; l < TD_LEVELS; l++) {
         const td_level *level = &grid->levels[l];
         if (level->count == 0) {
@@ -217,7 +248,8 @@ bool TD_WIDE(td_grid_sweep)(const td_proxy_set *grid, td_memory *memory,
                 done = scan_half(&s, level, i, cell, !back, which);
             }
             if (!done ||
-                (!one_level && !scan_other_levels(&s, l, i, proxy[s.ids[i]].center, every)) ||
+                (searches[l] &&
+                 !scan_other_levels(&s, l, i, proxy[s.ids[i]].center, every, searches[l])) ||
                 !report_hits(&s, i, report, context)) {
                 *tested += s.tested;
                 return false;
