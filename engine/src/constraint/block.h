@@ -33,7 +33,8 @@ typedef struct td_shape_proxy {
     float c, s;           /* cosine and sine of the rotation; 1, 0 for kinds that do not turn */
     float half_x, half_y; /* half extents; of a circle both are its radius (td_kind_half_y) */
     float x, y;           /* offset of the centre from the body's centre of mass, world axes */
-    float turns;          /* 1 where the bounds depend on the rotation, else 0 */
+    float turns;          /* 0 where the bounds do not depend on the rotation; 1 where they do; 2
+                             where the shape also has an angle in its body's frame */
     int32_t margin;       /* how far the fat bounds exceed the tight ones, bounds quanta */
     td_bounds fat;        /* bounds with that margin */
 } td_shape_proxy;

@@ -1,7 +1,7 @@
-/* wide_finalize.c: the end of the step for bodies with one centred shape, eight at a time: pose,
- * shape, idle time, and whether the shape left its fat bounds. Other bodies (several shapes, values
- * that are not finite, motion too large for the arithmetic here) are listed in scratch.odd, and
- * finalize.c does them one by one. */
+/* wide_finalize.c: the end of the step for bodies with one centred shape (its centre is the centre
+ * of mass), eight at a time: pose, shape, idle time, and whether the shape left its fat bounds.
+ * Other bodies (several shapes, values that are not finite, motion too large for the arithmetic
+ * here) are listed in scratch.odd, and finalize.c does them one by one. */
 #include "solver/motion.h"
 #include "base/rotation.h"
 #include "solver/wide_energy.h"
@@ -137,6 +137,21 @@ TD_INLINE td_rows move_eight(const thud_world *w, td_awake_slot first, void *con
     return td_transpose(r[0], r[1], r[2], r[3]);
 }
 
+/* Turns the rotations (c, s) of eight bodies on by the angles that their shapes have in the bodies'
+ * frames, in the lanes of `bits`; by the operations of compute_place in shape_place.c. */
+TD_INLINE void turn_by_own_angles(const thud_world *w, const int32_t *shapes, unsigned bits, f8 *c,
+                                  f8 *s) {
+    float own_c[TD_LANES], own_s[TD_LANES];
+    for (int i = 0; i < TD_LANES; i++) {
+        const td_shape *shape = bits >> i & 1 ? td_shape_at(w, shapes[i]) : NULL;
+        own_c[i] = shape ? shape->angle_c : 1.0f;
+        own_s[i] = shape ? shape->angle_s : 0.0f;
+    }
+    f8 body_c = *c, body_s = *s;
+    *c = body_c * f8_load(own_c) - body_s * f8_load(own_s);
+    *s = body_s * f8_load(own_c) + body_c * f8_load(own_s);
+}
+
 /* Updates poses, shapes and bounds of the bodies in slots first + i for the bits i that are set.
  * The other lanes work on a spare record. */
 TD_INLINE void place_lanes(thud_world *w, td_finalize_part *part, td_awake_slot first, f8 turn,
@@ -161,6 +176,10 @@ TD_INLINE void place_lanes(thud_world *w, td_finalize_part *part, td_awake_slot 
     td_rows shape = load_eight((const void *const *)proxies, offsetof(td_shape_proxy, c));
     td_rows rest = load_eight((const void *const *)proxies, offsetof(td_shape_proxy, x));
     i8 turns = rest.z > f8_all(0.0f);
+    unsigned own_angles = bits & i8_bits(rest.z > f8_all(1.0f));
+    if (own_angles) {
+        turn_by_own_angles(w, lone, own_angles, &tail.y, &tail.z);
+    }
     shape.x = f8_pick(turns, tail.y, f8_all(1.0f));
     shape.y = f8_keep(turns, tail.z);
     store_eight(proxies, offsetof(td_shape_proxy, c), shape);

@@ -24,7 +24,7 @@ static void settle(const thud_world *w, td_shape *shape, td_shape_proxy *proxy) 
     proxy->half_x = shape->half_x;
     proxy->half_y =
         (float)td_kind_half_y(shape->kind, (double)shape->half_x, (double)shape->half_y);
-    proxy->turns = td_kind_turns(shape->kind) ? 1.0f : 0.0f;
+    proxy->turns = !td_kind_turns(shape->kind) ? 0.0f : shape->angle ? 2.0f : 1.0f;
     proxy->margin = margin_of(w, proxy->half_x, proxy->half_y);
 }
 
