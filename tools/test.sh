@@ -31,8 +31,9 @@ Builds and tests everything, or only the parts that are named:
               what the page's own code decides run in Firefox, too, and not in Chromium alone, and
               native players and those in WebAssembly play 10^4 steps over the worst network
 
-Two lanes run side by side: wasm, sanitizers and baseline; native and then page, to which all others
-give way. What a part prints is in build/test/PART.log and shown as it ends.
+Two lanes run side by side: one begins with wasm, the other with native and then page, to which all
+others give way; sanitizers and baseline run in the lane that is free first. What a part prints is in
+build/test/PART.log and shown as it ends.
 END
 }
 
@@ -222,6 +223,15 @@ longest_tests() {
         awk '{ seconds = $1; sub(/^[^ ]+ /, ""); printf "%s%s (%.0f s)", comma, $0, seconds; comma = ", " }'
 }
 
+# failed_tests LOG: the names of the tests that failed in a log, of ctest and of Node.js, in one line.
+failed_tests() {
+    awk '
+        /^ *[0-9]+\/[0-9]+ Test +#[0-9]+: .*\*\*\*/ { names = names comma $4; comma = ", " }
+        /^not ok [0-9]+ - / { sub(/^not ok [0-9]+ - /, ""); names = names comma $0; comma = ", " }
+        END { print names }
+    ' "$1"
+}
+
 # part_ended PART: prints the output of a part, and adds its result to `summary`.
 part_ended() {
     log=build/test/$1.log
@@ -239,8 +249,10 @@ part_ended() {
     # The last lines of the test runners, ctest and Node.js.
     closing=$(grep -E '^[0-9]+% tests passed|^(#|ℹ) (tests|pass|fail|skipped) [0-9]+' "$log" || :)
     longest=$(longest_tests "$log")
+    failed=$(failed_tests "$log")
     summary="$summary
-$1: $verdict, ${seconds} s${closing:+
+$1: $verdict, ${seconds} s${failed:+
+failed: $failed}${closing:+
 $closing}${longest:+
 longest: $longest}"
 }
@@ -268,11 +280,16 @@ prepare_test() {
     esac
 }
 
-# run_lane PART...: runs those of these parts that are in `parts`, one after the other.
+# run_lane PART...: runs those of these parts that are in `parts` and that the other lane has not
+# begun, one after the other. The folder PART.taken is made by the lane that runs the part.
 run_lane() {
     for lane_part; do
         case " $parts " in
-            *" $lane_part "*) run_part "$lane_part" ;;
+            *" $lane_part "*)
+                if mkdir "build/test/$lane_part.taken" 2>/dev/null; then
+                    run_part "$lane_part"
+                fi
+                ;;
         esac
     done
 }
@@ -291,7 +308,8 @@ test_everything() {
     summary=
     waiting=
     for part in $parts; do
-        rm -f "build/test/$part.began" "build/test/$part.code" build/test/page.ready
+        rm -rf "build/test/$part.began" "build/test/$part.code" "build/test/$part.taken" \
+            build/test/page.ready
         waiting="$waiting $part"
     done
     prepare_test
@@ -303,6 +321,7 @@ test_everything() {
     (
         (give_way && run_lane native)
         run_lane page
+        give_way && run_lane sanitizers baseline
     ) &
     ticks=0
     while [ -n "$waiting" ]; do

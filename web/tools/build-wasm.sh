@@ -20,6 +20,36 @@ if [ -z "${EMSDK_PYTHON:-}" ] && [ -d /usr/share/emscripten ] && [ -x /usr/bin/p
     export EMSDK_PYTHON=/usr/bin/python3
 fi
 
+# emcc is a program in Python that starts clang, and takes longer to start than clang takes for most
+# files. So it is asked once how it calls clang for size and how for speed, and files are compiled by
+# these commands, in a script that is CMake's compiler launcher (its first argument is emcc). Linking
+# stays emcc's. As emcc does, a file counts as compiled for size where any of its options is -Oz.
+# Where the answer is not understood, emcc compiles.
+command_for() {
+    emcc -v "$1" -c "$build/empty.c" -o "$build/empty.o" 2>&1 |
+        sed -n "1s/ -v $1 -c .*//p" | grep -E '^ *"?/' || :
+}
+mkdir -p "$build"
+printf 'extern int unused;\n' >"$build/empty.c"
+size=$(command_for -Oz)
+speed=$(command_for -O3)
+launcher=
+if [ -n "$size" ] && [ -n "$speed" ]; then
+    launcher=$(cd "$build" && pwd)/compile.sh
+    cat >"$launcher" <<END
+#!/bin/sh
+shift
+for option; do
+    case \$option in
+        -Oz) level=size ;;
+    esac
+done
+[ "\$level" = size ] && exec $size "\$@"
+exec $speed "\$@"
+END
+    chmod +x "$launcher"
+fi
+
 # compile DIRECTORY FLAGS THREADS TARGET...: configures and builds targets with these compiler flags,
 # with a pool of threads (ON) or without (OFF).
 # With make: Ninja archives objects in another order, with which the module is 2 % larger
@@ -30,7 +60,7 @@ compile() {
     threads=$3
     shift 3
     emcmake cmake -G "Unix Makefiles" -S . -B "$directory" -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS="$flags" \
-        -DTHUD_WEB_THREADS="$threads" --log-level=WARNING >/dev/null
+        -DTHUD_WEB_THREADS="$threads" -DCMAKE_C_COMPILER_LAUNCHER="$launcher" --log-level=WARNING >/dev/null
     cmake --build "$directory" --parallel 2 --target "$@"
 }
 

@@ -19,6 +19,14 @@ function untilDrawn(example) {
   return until(opaque, (count) => count > 1000, "bodies are drawn");
 }
 
+/** Puts a text in place of the code in an example's editor, and runs it. */
+async function runOwn(page, example, code) {
+  await example.locator(".cm-content").click();
+  await page.keyboard.press("Control+a");
+  await page.keyboard.insertText(code);
+  await page.keyboard.press("Control+Enter");
+}
+
 for (const browser of BROWSERS)
   test(`example_runs_is_changed_and_told_of_its_error_in_${browser}`, async () => {
     const { page, errors, close } = await openVisitor({ browser }).open("docs/begin-javascript.html");
@@ -26,10 +34,7 @@ for (const browser of BROWSERS)
     await example.getByRole("button", { name: "Run" }).first().click();
     await untilDrawn(example);
     await example.getByRole("button", { name: "Change the code" }).click();
-    await example.locator(".cm-content").click();
-    await page.keyboard.press("Control+a");
-    await page.keyboard.insertText('console.log("changed"); world.step()');
-    await page.keyboard.press("Control+Enter");
+    await runOwn(page, example, 'console.log("changed"); world.step()');
     await example.locator(".live-lines:has-text('changed')").waitFor();
     await example.locator(".live-trouble:has-text('world is not defined')").waitFor();
     assert.deepEqual(errors, []);
@@ -47,6 +52,35 @@ for (const name of ["matter", "planck", "rapier"])
     assert.deepEqual(errors, []);
     await close();
   });
+
+test("example_whose_engine_is_long_on_its_way_says_so_and_runs", async () => {
+  const slow = (page) =>
+    page.route("**/*.wasm", async (route) => {
+      // Longer than an example may go without an answer.
+      await new Promise((done) => setTimeout(done, 7000));
+      await route.continue();
+    });
+  const { page, errors, close } = await openVisitor().open("docs/begin-javascript.html", DESKTOP, slow);
+  const example = page.locator(".live").first();
+  await example.getByRole("button", { name: "Run" }).first().click();
+  await example.locator(".live-loading").waitFor();
+  await untilDrawn(example);
+  assert.equal(await example.locator(".live-loading, .live-trouble").count(), 0);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("example_without_an_end_is_ended_and_its_code_can_be_changed", async () => {
+  const { page, errors, close } = await openVisitor().open("docs/begin-javascript.html");
+  const example = page.locator(".live").first();
+  await example.getByRole("button", { name: "Change the code" }).click();
+  await runOwn(page, example, "for (;;);");
+  await example.locator(".live-trouble:has-text('does not answer')").waitFor();
+  await runOwn(page, example, 'console.log("again")');
+  await example.locator(".live-lines:has-text('again')").waitFor();
+  assert.deepEqual(errors, []);
+  await close();
+});
 
 test("search_finds_a_word_and_its_page_is_opened_from_the_one_before", async () => {
   const { page, errors, close } = await openVisitor().open("docs/begin-c.html");

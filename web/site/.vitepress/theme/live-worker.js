@@ -107,6 +107,8 @@ function show({ seconds, lower, upper, hand: place }) {
 
 let began = Promise.resolve();
 addEventListener("message", ({ data }) => {
+  // Answered at once, also while the code waits for a download.
+  if (data.answer) return postMessage({ answered: true });
   began = began.then(async () => {
     try {
       postMessage(data.code === undefined ? show(data) : (await start(data.code), {}));
@@ -115,3 +117,5 @@ addEventListener("message", ({ data }) => {
     }
   });
 });
+// The first answer: from here on the page asks.
+postMessage({ answered: true });

@@ -1,7 +1,12 @@
 /** A run of an example: a worker with its code, which sends a picture whenever it is asked for one. */
 
-/** Milliseconds after which an example that does not answer is ended. Chosen. */
+/**
+ * Milliseconds after which an example whose worker does not answer is ended: its code runs without
+ * an end. A worker that waits for a download answers, however long the download takes. Chosen.
+ */
 const PATIENCE = 5000;
+/** Milliseconds from an answer of the worker to the next question whether it answers. Chosen. */
+const PAUSE = 1000;
 
 export class Run {
   paused = false;
@@ -10,11 +15,15 @@ export class Run {
   #hear;
   #frame = 0;
   #last = 0;
+  /** Of the next question, or of the patience with an answer. */
   #timer = 0;
   #waiting = false;
   #hand = null;
 
-  /** `hear`: called with each line that the code prints, and with the message of an error. */
+  /**
+   * `hear.began` is called when the code has run to its end, `hear.printed` with each line that it
+   * prints, `hear.failed` with the message of an error.
+   */
   constructor(code, picture, hear) {
     this.#picture = picture;
     this.#hear = hear;
@@ -61,15 +70,25 @@ export class Run {
   #ask(message) {
     this.#waiting = true;
     this.#worker.postMessage(message);
+  }
+
+  /** Asks the worker whether its code returns to the loop of events. */
+  #watch() {
+    this.#worker.postMessage({ answer: true });
     this.#timer = setTimeout(() => this.#hear.failed("The code does not answer and was ended."), PATIENCE);
   }
 
-  #receive({ printed, failed, shapes, lines }) {
+  #receive({ answered, printed, failed, shapes, lines }) {
     if (!this.#worker) return;
+    if (answered) {
+      clearTimeout(this.#timer);
+      this.#timer = setTimeout(() => this.#watch(), PAUSE);
+      return;
+    }
     if (printed !== undefined) return this.#hear.printed(printed);
-    clearTimeout(this.#timer);
     if (failed) return this.#hear.failed(failed);
     this.#waiting = false;
+    this.#hear.began();
     if (shapes) this.#picture.draw(shapes, lines);
   }
 }
