@@ -22,15 +22,12 @@ enum { DIGITS = 7, DECIMALS = 9 };
 /* Writes a number. Returns the end of the text. The number is scaled to n 10^power, where n has
  * DIGITS digits; then zeros at the end of n move into the power. */
 static char *put_number(char *to, double x) {
-    if (x != x) {
-        return put(to, "NaN");
-    }
     if (x < 0.0) {
         *to++ = '-';
         x = -x;
     }
-    if (x > DBL_MAX) {
-        return put(to, "infinity");
+    if (!(x <= DBL_MAX)) {
+        return put(to, x > 0.0 ? "infinity" : "NaN");
     }
     int power = 0, exponent = 0, count = 0;
     for (; x >= 10.0 * SCALED_MIN; x /= 10.0) {

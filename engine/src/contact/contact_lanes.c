@@ -26,7 +26,7 @@ static void fill(thud_world *w, td_block *block, int lane, int index) {
     block->shape_a[lane] = contact->shape_a;
     block->shape_b[lane] = contact->shape_b;
     td_contact_settle(w, block, lane, index);
-    block->has_offsets |= !(a->plain && b->plain) || b->internal_edges ||
+    block->has_offsets |= a->centred + b->centred < 2 * 2 || b->internal_edges ||
                           (a->internal_edges && td_body_at(w, a->body)->kind != THUD_BODY_STATIC);
     block->mark[lane].internal_edges = td_internal_edges_of(a, b);
 }

@@ -65,28 +65,6 @@ thud_geometry td_neighbour_instance(const td_neighbourhood *s, int neighbour) {
                            .hy = (double)n->half_y};
 }
 
-bool td_neighbour_contains(const td_neighbourhood *s, int neighbour, const thud_geometry *n,
-                           double x, double y, double slack) {
-    thud_geometry point = {.kind = THUD_SHAPE_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = slack};
-    switch (n->kind) {
-    case THUD_SHAPE_CIRCLE:
-        return thud_geometry_overlap(n, &point);
-    case THUD_SHAPE_AABB:
-    case THUD_SHAPE_OBB: {
-        double u, v;
-        td_to_frame(n, x - n->x, y - n->y, &u, &v);
-        return td_abs(u) <= n->hx + slack && td_abs(v) <= n->hy + slack;
-    }
-    case THUD_SHAPE_TERRAIN: {
-        thud_terrain terrain = td_terrain_view(s->w, neighbour);
-        point.x -= n->x;
-        point.y -= n->y;
-        return thud_terrain_overlap(&terrain, &point);
-    }
-    }
-    return false;
-}
-
 /* Whether a vertex is the first or last one of a line and stands at x. `at` is the vertex's x. Such
  * an end does not count as ground that rises past a box's corner: the box that seals the end may
  * stand at the same place, and then its corner is the one that is met. */
@@ -97,22 +75,33 @@ static bool is_line_end(const td_neighbourhood *s, const thud_terrain *t, int ve
 }
 
 bool td_neighbour_overlaps(const td_neighbourhood *s, int neighbour, const thud_geometry *n,
-                           const thud_geometry *box) {
+                           const thud_geometry *other) {
     switch (n->kind) {
     case THUD_SHAPE_CIRCLE:
-        return thud_geometry_overlap(n, box);
+        return thud_geometry_overlap(n, other);
     case THUD_SHAPE_AABB:
     case THUD_SHAPE_OBB:
-        return td_boxes_overlap(n, box);
+        return td_boxes_overlap(n, other);
     case THUD_SHAPE_TERRAIN: {
         thud_terrain terrain = td_terrain_view(s->w, neighbour);
-        thud_geometry moved = *box;
+        thud_geometry moved = *other;
         moved.x -= n->x;
         moved.y -= n->y;
         return thud_terrain_overlap(&terrain, &moved);
     }
     }
     return false;
+}
+
+bool td_neighbour_contains(const td_neighbourhood *s, int neighbour, const thud_geometry *n,
+                           double x, double y, double slack) {
+    if (td_kind_is_box(n->kind)) {
+        double u, v;
+        td_to_frame(n, x - n->x, y - n->y, &u, &v);
+        return td_abs(u) <= n->hx + slack && td_abs(v) <= n->hy + slack;
+    }
+    thud_geometry point = {.kind = THUD_SHAPE_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = slack};
+    return td_neighbour_overlaps(s, neighbour, n, &point);
 }
 
 bool td_neighbour_extends(const td_neighbourhood *s, int neighbour, const thud_geometry *n,

@@ -48,9 +48,10 @@ thud_geometry td_neighbour_instance(const td_neighbourhood *s, int neighbour);
  * is below its line. */
 bool td_neighbour_contains(const td_neighbourhood *s, int neighbour, const thud_geometry *placed,
                            double x, double y, double slack);
-/* Whether the neighbour and a box share a point. */
+/* Whether the neighbour and another shape share a point. The other is a box where the neighbour is
+ * one. */
 bool td_neighbour_overlaps(const td_neighbourhood *s, int neighbour, const thud_geometry *placed,
-                           const thud_geometry *box);
+                           const thud_geometry *other);
 /* Whether the neighbour extends further than `level` (length) beyond the point (x, y), which it
  * contains, in the direction of the unit vector (nx, ny). Of a terrain only the part of the line
  * within 2 TD_NEIGHBOUR_GAP of x counts, without its ends. */

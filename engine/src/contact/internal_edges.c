@@ -39,36 +39,29 @@
 
 /* ---- which normals are hidden ---- */
 
-/* The context of the td_neighbour_fns below: a place in the frame of the td_neighbourhood, and for
- * corners a unit normal there. */
+/* A place on the surface of a shape, in the frame of the td_neighbourhood: within a face, or a
+ * corner with a unit normal there. */
 typedef struct probe {
     double x, y, nx, ny;
+    bool corner;
 } probe;
 
-/* A td_neighbour_fn: whether the neighbour contains the place. */
-static bool covers_point(const td_neighbourhood *s, int neighbour, void *context) {
+/* A td_neighbour_fn: whether the neighbour contains the place, and extends past a corner along the
+ * normal. `context`: a probe. */
+static bool covers(const td_neighbourhood *s, int neighbour, void *context) {
     const probe *p = context;
     thud_geometry n = td_neighbour_instance(s, neighbour);
     return td_neighbour_contains(s, neighbour, &n, p->x, p->y,
-                                 0.5 * TD_NEIGHBOUR_GAP * s->length_scale);
+                                 (p->corner ? 1.0 : 0.5) * TD_NEIGHBOUR_GAP * s->length_scale) &&
+           (!p->corner || td_neighbour_extends(s, neighbour, &n, p->x, p->y, p->nx, p->ny,
+                                               CORNER_RISE_MIN * s->length_scale));
 }
 
-/* A td_neighbour_fn: whether the neighbour contains the corner and extends past it along the
- * normal. */
-static bool hides_corner(const td_neighbourhood *s, int neighbour, void *context) {
-    const probe *p = context;
-    thud_geometry n = td_neighbour_instance(s, neighbour);
-    return td_neighbour_contains(s, neighbour, &n, p->x, p->y,
-                                 TD_NEIGHBOUR_GAP * s->length_scale) &&
-           td_neighbour_extends(s, neighbour, &n, p->x, p->y, p->nx, p->ny,
-                                CORNER_RISE_MIN * s->length_scale);
-}
-
-/* Whether `fn` is true for some neighbour at the place of `p`. Only neighbours whose bounds contain
- * that point are asked: no other one covers it. */
-static bool any_neighbour_at(const td_neighbourhood *s, td_neighbour_fn *fn, probe *p) {
+/* Whether some neighbour covers the place of `p`. Only neighbours whose bounds contain that point
+ * are asked: no other one covers it. */
+static bool is_covered(const td_neighbourhood *s, probe *p) {
     thud_geometry place = {.kind = THUD_SHAPE_CIRCLE, .x = p->x, .y = p->y, .c = 1.0};
-    return td_neighbour_any(s, &place, fn, p);
+    return td_neighbour_any(s, &place, covers, p);
 }
 
 /* Whether neighbours cover all of a face between the coordinates `from` and `to` along it. Four
@@ -87,8 +80,8 @@ static bool face_hidden(const td_neighbourhood *s, int face, double from, double
     for (int i = 0; i < 4; i++) {
         double x, y;
         td_from_frame(&s->a, face % 2 ? at[i] : out, face % 2 ? out : at[i], &x, &y);
-        probe p = {s->a.x + x, s->a.y + y, 0.0, 0.0};
-        if (!any_neighbour_at(s, covers_point, &p)) {
+        probe p = {.x = s->a.x + x, .y = s->a.y + y};
+        if (!is_covered(s, &p)) {
             return false;
         }
     }
@@ -122,8 +115,8 @@ static bool corner_hidden(const td_neighbourhood *s, const contact_feature *at, 
                           double ny) {
     double x, y;
     td_from_frame(&s->a, at->right ? s->a.hx : -s->a.hx, at->top ? s->a.hy : -s->a.hy, &x, &y);
-    probe p = {s->a.x + x, s->a.y + y, nx, ny};
-    return any_neighbour_at(s, hides_corner, &p);
+    probe p = {s->a.x + x, s->a.y + y, nx, ny, true};
+    return is_covered(s, &p);
 }
 
 /* Whether the part of a face that the other shape's projection onto the face takes up is hidden. */

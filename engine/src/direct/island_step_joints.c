@@ -145,12 +145,6 @@ static double newton_residual(const td_island_work *work) {
 #define FAR_RESIDUAL 500.0
 enum { MORE_SOLVES = 3 };
 
-/* Whether that holds after a first solve that took so many factorisations. */
-static bool is_hopeless(const td_direct *d, int taken, double tolerance) {
-    return d->factoring_budget - d->factorings < MORE_SOLVES * taken &&
-           td_direct_residual(d) > FAR_RESIDUAL * tolerance;
-}
-
 /* Whether all velocities are finite, and rotations small enough for td_sin. */
 static bool velocities_are_valid(const td_island_work *work) {
     bool all = true;
@@ -179,10 +173,13 @@ static double solve_mean_velocity(td_island_work *work, double start, double tol
     int before = d->factorings;
     for (int n = 0; n < TD_NEWTON_ITERATIONS_MAX && velocities_are_valid(work); n++) {
         update_joint_rows(work, start, false);
-        if (n && td_direct_residual(d) <= enough && unbalanced <= TD_BALANCE_ENOUGH * tolerance) {
+        double residual = n ? td_direct_residual(d) : __builtin_inf();
+        if (residual <= enough && unbalanced <= TD_BALANCE_ENOUGH * tolerance) {
             return missing;
         }
-        if (n == 1 && is_hopeless(d, d->factorings - before, tolerance)) {
+        int left = d->factoring_budget - d->factorings;
+        if (n == 1 && residual > FAR_RESIDUAL * tolerance &&
+            left < MORE_SOLVES * (d->factorings - before)) {
             return __builtin_inf();
         }
         add_geometric_stiffness(work);

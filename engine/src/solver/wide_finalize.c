@@ -5,6 +5,7 @@
 #include "solver/motion.h"
 #include "base/rotation.h"
 #include "solver/wide_energy.h"
+#include "state/shape.h"
 #include "state/world.h"
 
 #include <float.h>
@@ -77,14 +78,8 @@ TD_INLINE bounds8 tight_bounds(i8 x, i8 y, const td_rows *shape, f8 to_coarse) {
 
 /* Gives a shape that left its fat bounds new ones, and lists it as moved. */
 TD_INLINE void renew_bounds(thud_world *w, td_array *moved, int shape, f4 fat) {
-    td_bounds *bounds = td_fat_at(w, shape);
-    uint8_t *marks = td_marks_at(w, shape);
-    if (!(*marks & TD_MARK_MOVED)) {
-        *td_previous_fat_at(w, shape) = *bounds;
-        *marks |= TD_MARK_MOVED;
-        td_push_int(moved, shape);
-    }
-    __builtin_memcpy(bounds, &fat, sizeof fat);
+    td_shape_mark_moved_in(w, moved, shape);
+    __builtin_memcpy(td_fat_at(w, shape), &fat, sizeof fat);
 }
 
 /* Loads 16 bytes at `offset` of each of eight records, transposed; of any type. */
@@ -137,19 +132,18 @@ TD_INLINE td_rows move_eight(const thud_world *w, td_awake_slot first, void *con
     return td_transpose(r[0], r[1], r[2], r[3]);
 }
 
-/* Turns the rotations (c, s) of eight bodies on by the angles that their shapes have in the bodies'
- * frames, in the lanes of `bits`; by the operations of compute_place in shape_place.c. */
-TD_INLINE void turn_by_own_angles(const thud_world *w, const int32_t *shapes, unsigned bits, f8 *c,
-                                  f8 *s) {
-    float own_c[TD_LANES], own_s[TD_LANES];
-    for (int i = 0; i < TD_LANES; i++) {
-        const td_shape *shape = bits >> i & 1 ? td_shape_at(w, shapes[i]) : NULL;
-        own_c[i] = shape ? shape->angle_c : 1.0f;
-        own_s[i] = shape ? shape->angle_s : 0.0f;
+/* Turns the rotations of eight bodies (cosines and sines in the first two rows) on by the angles
+ * that their shapes have in the bodies' frames, in the lanes of `bits`; by the operations of
+ * compute_place in shape_place.c. */
+TD_INLINE void turn_by_own_angles(const thud_world *w, const int32_t *shapes, unsigned bits,
+                                  float *rows) {
+    for (; bits; bits &= bits - 1) {
+        int i = __builtin_ctz(bits);
+        const td_shape *shape = td_shape_at(w, shapes[i]);
+        float c = rows[i], s = rows[i + TD_LANES];
+        rows[i] = c * shape->angle_c - s * shape->angle_s;
+        rows[i + TD_LANES] = s * shape->angle_c + c * shape->angle_s;
     }
-    f8 body_c = *c, body_s = *s;
-    *c = body_c * f8_load(own_c) - body_s * f8_load(own_s);
-    *s = body_s * f8_load(own_c) + body_c * f8_load(own_s);
 }
 
 /* Updates poses, shapes and bounds of the bodies in slots first + i for the bits i that are set.
@@ -176,12 +170,9 @@ TD_INLINE void place_lanes(thud_world *w, td_finalize_part *part, td_awake_slot 
     td_rows shape = load_eight((const void *const *)proxies, offsetof(td_shape_proxy, c));
     td_rows rest = load_eight((const void *const *)proxies, offsetof(td_shape_proxy, x));
     i8 turns = rest.z > f8_all(0.0f);
-    unsigned own_angles = bits & i8_bits(rest.z > f8_all(1.0f));
-    if (own_angles) {
-        turn_by_own_angles(w, lone, own_angles, &tail.y, &tail.z);
-    }
     shape.x = f8_pick(turns, tail.y, f8_all(1.0f));
     shape.y = f8_keep(turns, tail.z);
+    turn_by_own_angles(w, lone, i8_bits(rest.z > f8_all(1.0f)), (float *)&shape);
     store_eight(proxies, offsetof(td_shape_proxy, c), shape);
 
     td_rows fat = load_eight((const void *const *)proxies, offsetof(td_shape_proxy, fat));
@@ -211,12 +202,9 @@ static bool clamp_speeds(float (*velocity)[4], unsigned bits, const float max[3]
     bool clamped = false;
     for (; bits; bits &= bits - 1) {
         float *row = velocity[__builtin_ctz(bits)];
-        bool finite = true;
-        for (int k = 0; k < 3; k++) {
-            finite = finite && row[k] <= FLT_MAX && row[k] >= -FLT_MAX;
-        }
+        bool finite = td_finite((double)row[0] + (double)row[1] + (double)row[2]);
         for (int k = 0; k < 3 && finite; k++) {
-            row[k] = row[k] > max[k] ? max[k] : row[k] < -max[k] ? -max[k] : row[k];
+            row[k] = td_max_float(-max[k], td_min_float(row[k], max[k]));
         }
         clamped |= finite;
     }

@@ -44,9 +44,9 @@ static body_damping damping_over(float time) {
                           .of = {{0.0f, 1.0f, 0.5f}, {0.0f, 1.0f, 0.5f}}};
 }
 
-/* Sets it to that of body i; without damping it stays that of none. */
+/* Sets it to that of body i, of a world in which some body is damped. */
 static void set_damping(body_damping *d, const td_motion_context *c, int i) {
-    for (int k = 0; k < 2 && c->damping; k++) {
+    for (int k = 0; k < 2; k++) {
         float rate = c->damping[i][k];
         if (rate != d->rate[k]) {
             d->rate[k] = rate;

@@ -26,11 +26,6 @@ bool td_awake_reserve(thud_world *w, int more) {
 }
 
 /* Copies what follows from the body's record to its slot, and keeps the count of damped bodies. */
-/* Whether a shape's centre is the body's centre of mass, and the shape is no line. */
-static bool is_centred(const td_shape *shape) {
-    return shape->arm_x == 0.0f && shape->arm_y == 0.0f && !td_kind_is_line(shape->kind);
-}
-
 void td_awake_refresh(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
     if (body->awake.at < 0) {
@@ -46,7 +41,7 @@ void td_awake_refresh(thud_world *w, td_body_index index) {
     reach[0] = body->min_extent;
     reach[1] = body->max_extent;
     int lone = body->shape_count == 1 ? body->first_shape : TD_NONE;
-    if (lone != TD_NONE && !is_centred(td_shape_at(w, lone))) {
+    if (lone != TD_NONE && !td_shape_at(w, lone)->centred) {
         lone = TD_NONE;
     }
     td_int_set(&w->lone, body->awake.at, lone);

@@ -82,7 +82,9 @@ enum {
 typedef struct td_shape {
     int32_t next_free;
     uint32_t generation;
-    uint8_t kind, flags, plain; /* plain: centred on the body's centre of mass, at angle 0 */
+    uint8_t kind, flags;
+    uint8_t centred; /* 1: the shape's centre is the body's centre of mass; 2: and its angle in the
+                        body's frame is 0; 0: neither, and of lines of ground */
     uint8_t
         internal_edges; /* static shapes: faces and corners that others touch: internal_edges.h */
     uint8_t hidden;     /* static shapes: those that others cover: internal_edges.h */

@@ -59,8 +59,10 @@ static inline float td_thickness(const td_shape *shape) {
  * none. */
 float td_thinnest(thud_world *w);
 
-/* Puts a shape onto the moved list, if it is not there, and stores its present fat bounds in `was`.
- */
+/* Puts a shape onto the list `moved`, if it is marked as on none, and stores its present fat bounds
+ * as those of the last broadphase. */
+void td_shape_mark_moved_in(thud_world *w, td_array *moved, int shape);
+/* The same for the world's moved list; also makes the awake proxy set out of date. */
 void td_shape_mark_moved(thud_world *w, int shape);
 
 /* A shape in its place, relative to `origin`; of a terrain only the place of its origin is set. */

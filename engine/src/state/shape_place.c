@@ -19,8 +19,8 @@ static void settle(const thud_world *w, td_shape *shape, td_shape_proxy *proxy) 
     const td_body *body = td_body_at(w, shape->body);
     shape->arm_x = shape->x - body->center_x;
     shape->arm_y = shape->y - body->center_y;
-    shape->plain = shape->arm_x == 0.0f && shape->arm_y == 0.0f && !shape->angle &&
-                   !td_kind_is_line(shape->kind);
+    bool offset = shape->arm_x != 0.0f || shape->arm_y != 0.0f || td_kind_is_line(shape->kind);
+    shape->centred = offset ? 0 : shape->angle ? 1 : 2;
     proxy->half_x = shape->half_x;
     proxy->half_y =
         (float)td_kind_half_y(shape->kind, (double)shape->half_x, (double)shape->half_y);
@@ -47,15 +47,18 @@ float td_thinnest(thud_world *w) {
     return w->thinnest;
 }
 
-/* Puts a shape onto the moved list, and makes the awake proxy set out of date. (Edits invalidate
- * the resting one: changes.c.) */
-void td_shape_mark_moved(thud_world *w, int index) {
+void td_shape_mark_moved_in(thud_world *w, td_array *moved, int index) {
     uint8_t *marks = td_marks_at(w, index);
     if (!(*marks & TD_MARK_MOVED)) {
         *td_previous_fat_at(w, index) = *td_fat_at(w, index);
         *marks |= TD_MARK_MOVED;
-        td_push_int(&w->moved, index);
+        td_push_int(moved, index);
     }
+}
+
+/* (Edits invalidate the resting proxy set: changes.c.) */
+void td_shape_mark_moved(thud_world *w, int index) {
+    td_shape_mark_moved_in(w, &w->moved, index);
     w->awake_shapes.valid = false;
 }
 
@@ -128,7 +131,7 @@ static void compute_place(const thud_world *w, const td_shape *shape, td_shape_p
     proxy->center = pose->center;
     proxy->x = proxy->y = proxy->s = 0.0f;
     proxy->c = 1.0f;
-    if (!shape->plain) {
+    if (!shape->centred) {
         proxy->x = pose->c * shape->arm_x - pose->s * shape->arm_y;
         proxy->y = pose->s * shape->arm_x + pose->c * shape->arm_y;
         proxy->center.x += td_length_from(w, proxy->x);
