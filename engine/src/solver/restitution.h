@@ -15,8 +15,8 @@ typedef struct td_restitution_hooks {
     td_end_flights_fn *end_flights[2];
 } td_restitution_hooks;
 
-/* Whether a contact that touches has restitution. The table is asked for since a snapshot that was
- * tampered with may name none. */
+/* Whether a contact that touches has restitution. The table is tested too, since a snapshot that
+ * was tampered with may say that contacts bounce and still bring no table. */
 static inline bool td_has_bounces(const thud_world *w) {
     return w->bouncy > 0 && w->restitution_hooks;
 }
