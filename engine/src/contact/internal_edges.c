@@ -155,8 +155,9 @@ static bool is_ghost(const td_neighbourhood *s, double nx, double ny, double str
     return at.face == TD_NONE ? corner_hidden(s, &at, nx, ny) : touched_part_hidden(s, at.face);
 }
 
-/* Whether the contact of a lane is at a feature of shape a that has no neighbour, by the masks
- * alone, in single precision; most are. False does not say that it is hidden. */
+/* A quick test by the masks alone, in single precision: whether the contact of a lane is at a face
+ * or corner of shape a that has no neighbour. Most are. If it returns false, the feature may be
+ * hidden, and is_ghost has to decide. */
 static bool is_open(const thud_world *w, const td_block *block, int lane) {
     const td_shape_proxy *a = td_shape_proxy_at(w, block->shape_a[lane]);
     float nx = block->nx[lane], ny = block->ny[lane];
@@ -173,7 +174,7 @@ static bool is_open(const thud_world *w, const td_block *block, int lane) {
     return !(block->mark[lane].internal_edges & bits);
 }
 
-/* Whether (nx, ny) is, to rounding, a normal of a face of the box. */
+/* Whether (nx, ny) is a normal of a face of the box, up to rounding. */
 static bool is_face_normal(const thud_geometry *box, double nx, double ny) {
     return feature_of(box->c, box->s, nx, ny, FACE_SINE_MAX).face != TD_NONE;
 }
@@ -310,8 +311,8 @@ static void average_points(td_internal_edge_contact *c) {
     c->count = 1;
 }
 
-/* Whether on that side (0: a, 1: b) both contacts have a shape of the same surface: shapes of one
- * body, or both of static bodies. */
+/* Whether the shapes of both contacts on one side (0: a, 1: b) form one surface: they belong to one
+ * body, or both to static bodies. */
 static bool same_surface(const thud_world *w, const td_contact *to, const td_contact *from,
                          int side) {
     return td_same_body(to->body[side], from->body[side]) ||
