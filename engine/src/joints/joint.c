@@ -14,8 +14,8 @@ enum {
 
 _Static_assert((int)THUD_DIRECTION_COUNT == (int)TD_JOINT_DIRECTIONS, "a drive for each direction");
 
-/* By kind of joint: the directions that are locked, those of them that are free while they have a
- * drive (`unless_driven`), and those that may be driven. */
+/* For each kind of joint: the directions that it locks, those of them that it locks only while they
+ * have no drive (`unless_driven`), and those that may have a drive. */
 static const struct {
     unsigned locked, unless_driven, drivable;
 } of_kind[] = {[THUD_JOINT_DISTANCE] = {ALONG, ALONG, ALONG},
@@ -101,9 +101,9 @@ double td_joint_closing_speed(double gap, double unit, double time) {
 
 /* ---- in motion ---- */
 
-/* Rotations within a part of a step are small, rad. Up to this angle the Taylor series below have
- * errors below 2^-52 of their values: the terms left out are x^10 / 11! of the sine, x^12 / 12! of
- * the cosine. */
+/* Rotations within a part of a step are small. Up to TD_SERIES_ANGLE_MAX (rad) the Taylor series of
+ * td_joint_sincos have errors below 2^-52 of their values: the terms left out are x^10 / 11! of the
+ * sine, x^12 / 12! of the cosine. */
 
 void td_joint_sincos(double angle, double *s, double *c) {
     if (!(td_abs(angle) <= TD_SERIES_ANGLE_MAX)) {
