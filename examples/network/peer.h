@@ -38,8 +38,8 @@ typedef struct peer_hash {
 typedef struct peer_known {
     unsigned char inputs[PEER_INPUTS]; /* its inputs, by step */
     int64_t since, heard;              /* inputs are known for the steps since .. heard - 1 */
-    int64_t gone_from, back_at;        /* the player is absent in the steps gone_from .. back_at -
-                                          1; PEER_NEVER: not known */
+    int64_t gone_from, back_at;        /* absent from step gone_from until before step back_at;
+                                          PEER_NEVER: not known */
 } peer_known;
 
 /* The connection with another player or a spectator. */
