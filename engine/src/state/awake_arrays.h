@@ -26,8 +26,8 @@ enum {
     X(damping, float[2], TD_STATE)      /* linear, angular */                                     \
     X(idle, float, TD_STATE)            /* time at rest, s */                                     \
     X(direct_steps, uint8_t, TD_STATE)  /* steps for which its island is still direct */          \
-    X(slow_steps, uint16_t, TD_STATE)   /* steps that took its island's solver long */            \
-    X(reach, float[2], TD_STATE)        /* td_body.min_extent and .max_extent */                  \
+    X(slow_steps, uint16_t, TD_STATE) /* two counts of slow steps of its island: TD_SLOW_STEPS */ \
+    X(reach, float[2], TD_STATE)      /* td_body.min_extent and .max_extent */                    \
     X(mass, float, TD_STATE)                                                                      \
     X(inertia, float, TD_STATE)                                                                   \
     X(gravity_mass, float, TD_STATE)    /* mass times gravity scale */                            \

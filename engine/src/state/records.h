@@ -73,10 +73,10 @@ enum {
 
 /* thud_world.marks */
 enum {
-    TD_MARK_MOVED = 1,  /* in the list `moved`; its bounds before that are in `was` */
-    TD_MARK_FRESH = 2,  /* new, without pairs: `was` is not set */
+    TD_MARK_MOVED = 1,  /* in thud_world.moved; previous_fat has its bounds before */
+    TD_MARK_FRESH = 2,  /* new, has no contacts yet; previous_fat is not set */
     TD_MARK_WOKEN = 4,  /* pairs may be missing: the broadphase looks up each one */
-    TD_MARK_CROWDED = 8 /* the same, in a world that is crowded: broadphase.c */
+    TD_MARK_CROWDED = 8 /* with TD_MARK_WOKEN: the world was crowded (broadphase.c) */
 };
 
 typedef struct td_shape {
