@@ -2,9 +2,10 @@
  * where it ends.
  *
  * With z = c t, p = (1 - exp(-z)) / z and r = (1 - p) / z, a velocity v0 under the acceleration g
- * and the damping c becomes in the time t v1 = v0 - v0 z p + g t p,   and the way is   t (v0 p + g
- * t r), as in damping.h, whose series is only valid for small z, as within a step; here z may be
- * large. */
+ * and the damping c becomes in the time t
+ *   v1 = v0 - v0 z p + g t p,   and the way is   t (v0 p + g t r),
+ * as in damping.h, whose series is only valid for small z, as within a step; here z may be large.
+ */
 #include "casts/flight.h"
 
 #include "base/rotation.h"

@@ -13,9 +13,10 @@
 #include "listeners/decisions.h"
 
 /* One contact point of an arrival, at the time at which the pair would meet. With the motions D of
- * both bodies in the step, their turns phi, and c = r x n, its gap at the end of the step is start
- * + n . (D_b - D_a) + c_b phi_b - c_a phi_a as in gaps.c; here `start` is chosen so that the
- * formula gives the exact gap at the time at which the pair would meet. */
+ * both bodies in the step, their turns phi, and c = r x n, its gap at the end of the step is
+ *   start + n . (D_b - D_a) + c_b phi_b - c_a phi_a
+ * as in gaps.c; here `start` is chosen so that the formula gives the exact gap at the time at which
+ * the pair would meet. */
 typedef struct td_arrival {
     td_awake_slot a, b;             /* 0: the body does not move */
     float nx, ny;                   /* normal, from a to b */

@@ -2,7 +2,8 @@
  * only its times of impact take the curvature into account.
  *
  * With v0 and v1 the velocities at the start and the end of the step, dt its length and gain = v1 -
- * v0 what gravity and forces add, the path is x(s) = (v0 dt) s + (gain dt) s^2 / 2,   s in [0, 1]
+ * v0 what gravity and forces add, the path is
+ *   x(s) = (v0 dt) s + (gain dt) s^2 / 2,   s in [0, 1]
  * so that the motion in the step is v1 dt - gain dt / 2, and `fall` is gain dt. */
 #include "detection/ballistics.h"
 

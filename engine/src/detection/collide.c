@@ -162,12 +162,14 @@ typedef struct outcome {
 /* Applies the collision law to the velocities or to the motions of both bodies, after A. Chatterjee
  * and A. Ruina, "A New Algebraic Rigid-Body Collision Law Based on Impulse Space Considerations"
  * (1998), without tangential restitution. With normal n, tangent t, closing speed c, restitution e
- * and the inverse effective masses K: P1 = c / Knn                               along n: stops the
- * approach without friction T = -(slide + Knt P1) / (Ktt - Knt^2/Knn)  along t: then stops the
- * sliding, while A = -T Knt / Knn                           along n: keeps the normal speed In the
- * code: Knn inverse_mass, Knt mixed, P1 stop, T tangent, A along. The impulse is (1 + e) P1 along
- * n, and the share of (A, T) that keeps |tangent| <= friction x normal. No impact gains energy,
- * even if normal and friction impulses are coupled by the rotation of the bodies (Knt != 0). */
+ * and the inverse effective masses K:
+ *   P1 = c / Knn                               along n: stops the approach without friction
+ *   T = -(slide + Knt P1) / (Ktt - Knt^2/Knn)  along t: then stops the sliding, while
+ *   A = -T Knt / Knn                           along n: keeps the normal speed
+ * In the code: Knn inverse_mass, Knt mixed, P1 stop, T tangent, A along.
+ * The impulse is (1 + e) P1 along n, and the share of (A, T) that keeps |tangent| <= friction x
+ * normal. No impact gains energy, even if normal and friction impulses are coupled by the rotation
+ * of the bodies (Knt != 0). */
 static outcome apply_collision(side *a, side *b, bool use_motion, const surface *u) {
     double closing = -speed_along(a, b, use_motion, u->nx, u->ny);
     double tx = u->ny, ty = -u->nx;

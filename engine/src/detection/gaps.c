@@ -1,10 +1,11 @@
 /* gaps.c: see gaps.h.
  *
  * With n the normal, d the displacements of the centres, phi the turns and c = r x n the crosses of
- * a point, its gap at the end of a motion is gap = start_separation + skin + n . (d_b - d_a) + c_b
- * phi_b - c_a phi_a where start_separation is that at the start of the step, measured from the skin
- * at which contacts rest. The rows neglect that normal and lever arms turn with the bodies;
- * `row_error` bounds the error that this causes in the gap. */
+ * a point, its gap at the end of a motion is
+ *   gap = start_separation + skin + n . (d_b - d_a) + c_b phi_b - c_a phi_a
+ * where start_separation is that at the start of the step, measured from the skin at which contacts
+ * rest. The rows neglect that normal and lever arms turn with the bodies; `row_error` bounds the
+ * error that this causes in the gap. */
 #include "detection/gaps.h"
 
 #include "constraint/lanes.h"

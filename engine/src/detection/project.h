@@ -1,14 +1,15 @@
 /* project.h: the wide kernels of gaps.c, eight contacts at a time.
  *
  * The projection changes the motions of the step (td_project_context.delta) so that no contact
- * point ends with a gap below min(target_distance, gap at the start of the step - yield) where
- * yield is 0, or yield_at_rest between two bodies that hardly move, by projected Gauss-Seidel with
- * over-relaxation (Jourdan, Alart, Jean, "A Gauss-Seidel like algorithm to solve frictional contact
- * problems", 1998) over all touching contacts, block by block. The unknowns are two impulses a
- * point along its normal, both >= 0: one of motion (mass x length), and one of velocity (mass x
- * length/s), which keeps the velocities from closing at points where the first acts. Without this
- * projection each touching pair of a collapsing heap meets again and again: a step took thirty
- * times as long as with continuous detection, and one body in seven was held.
+ * point ends with a gap below
+ *   min(target_distance, gap at the start of the step - yield)
+ * where yield is 0, or yield_at_rest between two bodies that hardly move. The method is projected
+ * Gauss-Seidel with over-relaxation (Jourdan, Alart, Jean, "A Gauss-Seidel like algorithm to solve
+ * frictional contact problems", 1998) over all touching contacts, block by block. The unknowns are
+ * two impulses a point along its normal, both >= 0: one of motion (mass x length), and one of
+ * velocity (mass x length/s), which keeps the velocities from closing at points where the first
+ * acts. Without this projection each touching pair of a collapsing heap meets again and again: a
+ * step took thirty times as long as with continuous detection, and one body in seven was held.
  *
  * The projection leaves out lanes with restitution >= 1 and lanes of bodies that joints tie to
  * others. */

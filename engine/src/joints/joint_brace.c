@@ -14,9 +14,10 @@
  *
  * Consider a group of bodies that locks and rods connect. p are the impulses of all its locks, u
  * the relative speeds along them without these impulses, and u' = u + K p the speeds with them.
- * Applying the share s of the impulses changes the kinetic energy by E(s) = s p.u + s^2 p.(u' - u)
- * / 2 E(1) = p.(u + u') / 2 E has its minimum at s = -p.u / p.(u' - u), and is 0 again at twice
- * that share.
+ * Applying the share s of the impulses changes the kinetic energy by
+ *     E(s) = s p.u + s^2 p.(u' - u) / 2
+ *     E(1) = p.(u + u') / 2
+ * E has its minimum at s = -p.u / p.(u' - u), and is 0 again at twice that share.
  *
  * After the warm start, p are the impulses of the substep before. Where E(1) > 0, the group keeps
  * the share at which E has its minimum, clamped to 0 .. 1.

@@ -36,10 +36,11 @@ typedef struct lock_matrix {
  * where lever arms are long, that is, where mass times arm^2 is large beside the moment of inertia.
  * With the inverse moments of inertia i_a and i_b, m the sum of inverse masses, a and b the lever
  * arms, d = b - a, and d_u = d x u as arms are crossed with directions, these formulas give the
- * Schur complement without subtractions, which would suffer cancellation in single precision: turn
- * locked:  K_uu - K_ut^2 / K_tt = m + i_a i_b / (i_a + i_b) d_u^2 det = m^2 + m i_a i_b / (i_a +
- * i_b) |d|^2 turn free:    det = m^2 + m (i_a |a|^2 + i_b |b|^2) + i_a i_b (a x b)^2 Rows that a
- * lane does not have are decoupled, with 1 on the diagonal. */
+ * Schur complement without subtractions, which would suffer cancellation in single precision:
+ *     turn locked:  K_uu - K_ut^2 / K_tt = m + i_a i_b / (i_a + i_b) d_u^2
+ *                   det = m^2 + m i_a i_b / (i_a + i_b) |d|^2
+ *     turn free:    det = m^2 + m (i_a |a|^2 + i_b |b|^2) + i_a i_b (a x b)^2
+ * Rows that a lane does not have are decoupled, with 1 on the diagonal. */
 TD_INLINE lock_matrix lock_matrix_of(const td_block *block, const sides *v, bool a_static,
                                      const frame8 *f) {
     f8 zero = f8_all(0.0f), one = f8_all(1.0f);
