@@ -173,7 +173,7 @@ TD_INLINE f8 f8_min(f8 a, f8 b) /* b where a lane is not-a-number, as on x86 */
 #endif
 }
 
-TD_INLINE f8 f8_max(f8 a, f8 b) /* likewise */
+TD_INLINE f8 f8_max(f8 a, f8 b) /* b where a lane is not-a-number, as on x86 */
 {
 #if defined(__AVX2__)
     return (f8)_mm256_max_ps((__m256)a, (__m256)b);

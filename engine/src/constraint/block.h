@@ -406,7 +406,7 @@ typedef struct td_solve_context {
     float push_speed;               /* maximum speed at which overlap is corrected, length/s */
     float joint_closing_speed;      /* TD_JOINT_CLOSING_SPEED, length/s */
     float bounce_speed;  /* <= 0, length/s: a pair bounces if its normal velocity is below this */
-    float elastic_speed; /* the same for pairs with a restitution of 1 or more */
+    float elastic_speed; /* bounce_speed for pairs with a restitution of 1 or more */
     /* A pair bounces in this step if it meets within this time, s: a step and a substep, since the
      * last relax pass would otherwise stop a pair that meets in the substep after the step. */
     float bounce_time;

@@ -115,7 +115,8 @@ td_phase td_phase_from(const thud_world *w, int first);
 
 /* Updates the awake slots and inverse inertias of a lane, after those of a body have changed. */
 void td_lane_refresh(thud_world *w, int constraint);
-/* The same, and makes the next narrowphase compute its manifold and effective masses again. */
+/* td_lane_refresh; and the next narrowphase computes manifold and effective masses of the lane
+ * anew, in place of reusing those of earlier steps. */
 void td_lane_renew(thud_world *w, int constraint);
 
 #endif

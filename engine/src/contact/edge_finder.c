@@ -85,8 +85,9 @@ static void find_parts(box_parts *parts, const thud_geometry *box, double width)
     }
 }
 
-/* Whether a neighbour that contains the corner at (x, y) hides it from all sides: it extends past
- * it along the normals closest to either face. */
+/* Whether a neighbour that contains the corner at (x, y) hides the corner from all sides. It does
+ * if it extends past the corner along the two contact normals that are closest to the normals of
+ * the corner's faces. */
 static bool flattens_corner(const td_neighbourhood *s, int neighbour, const thud_geometry *placed,
                             int corner, double x, double y) {
     const thud_geometry *box = &s->a;

@@ -29,8 +29,8 @@ typedef struct td_neighbourhood {
 
 /* For the present poses. With `other` TD_NONE, the field b is a copy of a. */
 td_neighbourhood td_neighbourhood_of(thud_world *w, int shape, int other);
-/* The same for given instances of both shapes, relative to any common origin, such as the poses at
- * a time within the step. */
+/* td_neighbourhood_of for given poses of both shapes, such as those at a time within the step. Both
+ * are relative to the same origin, which may be any. */
 td_neighbourhood td_neighbourhood_between(thud_world *w, int shape, int other,
                                           const thud_geometry *a, const thud_geometry *b);
 

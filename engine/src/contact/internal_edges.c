@@ -26,9 +26,9 @@
 /* Sine of the angle to a face's normal up to which a normal counts as the face's. Above the
  * rounding of single precision; chosen, not tuned. */
 #define FACE_SINE_MAX 1e-5
-/* The same where both shapes have neighbours and the normal is a face's of one of them, against the
- * faces of the other: two boxes that rest flat on each other are not exactly parallel. Chosen; not
- * tuned. */
+/* FACE_SINE_MAX for two boxes that both have neighbours, if the normal is that of a face of one,
+ * and is compared with the faces of the other. It is larger, since two boxes that rest flat on each
+ * other are not exactly parallel. Chosen; not tuned. */
 #define RESTING_FACE_SINE_MAX 0.01
 /* The part of a face that must be covered is longer at each end than the part that the other shape
  * takes up, by this share of that shape's half thickness. Chosen; not tuned. */
@@ -201,8 +201,8 @@ static sides sides_of(const td_internal_edge_pair *p) {
     return s;
 }
 
-/* A td_axis_hidden_fn: whether one of the sides has the normal, from shape 0 to shape 1, hidden.
- * `context`: sides. */
+/* A td_axis_hidden_fn: whether the normal (nx, ny), from shape 0 to shape 1, is hidden for at least
+ * one of the two shapes. `context`: sides. */
 static bool is_hidden(double nx, double ny, void *context) {
     const sides *s = context;
     const thud_geometry *placed = s->pair->placed;

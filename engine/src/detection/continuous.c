@@ -97,7 +97,7 @@ static void sweep_against_shape(sweep *s, int other) {
     record_hit(s, other, &hit);
 }
 
-/* The same against a terrain. */
+/* sweep_against_shape for a terrain. */
 static void sweep_against_terrain(sweep *s, int line) {
     if (stops_at(s, line)) {
         td_swept_hit hit = {.time = 1.0};

@@ -1,7 +1,8 @@
 /* shared_fast.c: the search for shapes near the paths of fast bodies, by workers, each of which
- * takes TD_SHARE_FAST bodies at a time. Most bodies have none near. The calling thread sweeps the
- * others in order, since stopping a body also stops those that joints tie to it. That only shortens
- * motions, so that a body without a shape near its path needs no second search. */
+ * takes TD_SHARE_FAST bodies at a time. Most fast bodies have no shape near. The bodies that have
+ * one are swept by the calling thread in order, since stopping a body also stops the bodies that
+ * joints tie to it. Stops only shorten motions, so that a body without a shape near its path needs
+ * no second search. */
 #include "detection/detection.h"
 #include "state/jobs.h"
 #include "state/shared_stages.h"

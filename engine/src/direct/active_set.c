@@ -45,7 +45,8 @@
 enum {
     FACTORINGS_MAX = 6,    /* factorisations before the method gives up; at rest it takes one */
     UPDATES_MAX = 12,      /* maximum number of updates of multipliers and friction bounds */
-    UPDATES_AGAIN = 4,     /* the same in td_direct_solve_same_active_set, which does not factor */
+    UPDATES_AGAIN = 4,     /* UPDATES_MAX for td_direct_solve_same_active_set, which does not factor
+                            */
     CHANGED_PART = 6,      /* if more than one in CHANGED_PART rows changes its activity in a Newton
                               step, ... */
     CHANGED_ROWS_MIN = 100 /* ... in a problem of at least CHANGED_ROWS_MIN rows, the method gives

@@ -95,8 +95,8 @@ double td_island_solve_joints(td_island_work *work, double tolerance);
  * td_islands.results, .trees_residual and the statistics. */
 td_tree_outcome td_lock_tree_step(thud_world *w, const td_island *island,
                                   const td_direct_body *known);
-/* The same for all listed islands. Islands whose trees have the same graph are solved side by side
- * in the lanes of vectors. */
+/* Calls td_lock_tree_step's solver for all listed islands. Islands whose trees have the same graph
+ * are solved side by side in the lanes of vectors. */
 void td_lock_trees_step(thud_world *w);
 /* Writes the result of an island that was solved as such a tree to the world. */
 void td_lock_tree_write(thud_world *w, const td_island *island);

@@ -124,7 +124,8 @@ void td_joint_rotate_arm(double angle, double *u, double *v) {
     *v = c * y + s * x;
 }
 
-/* The same anchors in a frame that is rotated by the angle of (c, s). */
+/* The frame f rotated by the angle with cosine c and sine s: its anchors and its gap are the same
+ * vectors, in the coordinates of the new axes. */
 static td_joint_frame rotate_frame(td_joint_frame f, double c, double s) {
     return (td_joint_frame){.x = c * f.x - s * f.y,
                             .y = c * f.y + s * f.x,

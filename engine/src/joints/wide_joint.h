@@ -116,8 +116,8 @@ TD_INLINE frame8 frame_now(const td_block *block, const sides *d, bool a_static,
     return f;
 }
 
-/* The same with u along the gap. *length: the length of the gap. gap_u, gap_v and the cross
- * products with v are not set. */
+/* frame_now for a rod or a line drive, whose axis u points along the gap. *length: the length of
+ * the gap. gap_u, gap_v and the cross products with v are not set. */
 TD_INLINE frame8 line_now(const td_block *block, const sides *d, bool a_static, f8 gap_u, f8 gap_v,
                           f8 *length) {
     f8 zero = f8_all(0.0f), one = f8_all(1.0f);

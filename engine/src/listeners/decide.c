@@ -21,8 +21,8 @@ static double twice_energy(const td_body *body, const double v[3]) {
     return (double)body->mass * (v[0] * v[0] + v[1] * v[1]) + (double)body->inertia * v[2] * v[2];
 }
 
-/* Counts the change of a body's velocity from `before` to the decided one: in the energy of the
- * step, and as the impulse that the epilogue is told, on b. */
+/* Adds the change of a body's velocity from `before` to the decided one to the step's energy
+ * change. For body b it also becomes the impulse that the epilogue gets. */
 static void count_change(thud_world *w, td_decision *d, thud_contact *seen, int side,
                          const double before[3]) {
     const td_body *body = td_body_at(w, body_of_side(w, &d->seen, side));

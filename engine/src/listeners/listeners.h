@@ -8,8 +8,8 @@
 #include "state/world.h"
 #include "thud/thud_listeners.h"
 
-/* What a prologue is being asked about: an array of contacts, of which the first has this number
- * among all contacts of the step. */
+/* The contacts that a prologue has been called for and has not answered yet: an array. `number`: of
+ * its first contact among all contacts of the step. */
 typedef struct td_question {
     const thud_contact *contacts;
     int count; /* 0: no prologue is being called */

@@ -271,7 +271,8 @@ static thud_result make_world(thud_player *p) {
     def.clock_context = o->clock_context;
     thud_result result = thud_world_create(&def, &p->play.world);
     if (result == THUD_OK) {
-        p->play.world->def.parts = NULL; /* from its keyframe on it has what the recorded one had */
+        p->play.world->def.parts = NULL; /* the snapshot of the keyframe plugs in the parts that the
+                                            recorded world had */
     }
     result = result == THUD_OK ? thud_world_use_joints(p->play.world) : result;
     result = result == THUD_OK ? thud_world_use_rules(p->play.world) : result;

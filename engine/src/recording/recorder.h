@@ -25,7 +25,7 @@ typedef struct td_record_frame {
     uint64_t callbacks;             /* number of callbacks of this call so far */
     uint64_t written;               /* number of the last callback with a record */
     const thud_step_calls *steps;   /* the caller's own, of thud_world_advance_with */
-    thud_mover_pass_fn *pass;       /* likewise, of thud_mover_move */
+    thud_mover_pass_fn *pass;       /* the caller's callback of thud_mover_move */
     void *pass_context;
 } td_record_frame;
 

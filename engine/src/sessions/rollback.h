@@ -24,12 +24,12 @@ typedef struct td_saved_step {
 /* The known inputs of a player. */
 typedef struct td_player_inputs {
     uint64_t *inputs;           /* ring of input_count */
-    bool *is_known;             /* likewise: the input of the step is known */
+    bool *is_known;             /* ring of input_count: whether the input of the step is known */
     int64_t known_before;       /* every input before this step is known */
     int64_t told_before;        /* inputs have been given for steps before this one only */
     int64_t gone_from, back_at; /* absent from step gone_from to step back_at - 1; TD_NO_STEP: never
                                    gone, or not back yet */
-    bool is_timed;              /* both leads have been heard of */
+    bool is_timed;              /* both leads have values */
     double lead, their_lead;    /* thud_rollback_get_lead, and the player's own, smoothed */
 } td_player_inputs;
 

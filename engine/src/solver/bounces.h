@@ -10,7 +10,7 @@
  * a pair in free flight: a pair that meets more slowly would meet again some eight times within the
  * step (1 / 0.125). */
 #define TD_BOUNCE_REST 0.125
-/* The same threshold for a pair with a body that other contacts carry. The solver's errors let the
+/* TD_BOUNCE_REST for a pair with a body that other contacts carry. The solver's errors let the
  * velocity of such a body fluctuate by less than this, which must not make the pair bounce. Chosen.
  */
 #define TD_BOUNCE_BORNE 4.0

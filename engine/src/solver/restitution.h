@@ -9,7 +9,8 @@
 #include "solver/motion.h"
 #include "state/world.h"
 
-/* Both kernels of each, by thud_world.wide: wide_bounce.c. */
+/* The functions of wide_bounce.c. Of each there are two, one for each instruction set: the index is
+ * thud_world.wide. */
 typedef struct td_restitution_hooks {
     td_solve_fn *one_point[2], *two_points[2]; /* the bounce passes of contacts */
     td_end_flights_fn *end_flights[2];

@@ -85,7 +85,7 @@ typedef struct td_shape {
     uint8_t kind, flags, plain; /* plain: centred on the body's centre of mass, at angle 0 */
     uint8_t
         internal_edges; /* static shapes: faces and corners that others touch: internal_edges.h */
-    uint8_t hidden;     /* static shapes: those that others cover: internal_edges.h */
+    uint8_t hidden;     /* static shapes: faces and corners that others cover: internal_edges.h */
     td_body_index body;
     int32_t next;           /* next shape of the same body */
     int32_t terrain;        /* index, or TD_NONE */
@@ -142,7 +142,7 @@ typedef struct td_constraint {
     uint8_t open;   /* the contact has begun and not ended: TD_OPEN, TD_TOLD */
     uint8_t listed; /* scratch flag while a list of constraints is made */
     uint8_t live;   /* the record is in use */
-    uint8_t vetoed; /* by a prologue or a rule, see above */
+    uint8_t vetoed; /* TD_VETOED, TD_PASSING, TD_HELD: set by a prologue or a rule */
 } td_constraint;
 
 /* An edge: a constraint in the list of one of its bodies, a number. Side 0 is body[0]. */
@@ -184,7 +184,7 @@ typedef struct td_drive {
  * beyond a full turn. */
 typedef struct td_gear {
     int32_t joint[2];
-    uint32_t generation[2]; /* of those joints when the gear was made */
+    uint32_t generation[2]; /* generations of both joints when the gear was made */
     uint32_t last[2];       /* angles in the last step, to count full turns by */
     float ratio;
     int32_t apart;     /* 1: one of the joints is disabled, and the gear does nothing */
@@ -232,7 +232,8 @@ typedef struct td_colours {
  */
 typedef struct td_event_lists {
     td_array begin, end, sensor_begin, sensor_end; /* thud_contact_event */
-    td_array sensor_begin_time, sensor_end_time;   /* float, of each of those */
+    td_array sensor_begin_time, sensor_end_time;   /* float: the time in [0, 1] of the step of each
+                                                      sensor event */
     td_array hit;                                  /* thud_hit_event */
     td_array quarantined;                          /* thud_body_id */
 } td_event_lists;

@@ -32,7 +32,7 @@ typedef struct td_finalize_share {
     td_energy_sums sums[TD_SHARE_BODIES / TD_LANES];
     td_finalize_part part;
     td_array odd, fast, moved;
-    int room[3][TD_SHARE_BODIES]; /* data of these three */
+    int room[3][TD_SHARE_BODIES]; /* memory of odd, fast and moved */
 } td_finalize_share;
 
 /* Shapes whose pairs a worker searches at once, and room for their pairs. In a heap of equal
@@ -55,7 +55,7 @@ enum { TD_SHARE_WAITING = 256 };
 /* The contacts of one part of the waiting ones that begin, and those that end. */
 typedef struct td_waiting_share {
     td_array begins, ends;
-    int room[2][TD_SHARE_WAITING]; /* data of these two */
+    int room[2][TD_SHARE_WAITING]; /* memory of begins and ends */
 } td_waiting_share;
 
 /* Fast bodies that a worker looks at at once. Chosen. */

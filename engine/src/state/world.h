@@ -93,14 +93,14 @@ struct thud_world {
     bool (*gather)(struct thud_world *w);
     float length_scale;   /* L of base.h, in the caller's unit: of def.length_scale the
                              greatest power of two that is not above it */
-    float quantum;        /* a position quantum, in the caller's unit */
-    double to_fixed;      /* position quanta in the caller's unit */
-    double to_coarse;     /* bounds quanta in the caller's unit */
+    float quantum;        /* length of a position quantum, in the caller's unit */
+    double to_fixed;      /* position quanta per unit of length of the caller */
+    double to_coarse;     /* bounds quanta per unit of length of the caller */
     thud_quality quality; /* in force: the def's quality, with the fields that the def and the
                              detection replace */
     int substeps;         /* of the next step */
-    const thud_detection *detections[TD_RANK_COUNT]; /* by rank: those that the world or a body ever
-                                                        chose; else null */
+    const thud_detection *detections[TD_RANK_COUNT]; /* by rank: the detection, if the world or a
+                                                        body ever chose it; else null */
     float skin; /* distance at which soft contacts rest, caller's unit: 0, or TD_SKIN or
                    TD_IMPACT_DISTANCE times length_scale (solver/quality.c) */
 
