@@ -95,7 +95,7 @@ struct thud_broadphase {
     td_find_fn *find[2];
 };
 
-/* Initialiser of such a pair. */
+/* Initialiser of `sweep` or `find`: the function of a wide file for each instruction set. */
 #if defined(TD_HAS_AVX2)
 #define TD_BOTH_WIDE(name) \
     { TD_JOIN(name, base), TD_JOIN(name, avx2) }

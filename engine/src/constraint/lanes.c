@@ -277,7 +277,8 @@ bool td_lanes_place(thud_world *w, const int *constraints, int count) {
     if (count == 0) {
         return true;
     }
-    int lanes[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND]; /* set for the few bins that get some */
+    int lanes[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND]; /* lanes of the bins that get constraints; other
+                                                       elements are not set */
     int more[TD_FORM_COUNT] = {0};
     if (!td_array_reserve(&w->memory, &w->scratch.lane_bins, count)) {
         return false;

@@ -374,8 +374,9 @@ static void scale_impulses(td_island_work *work, double by) {
     }
 }
 
-/* Twice the kinetic energy; with `free`, the larger of the kinetic energies before the part and
- * without constraints, component by component. */
+/* Twice the kinetic energy of the island. With `free`, an upper bound of what it may be: each
+ * component of a body's velocity counts as the larger of its value before the part and its value
+ * without constraints. */
 static double energy_of(const td_island_work *work, bool free) {
     double sum = 0.0;
     for (int i = 0; i < work->island->bodies; i++) {

@@ -108,7 +108,7 @@ static thud_result find_dynamic_body(const thud_world *w, thud_joint_id id, td_b
     return THUD_OK;
 }
 
-/* The bodies of a def. */
+/* Finds the bodies of a joint's def. */
 static thud_result find_sides(const thud_world *w, const thud_joint_def *def, td_body_index *a,
                               td_body_index *b) {
     if (def->kind == THUD_JOINT_GEAR) {

@@ -221,7 +221,7 @@ static void set_lock_directions(td_direct_constraint *c, const td_joint_frame *f
     set_geometric_stiffness(c, f, s, c->row[0].impulse, c->row[1].impulse);
 }
 
-/* Locked directions of a frame that turns with body a. */
+/* td_update_rows_fn of locked directions whose frame turns with body a. */
 static void update_turning_lock(const thud_world *w, const td_block *block, int lane,
                                 const td_span *s, td_direct_constraint *c, double unit) {
     double u = (double)block->point[0].start_separation[lane],

@@ -587,13 +587,13 @@ static bool mark_bodies(thud_world *w) {
     return any;
 }
 
-/* Results of inspecting the constraints of a group: touches_static: a contact with a static shape
- * has an impulse or overlaps; locks_open: a lock's gap is wider than depth_share of the group's
- * smallest half extent, and wider
- *     than at the start of the step;
- * deep: a contact with a static shape is below its least separation. */
+/* Results of inspecting the constraints of a group. */
 typedef struct finding {
-    bool touches_static, locks_open, deep;
+    bool touches_static; /* a contact with a static shape has an impulse or overlaps */
+    /* A lock's gap is wider than depth_share of the group's smallest half extent, and wider than at
+     * the start of the step. */
+    bool locks_open;
+    bool deep; /* a contact with a static shape is below its least separation */
 } finding;
 
 /* Whether a gap is wider than `tolerance`, and than before. */
@@ -601,7 +601,7 @@ static bool opened_wider(float now, float before, float tolerance) {
     return td_joint_abs(now) > td_max_float(tolerance, td_joint_abs(before));
 }
 
-/* Adds the result of one constraint to the group's finding. */
+/* Sets the members of the group's finding that one constraint makes true. */
 static void inspect_constraint(const tied_group *g, const td_constraint *constraint) {
     finding *found = g->found;
     td_lane at = td_lane_of(g->w, constraint);

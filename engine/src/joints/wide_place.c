@@ -100,7 +100,8 @@ TD_INLINE f8 line_of(const place8 *p, i8 used, f8 *x, f8 *y) {
     return length;
 }
 
-/* Sets u = (x, y), and the crosses of the arms: with u in point[0], with v in point[1]. */
+/* Sets the axis u = (x, y) of the frames, and the lever arms crossed with the axes: with u in
+ * point[0], with v in point[1]. */
 TD_INLINE void set_frame(td_block *block, const place8 *p, f8 x, f8 y) {
     td_point *u = &block->point[0], *v = &block->point[1];
     block->nx = x;

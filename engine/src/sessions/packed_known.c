@@ -77,7 +77,7 @@ static uint32_t bits_of(float number) {
     return bits;
 }
 
-/* The field of bodies, shapes and proxies. */
+/* Reads a field of a body's or shape's record. */
 #define BODY(i, body, name) int_at(i, TD_SECTION_BODIES, body, offsetof(td_body, name))
 #define BODY_FLOAT(i, body, name) float_at(i, TD_SECTION_BODIES, body, offsetof(td_body, name))
 #define SHAPE(i, shape, name) int_at(i, TD_SECTION_SHAPES, shape, offsetof(td_shape, name))

@@ -10,7 +10,7 @@
 #include "state/handles.h"
 #include "thud/thud_rollback.h"
 
-/* In place of a step: none. */
+/* The step number that means: no step. */
 #define TD_NO_STEP INT64_MAX
 
 /* The world and state before a step, and what the step was played with. */

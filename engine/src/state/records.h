@@ -64,7 +64,7 @@ typedef struct td_body {
 /* td_shape.flags */
 enum {
     TD_SHAPE_LIVE = 1,
-    TD_SHAPE_SENSOR = 2, /* 4: see internal_edges.h */
+    TD_SHAPE_SENSOR = 2, /* 4 is TD_SHAPE_UNSEEN of internal_edges.h */
     /* Made inside a callback: has no contacts and no mass before the next step. */
     TD_SHAPE_WAITS = 8,
     TD_SHAPE_SILENT = 16,                              /* makes no events */
