@@ -73,8 +73,9 @@ bool td_snapshot_counts_valid(const td_snapshot_head *head) {
            head->ruled.impulses >= 0 && head->ruled.impulses <= max;
 }
 
-/* Whether arrays with an element for each body, shape or awake slot are as long as the counts of
- * these say, and no list is longer than the room that it will get. */
+/* Whether the lengths of arrays in the snapshot are valid: an array with an element for each body,
+ * shape or awake slot must have as many as there are of these, and no list may be longer than the
+ * room that it will get. */
 static bool lengths_valid(thud_world *w, const td_snapshot_head *head) {
     const td_snapshot_part *parts = head->parts;
     td_part own[TD_SNAPSHOT_PARTS];

@@ -38,7 +38,8 @@ typedef struct sweep {
     td_awake_slot slot;
     td_body_index body;
     int shape;              /* of the body: the one that is set in `swept` */
-    td_swept swept;         /* `placed` is the smaller shape, `core` the circle in its middle */
+    td_swept swept;         /* `placed`: the shape, made smaller by td_swept.shrink; `core`: a
+                               circle in its middle */
     sweep_hit last;         /* the latest hit that the prologue refused; time -1: none */
     sweep_hit next;         /* the first hit after `last` found so far; time 1: none */
     const td_array *shapes; /* int: shapes near the path; static shapes are among them */

@@ -52,8 +52,8 @@ static double compliance(const td_direct_row *r) {
     return r->kind == TD_ROW_SOFT ? 1.0 / r->soft_weight : 0.0;
 }
 
-/* J v - target of a friction row, and J v - target + y / weight of a spring: the difference of
- * their slacks. */
+/* The difference between the slacks of a row's two bounds: J v - target for a friction row, J v -
+ * target + y / weight for a spring. */
 static double slack_difference(const td_direct_row *r) {
     return r->speed - r->target_speed + compliance(r) * r->impulse;
 }
