@@ -298,8 +298,9 @@ static bool is_drive(int kind) {
     return kind >= TD_CONSTRAINT_DRIVE_LINE && kind <= TD_CONSTRAINT_DRIVE_TURN;
 }
 
-/* The row of a drive's direction, as it was at the start of the step. An axis turns with body a,
- * whose lever arm then ends at b's anchor. */
+/* The row of a drive's direction, as it was at the start of the step. The direction of an axis
+ * drive turns with body a, so that a's rotation moves the axis at b's anchor: a's lever arm reaches
+ * to that anchor, not to its own. */
 static row_direction drive_direction(const td_lane *at, int kind) {
     const td_block *block = at->block;
     const td_point *p = &block->point[0];

@@ -248,7 +248,8 @@ static void note_body(thud_rollback_difference *out, int64_t slot, thud_body_id 
     }
 }
 
-/* Compares the bodies of the report with those of the world, which is at its step. */
+/* Compares the bodies of the report with those of the world. The world must be as it was before the
+ * report's step. */
 static void compare_bodies(const thud_rollback *r, const report *p, const uint8_t *bodies,
                            thud_rollback_difference *out) {
     const thud_world *w = r->world;

@@ -62,10 +62,10 @@ typedef struct td_finalize_part {
     td_array *moved; /* int: gets the shapes that have left their fat bounds; with room for all
                         shapes of the part */
     td_energy_sums *sums; /* the first eight bodies of the part add their energies here */
-    int sums_step;        /* each further eight bodies add to sums + sums_step of the eight before;
-                             0: all add to one */
+    int sums_step;        /* the n-th eight bodies, from 0, add to sums[n * sums_step]; 0: all add
+                             to the same */
     bool has_moved;       /* a shape has left its fat bounds */
-    int idle, drowsy;     /* bodies: td_world.idle_bodies, drowsy_bodies */
+    int idle, drowsy;     /* bodies of the part: see thud_world.idle_bodies, drowsy_bodies */
 } td_finalize_part;
 
 /* wide_finalize.c: adds motions to poses, and updates shapes and bounds. Parts of one world write
