@@ -32,7 +32,7 @@ enum {
     X(inertia, float, TD_STATE)                                                                   \
     X(gravity_mass, float, TD_STATE)    /* mass times gravity scale */                            \
     X(body_of, td_body_index, TD_STATE) /* its count is the number of slots in use */             \
-    X(lone, int, TD_STATE)              /* the body's only shape, if it is centred; else TD_NONE */ \
+    X(lone, int, TD_STATE) /* the body's only shape, if it is centred; else TD_NONE */            \
     X(colours, td_colours, TD_STATE)
 
 /* Numbers of the arrays in thud_world.awake: TD_AWAKE_velocity and so on. */
