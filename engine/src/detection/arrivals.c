@@ -62,7 +62,7 @@ static bool stops(const thud_world *w, const td_arrival *r) {
  * pair, which then has no effect in this step. */
 static bool is_accepted(thud_world *w, td_arrival *r) {
     if (w->decisions) {
-        w->decisions->has_impact = false; /* that of an impact before */
+        w->decisions->has_impact = false; /* forgets the decision about an earlier impact */
     }
     bool meets = td_surface_meet(w, &r->impact.seen, &r->settings);
     if (w->decisions && w->decisions->has_impact) {

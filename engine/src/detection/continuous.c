@@ -37,7 +37,7 @@ typedef struct sweep {
     thud_world *w;
     td_awake_slot slot;
     td_body_index body;
-    int shape;              /* of the body: the one that is set in `swept` */
+    int shape;              /* the shape of the body that `swept` describes */
     td_swept swept;         /* `placed`: the shape, made smaller by td_swept.shrink; `core`: a
                                circle in its middle */
     sweep_hit last;         /* the latest hit that the prologue refused; time -1: none */

@@ -143,7 +143,7 @@ static bool is_vetoed(thud_world *w, int number, const thud_contact *seen,
     }
     *settings = td_surface_of_impact(w, seen);
     if (w->decisions) {
-        w->decisions->has_impact = false; /* that of an impact before */
+        w->decisions->has_impact = false; /* forgets the decision about an earlier impact */
     }
     bool meets = td_surface_meet(w, seen, settings);
     *decided = w->decisions && w->decisions->has_impact;

@@ -63,7 +63,7 @@ static double leg_end_at(const thud_world *w, td_body_index body, double time) {
  * first; the motion is then that backward in time. */
 typedef struct moving_shape {
     thud_geometry at;   /* at the first time */
-    thud_motion motion; /* to the second time */
+    thud_motion motion; /* motion from the first time to the second */
 } moving_shape;
 
 /* A shape from time `from` to time `to`, relative to `origin`. */

@@ -182,7 +182,7 @@ static bool take_joints(const td_tree *tree) {
  * repeat each other. */
 static bool respond(td_tree_body *t) {
     double *s = t->compliance;
-    s[0] = s[2] = s[5] = 1.0; /* of rows that the joint does not have */
+    s[0] = s[2] = s[5] = 1.0; /* for rows that the joint does not have */
     s[1] = s[3] = s[4] = 0.0;
     for (int k = 0; k < t->rows; k++) {
         const td_direct_row *r = t->row[k];

@@ -16,7 +16,7 @@
 typedef struct td_record_frame {
     struct thud_recorder *recorder; /* null: the call is not recorded */
     struct td_record_frame *outer;  /* the call in one of whose callbacks it is; null: none */
-    int call;                       /* of td_call */
+    int call;                       /* number of its function, a td_call */
     const void *const *args;        /* td_codec_write */
     size_t start;                   /* offset of its records in `records`, if it is opened */
     bool opened;                    /* TD_RECORD_OPEN is written */

@@ -97,8 +97,8 @@ static void motion_of(const image *i, int32_t body, float motion[3]) {
     }
 }
 
-/* Rounded to whole quanta as in finalize.c; 0 for a number that is too large for it, which only
- * forged bytes have. */
+/* Rounded to whole quanta as in finalize.c; 0 for a number of 2^51 or more, which this rounding
+ * cannot represent. */
 static uint64_t quanta_of(double quanta) {
     return quanta < 0x1p51 && quanta > -0x1p51 ? (uint64_t)td_round_increment(quanta) : 0;
 }
@@ -111,8 +111,9 @@ static uint32_t angle_quanta(float radians) {
     return (uint32_t)quanta_of((double)radians * (1.0 / TD_RADIANS_A_QUANTUM));
 }
 
-/* One word of a 64-bit number, whose two words are a column each. For the high word the low one is
- * known already: of all numbers with that low word, the nearest to the prediction is taken. */
+/* One word of a 64-bit number, whose two words are a column each. On little-endian machines the low
+ * word is packed first, so that it is known when the high one is predicted: of all numbers with
+ * that low word, the nearest to the prediction is taken. */
 static uint32_t half_of(const field *f, int32_t record, uint64_t predicted) {
     const uint64_t one = 1;
     uint8_t first;

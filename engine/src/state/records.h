@@ -135,7 +135,7 @@ typedef struct td_constraint {
                           contact ends in the next step */
         int32_t joint; /* of a joint's part: index of the td_joint */
     };
-    int32_t slot;             /* by state, above */
+    int32_t slot;             /* its meaning depends on `state`: TD_WAITING, TD_TOUCHING */
     int32_t next[2], prev[2]; /* edges of the lists of body[0] and body[1] */
     uint16_t bin;
     uint8_t kind, state;

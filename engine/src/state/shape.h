@@ -91,7 +91,7 @@ bool td_sweep_is_vetoed(thud_world *w, const td_swept *swept, int shape, int oth
 typedef struct td_swept_hit {
     bool inside; /* `placed` overlapped at the start: the rest is of the core */
     bool hit;
-    double time; /* of impact, as a part of the motion; 1 where there is none */
+    double time; /* time of impact, as a share of the motion in [0, 1]; 1 without a hit */
 } td_swept_hit;
 
 /* Operations on terrain lines, which a world gets with its first line (kinds.h), so that a program

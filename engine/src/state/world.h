@@ -133,7 +133,7 @@ struct thud_world {
     int bouncy;         /* lanes in use that have restitution */
     int surface_speeds; /* lanes in use that have a surface speed */
     int sensors;        /* shapes that are sensors */
-    int mobile_sensors; /* those of them that belong to dynamic bodies */
+    int mobile_sensors; /* sensors that belong to dynamic bodies */
     int constraint_count[TD_CONSTRAINT_KINDS]; /* live constraints of each kind */
     int damped;                                /* awake bodies with damping */
     bool substep_gain_stale;                   /* the array substep_gain must be recomputed */
