@@ -1,7 +1,7 @@
-/* callbacks.c: the collision rules of a small game by listeners: a prologue (pre-solve) changes
- * friction or restitution, or lets a body pass, by the material of a shape: ice, a trampoline, a
- * platform that is passed from below. A conveyor belt and a coin (a sensor) need no callback.
- * Lengths are in metres. */
+/* callbacks.c: the collision rules of a small game by listeners. A prologue (pre-solve callback)
+ * changes the friction or restitution of a contact, or lets a body pass, depending on the material
+ * of a shape: ice, a trampoline, a platform that bodies pass from below. A conveyor belt and a coin
+ * (a sensor) need no callback. Lengths are in metres. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,10 +11,9 @@
 enum { PLAIN, ICE, TRAMPOLINE, ONE_WAY }; /* materials, the user data of shapes */
 enum { STEPS_PER_SECOND = 60 };           /* of thud_default_world_def */
 
-/* A one-way platform holds a body where the normal, from the platform to the body, points up within
- * 45 degrees, the body does not rise, and it did not overlap the platform a step before. Speed
- * (m/s) and overlap (m) have tolerances, since a body that rests on it has a little of both.
- * Chosen. */
+/* A one-way platform holds a body if the normal, from the platform to the body, points up within 45
+ * degrees, the body does not rise, and it did not overlap the platform one step before. Speed (m/s)
+ * and overlap (m) have tolerances, since a resting body has a little of both. Chosen. */
 static const float NORMAL_Y_MIN = 0.7f, RISING_SPEED_MAX = 0.2f, OVERLAP_MAX = 0.05f;
 
 /* The material of a shape; PLAIN where the shape no longer exists. */
@@ -30,15 +29,16 @@ static thud_body_state state_of(const thud_world *world, thud_body_id body) {
     return state;
 }
 
-/* Whether a body with this vertical speed lands on the one-way platform that is side a. */
+/* Whether a body with this vertical speed (m/s) lands on the one-way platform, which is shape a of
+ * the contact. */
 static bool lands(const thud_contact *contact, float vertical_speed) {
     float separation_before = contact->separation - vertical_speed / STEPS_PER_SECOND;
     return contact->normal.y > NORMAL_Y_MIN && vertical_speed < RISING_SPEED_MAX &&
            separation_before > -OVERLAP_MAX;
 }
 
-/* Called before a pair is solved. Of a static and a moving shape, a is the static one. Returns
- * whether the pair collides in this step. */
+/* Called before a contact is solved. If one of the shapes is static, it is shape a. Returns whether
+ * the pair collides in this step. */
 static bool prologue(thud_world *world, const thud_contact *contact,
                      thud_contact_settings *settings, void *context) {
     (void)context;
@@ -55,8 +55,8 @@ static bool prologue(thud_world *world, const thud_contact *contact,
     return true;
 }
 
-/* Called after a pair was solved, with the impulses that were applied. Keeps the greatest normal
- * impulse, mass * length / s, in the context. */
+/* Called after a contact was solved, with the impulses that were applied. Keeps the greatest normal
+ * impulse, kg m/s, in the context. */
 static void epilogue(thud_world *world, const thud_contact *contact, void *context) {
     (void)world;
     float *max_impulse = context;
@@ -116,7 +116,8 @@ int main(void) {
     for (int i = 0; i < 3 * STEPS_PER_SECOND; i++) {
         thud_world_step(world);
         coins += thud_events_of(world).sensor_begin_count;
-        bool fallen = i > STEPS_PER_SECOND; /* the jumper: 2 m take it 0.6 s */
+        bool fallen = i > STEPS_PER_SECOND; /* the jumper has landed once: a fall of 2 m takes 0.6 s
+                                             */
         highest = fmax(highest, fallen ? state_of(world, jumper).position.y : 0);
     }
     printf("the skater glides at %.2f\n", (double)state_of(world, skater).velocity.x);

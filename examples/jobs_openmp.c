@@ -5,8 +5,8 @@
 #include <thud/thud_make.h>
 #include <thud/thud_snapshot.h>
 
-/* A thud_parallel_fn. OpenMP keeps its threads between two calls, and the calling one is among
- * them; with fewer than it was asked for, the loop still makes every call. */
+/* A thud_parallel_fn. OpenMP keeps its threads between two calls, and the calling thread is one of
+ * them. If OpenMP gives fewer threads than asked for, the loop still calls the task as often. */
 static void run_by_openmp(thud_task_fn *task, void *argument, int workers, void *context) {
     (void)context;
 #pragma omp parallel for schedule(static, 1) num_threads(workers)

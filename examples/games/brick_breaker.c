@@ -47,8 +47,8 @@ static void set_up(game *g) {
     serve(g);
 }
 
-/* Moves the paddle towards the ball, with an offset that changes every 95 steps, so that the ball
- * goes in other directions; by at most 0.25 in a step. */
+/* Moves the paddle towards the ball, by at most 0.25 in a step. The paddle aims beside the ball by
+ * an offset that changes every 95 steps, so that the ball does not fly the same way each time. */
 static void move_paddle(game *g) {
     thud_pos at = thud_position_of(g->world, g->paddle);
     double way = thud_position_of(g->world, g->ball).x - at.x;

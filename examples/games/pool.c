@@ -51,8 +51,9 @@ static bool is_free(const game *g, thud_body_id ball, double dx, double dy) {
     return !hit;
 }
 
-/* The velocity of the cue ball for the best shot: of all pairs of a ball and a pocket the one with
- * the straightest and shortest path that is free, or else at the nearest ball. */
+/* The velocity of the cue ball for the best shot. Among all pairs of a ball and a pocket whose
+ * paths are free, it is the one with the straightest and shortest path; if no path is free, the
+ * shot goes at the nearest ball. */
 static thud_vec2 aim(const game *g) {
     thud_pos cue = thud_position_of(g->world, g->ball[CUE]);
     thud_vec2 shot = {0, 0};
@@ -61,13 +62,14 @@ static thud_vec2 aim(const game *g) {
         thud_body_id ball = g->ball[i / POCKETS];
         thud_pos at = thud_position_of(g->world, ball), to = pockets[i % POCKETS];
         double px = to.x - at.x, py = to.y - at.y, rest = sqrt(px * px + py * py);
-        /* The cue ball must touch it on the side away from the pocket. */
+        /* The cue ball must touch the other ball on the side away from the pocket. */
         double x = at.x - px / rest - cue.x, y = at.y - py / rest - cue.y;
         double way = sqrt(x * x + y * y), straight = (x * px + y * py) / (way * rest);
         bool good = straight > 0.2 && is_free(g, g->ball[CUE], x, y) && is_free(g, ball, px, py);
         double worth = good ? straight / (way + rest) : 1e-6 / way;
         double speed = 15 + way + rest / fmax(straight, 0.2);
-        if (worth > best && thud_body_is_valid(g->world, ball)) { /* it is not potted */
+        if (worth > best &&
+            thud_body_is_valid(g->world, ball)) { /* the ball is still on the table */
             shot = (thud_vec2){speed * x / way, speed * y / way};
             best = worth;
         }

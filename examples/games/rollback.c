@@ -1,7 +1,7 @@
-/* rollback.c: sumo between two peers whose messages arrive late. Each runs a step at once and
- * predicts that the other's input has not changed; where that was wrong, it restores that step and
- * runs the steps since then again (thud_rollback.h). The hashes of steps whose inputs both know are
- * compared. */
+/* rollback.c: sumo between two peers whose messages arrive late. Each peer runs a step at once, and
+ * predicts that the input of the other has not changed. If the prediction was wrong, it restores
+ * the state before that step and runs the steps since then again (thud_rollback.h). The hashes of
+ * steps whose inputs both know are compared. */
 #include <math.h>
 #include <stdio.h>
 #include <thud/thud_all.h>
@@ -85,8 +85,8 @@ int main(void) {
         for (int me = 0; me < 2; me++) {
             inputs[me][now] = think(&peers[me], me, now);
             thud_rollback_input(peers[me].rollback, me, now, inputs[me][now]);
-            /* Each message has the last inputs, so that none is missed where one message overtakes
-             * another. */
+            /* Each message has all inputs of the last LATEST steps, so that none is missed if one
+             * message overtakes another. */
             int late = 2 + (int)((uint32_t)(2 * now + me) * 2654435761u >> 16) % (LATEST - 2);
             for (int then = now < LATEST ? 0 : now - LATEST; then <= now - late; then++)
                 thud_rollback_input(peers[me].rollback, !me, then, inputs[!me][then]);

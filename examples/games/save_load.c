@@ -72,7 +72,7 @@ int main(void) {
     thud_world *world = thud_world_make((thud_vec2){0, -10}, &thud_quality_default);
     if (thud_world_load(world, "save_load.thud", &loaded, sizeof loaded) != THUD_OK)
         return 1;
-    loaded.world = world; /* the address that was saved is that of the other world */
+    loaded.world = world; /* the file has the address of the world that was saved */
     remove("save_load.thud");
     return finish(&played) != finish(&loaded) || loaded.left > 0;
 }

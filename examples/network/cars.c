@@ -9,13 +9,15 @@
 /* Half the length and width of the field. */
 #define HALF_LENGTH 12.0
 #define HALF_WIDTH 8.0
-/* Accelerations of a car, length/s^2 and rad/s^2; the share of its sideways velocity that it loses
- * in a step. */
+/* DRIVE, TURN: accelerations of a car, length/s^2 and rad/s^2. GRIP: the share of its sideways
+ * velocity that a car loses in a step. */
 #define DRIVE 14.0f
 #define TURN 24.0f
 #define GRIP 0.25f
 
-/* An input is drawn for each block of HOLD steps, and begins less than LATER steps after it. */
+/* A random input is drawn for each block of HOLD steps. It begins at a random step of the block,
+ * less than LATER steps after the block's first one; until then the input of the block before
+ * holds. */
 enum { HOLD = 32, LATER = 24 };
 
 thud_world_def cars_def(const thud_quality *quality) {
@@ -93,7 +95,7 @@ thud_result cars_step(thud_world *world, const uint64_t *inputs, void *state) {
     return thud_world_step(world);
 }
 
-/* What is drawn for a player and a block of steps. */
+/* The random number of a player and a block of steps. */
 static uint64_t drawn(uint64_t seed, int player, int64_t block) {
     uint64_t state = seed ^ ((uint64_t)block * CARS_MAX + (uint64_t)player) << 8;
     return random_next(&state);
@@ -106,8 +108,8 @@ uint64_t cars_input(uint64_t seed, int player, int64_t step) {
     if (!began) {
         own = block ? drawn(seed, player, block - 1) : CARS_IDLE;
     }
-    /* Twice as often forwards as one would by chance: a car that goes back and forth stays where it
-     * is. */
+    /* The three inputs that drive forwards are twice as likely as the others: a car that goes back
+     * and forth equally often would stay where it is. */
     uint64_t input = own % (CARS_INPUTS + 3);
     return input < CARS_INPUTS ? input : input - 3;
 }

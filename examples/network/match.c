@@ -5,11 +5,12 @@
 #include <stdlib.h>
 #include <time.h>
 
-/* The share of the frames by which a peer is ahead that it waits in each frame, and the largest
- * such share of a frame: so corrections do not swing. Chosen. */
+/* A peer that is n frames ahead of the others lengthens each frame by the share CORRECTION * n of
+ * it, at most by CORRECTION_MAX. The small factor keeps the clocks from oscillating. Chosen. */
 static const double CORRECTION = 0.02, CORRECTION_MAX = 0.2;
 
-/* Frames that are made up for after a pause; more are left out. */
+/* Maximum number of frames by which the clock may lag after a pause, and that are then run without
+ * waiting; the rest is skipped. */
 enum { MADE_UP_MAX = MATCH_DEPTH };
 
 static void *allocate(size_t bytes, void *context) {

@@ -1,6 +1,6 @@
-/* match.h: what a program does with a peer, whatever carries its messages: a world whose
- * allocations are counted, a clock that follows the other players, a car that drives at random, and
- * the result. */
+/* match.h: a match, the part of the example programs that does not depend on the network library: a
+ * peer whose allocations are counted, a frame clock that follows the other players, a car that
+ * drives at random, and the printed result. */
 #ifndef THUD_NETWORK_MATCH_H
 #define THUD_NETWORK_MATCH_H
 
@@ -17,25 +17,26 @@ typedef struct match {
     int64_t allocated; /* allocations since the game began */
 } match;
 
-/* Begins the game of a welcome, at its first step, now. False, with a message on stderr, if memory
- * is short. */
+/* Begins the game that a welcome describes, at its first step. False, with a message on stderr, if
+ * memory is short. */
 bool match_open(match *m, const message_welcome *game, uint64_t seed);
 void match_close(match *m);
 
-/* Seconds of a clock that never goes back. */
+/* The time of a monotonic clock, s. */
 double match_now(void);
 
-/* Seconds until the next frame is due; 0: it is. */
+/* Seconds until the next frame is due; 0 if it is due now. */
 double match_wait(const match *m);
 
-/* Presses the input of a frame that is due: send messages then, and call match_advance. */
+/* Gives the input of a frame that is due to the peer. The caller then sends packets and calls
+ * match_advance. */
 thud_result match_press(match *m);
 /* Runs the frame's step, and sets when the next one is due: later where this peer is ahead of the
  * others. */
 thud_result match_advance(match *m);
 
-/* Prints how the game ended: steps, hash, allocations. False, with a message on stderr, where the
- * game has not come to its end, or another player had another game. */
+/* Prints how the game ended: steps, hash, allocations. False, with a message on stderr, if the game
+ * was not played to its end, or a player's hashes differ. */
 bool match_print(match *m);
 
 #endif

@@ -1,6 +1,6 @@
 /* meet_enet.c: thud-meet, a game between two computers over UDP (ENet): one listens and is player
- * 0, the other joins. Each message has all inputs that the other has not confirmed, so they are
- * sent unreliably; only the welcome, and the last message, are sent until they arrive. */
+ * 0, the other joins. Each packet has all inputs that the other player has not confirmed, so that
+ * packets are sent unreliably. Only the welcome and the last packet are sent reliably. */
 #include "match.h"
 #include "options.h"
 
@@ -10,8 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Milliseconds within which the other has to answer, and to part; after which it counts as gone if
- * nothing arrives, at least and in any case; chosen. */
+/* Times in milliseconds: within which the other side has to answer (ANSWER_MS), and to disconnect
+ * after the game (PART_MS); and the minimum and maximum of ENet's timeout, after which a silent
+ * side counts as gone. Chosen. */
 enum { ANSWER_MS = 10000, PART_MS = 30000, GONE_MS = 15000, GONE_MS_MAX = 30000 };
 
 typedef struct meeting {
@@ -37,7 +38,7 @@ static bool send_message(meeting *m, uint32_t how) {
     return send_bytes(m, message, peer_write(&m->match.peer, !m->match.peer.me, message), how);
 }
 
-/* Who listens begins the game as soon as the other has come. */
+/* The listening side begins the game as soon as the other one has connected. */
 static bool begin_as_host(meeting *m) {
     unsigned char message[MESSAGE_WELCOME_BYTES];
     message_welcome game = {
@@ -52,7 +53,7 @@ static bool begin_as_host(meeting *m) {
     return m->is_playing;
 }
 
-/* False ends the program; the reason has been told. */
+/* Takes a packet. False if the program has to end; the reason has been printed. */
 static bool take_packet(meeting *m, const unsigned char *bytes, int count) {
     if (m->is_playing) {
         return peer_read(&m->match.peer, !m->match.peer.me, bytes, count) == THUD_OK;
@@ -67,7 +68,8 @@ static bool take_packet(meeting *m, const unsigned char *bytes, int count) {
     return m->is_playing;
 }
 
-/* Waits for what arrives, at most so long. */
+/* Handles all network events, after waiting at most `ms` milliseconds for the first one. False if
+ * the program has to end. */
 static bool take_events(meeting *m, uint32_t ms) {
     ENetEvent event;
     bool is_well = true;
@@ -105,11 +107,12 @@ static bool play(meeting *m) {
         }
         is_well = is_well && take_events(m, (uint32_t)(1000 * match_wait(own)));
     }
-    /* What the other has sent before it went may complete the game. */
+    /* Packets that the other side sent before it disconnected may complete the game. */
     return is_well && peer_advance(&own->peer) == THUD_OK;
 }
 
-/* The other has to have the last message, by which it ends, too. */
+/* Sends the last packet reliably, since the other side needs it to end its game, and disconnects.
+ */
 static void part(meeting *m) {
     if (!m->has_parted) {
         send_message(m, ENET_PACKET_FLAG_RELIABLE);
@@ -141,7 +144,8 @@ static bool read_address(const char *text, ENetAddress *out) {
     return true;
 }
 
-/* Waits for the other player. `address`: where to listen, or of who is joined. */
+/* Waits for the other player. `address`: where to listen, or, with `join`, the address to connect
+ * to. */
 static bool meet(meeting *m, ENetAddress address, const char *join) {
     m->host = enet_host_create(join ? NULL : &address, 1, 1, 0, 0);
     if (!m->host) {

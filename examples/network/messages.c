@@ -11,10 +11,11 @@ enum { TIMED = 1, EVENTFUL = 2 };
 
 enum { HEAD = 22, TIME = 6, EVENTS_HEAD = 5, EVENT = 6, ACK = 5, RUN_HEAD = 6, PART_HEAD = 8 };
 
-/* In place of how long a packet is held: none has come. */
+/* The value of `held` in the bytes of a packet if the sender has received no packet. */
 enum { NONE_CAME = 0xffff };
 
-/* The largest game that is joined, bytes. */
+/* Maximum size of a game that a player may join, bytes. A larger one is refused, since the number
+ * comes from another machine. */
 static const int64_t GAME_MAX = 1 << 26;
 
 /* ---- bytes ---- */
@@ -52,11 +53,11 @@ static bool is_sealed(const unsigned char *bytes, int count, uint32_t mark, int 
                checksum(bytes, count - MESSAGE_SUM);
 }
 
-/* Where numbers are written or read one after the other. */
+/* The position at which the next number is written (out) or read (in). */
 typedef struct cursor {
     unsigned char *out;
     const unsigned char *in, *end;
-    bool is_whole; /* nothing was read behind the end */
+    bool is_whole; /* false once a read has reached beyond the end */
 } cursor;
 
 static void put(cursor *c, uint64_t value, int bytes) {
@@ -71,7 +72,7 @@ static const unsigned char *take(cursor *c, int bytes) {
     return c->is_whole ? at : NULL;
 }
 
-/* 0 behind the end. */
+/* Reads the next number; 0 beyond the end. */
 static int64_t take_number(cursor *c, int bytes) {
     const unsigned char *at = take(c, bytes);
     return at ? (int64_t)message_number(at, bytes) : 0;

@@ -22,7 +22,7 @@ static void print_help(const char *program, const char *about, const option *opt
     printf("  --%-8s %-10s this\n", "help", "");
 }
 
-/* Sets the variable of an option; false: the text is no value of it. */
+/* Sets the variable of an option. False if the text is not a valid value. */
 static int set(const option *o, const char *text) {
     if (!o->number) {
         *o->text = text;

@@ -1,4 +1,4 @@
-/* options.h: reads a program's options, and says what is wrong with them. */
+/* options.h: reads a program's options, and reports errors in them. */
 #ifndef THUD_NETWORK_OPTIONS_H
 #define THUD_NETWORK_OPTIONS_H
 
@@ -13,8 +13,9 @@ typedef struct option {
 
 typedef enum options_result { OPTIONS_READ, OPTIONS_HELP, OPTIONS_WRONG } options_result;
 
-/* Reads the arguments. --help prints `about` and the options, with the values that their variables
- * have by default, to stdout; what is wrong is told on stderr. */
+/* Reads the arguments into the variables of the options. --help prints `about` and the options with
+ * their default values, which the variables have before, to stdout. Errors are reported on stderr.
+ */
 options_result options_read(int argc, char **argv, const char *about, const option *options,
                             int count);
 

@@ -6,17 +6,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Who joins enters so many steps after that was announced; chosen. */
+/* A player that joins enters this many steps after its entry is announced, so that the announcement
+ * reaches all players in time; chosen. */
 enum { NOTICE = 12 };
 
-/* A round trip is shorter, and a packet is held no longer, milliseconds. */
+/* Maximum of the time that a packet says it was held, milliseconds: one below NONE_CAME
+ * (messages.c). Longer times are clamped to it. */
 enum { HELD_MAX = 0xfffe };
 
 _Static_assert((int)CARS_MAX <= (int)MESSAGE_PLAYERS_MAX, "a bit for each player");
 
-/* Plays before the game, so that the world has the memory that the game needs: from all bodies on
- * one heap in a corner, which makes more contacts than any game has, players drive at random for so
- * many steps; chosen. */
+/* Steps of play before the game, by which the world allocates the memory that the game will need.
+ * Play begins with all bodies on one heap in a corner, which makes more contacts than a game has,
+ * and players drive at random. Chosen. */
 enum { WARM_STEPS = 600 };
 
 static thud_result warm_up(peer *p) {
@@ -109,7 +111,7 @@ thud_result peer_press(peer *p, uint64_t input) {
 
 /* ---- packets ---- */
 
-/* The newest own hash. */
+/* This peer's newest hash of a confirmed step. */
 static peer_hash newest_hash(const peer *p) {
     int64_t step = p->hashed - PEER_HASH_STEPS;
     const peer_hash *h = &p->hashes[(step < 0 ? 0 : step) / PEER_HASH_STEPS % PEER_HASHES];
@@ -120,8 +122,8 @@ bool peer_tells(const peer *p, int number) {
     return p->links[number].is_told;
 }
 
-/* The step of the first input of a player that somebody may lack: steps of an absence are left
- * out. */
+/* The first step whose input of `player` the other side may lack. Steps in which the player was
+ * absent are left out. */
 static int64_t next_for(const peer *p, const peer_link *link, int player) {
     const peer_known *k = &p->known[player];
     int64_t has = link->has[player];
@@ -129,7 +131,7 @@ static int64_t next_for(const peer *p, const peer_link *link, int player) {
     return is_absence ? k->back_at : has;
 }
 
-/* Whether somebody is told the inputs of a player. */
+/* Whether the inputs of `player` are sent to connection `number`. */
 static bool passes_on(const peer *p, int number, int player) {
     return player != number && (player == p->me || is_host(p));
 }
@@ -143,13 +145,13 @@ bool peer_is_too_late(const peer *p, int number) {
     return is_late;
 }
 
-/* Whether the clocks of this player and another one are compared: both play. */
+/* Whether this peer and another one compare their leads: both are players that are present. */
 static bool is_timed(const peer *p, int number) {
     return p->me < p->players && number < p->players && !peer_is_absent(p, p->me) &&
            !peer_is_absent(p, number);
 }
 
-/* The inputs of a player that somebody may lack, in `room`. */
+/* The inputs of a player that the other side may lack; the bytes are written to `room`. */
 static message_run run_for(const peer *p, const peer_link *link, int player, unsigned char *room) {
     const peer_known *k = &p->known[player];
     int64_t first = next_for(p, link, player), count = k->heard - first;
@@ -211,7 +213,7 @@ int peer_write(peer *p, int number, unsigned char *out) {
     return bytes;
 }
 
-/* Whether the inputs may come from a player, and are those that were told before. */
+/* Whether `from` may send these inputs, and none contradicts an input that is known already. */
 static bool is_run(const peer *p, int from, const message_run *run) {
     const peer_known *k = &p->known[run->player];
     bool is_right = run->player != p->me && (run->player == from || (from == 0 && !p->is_mesh));
@@ -225,7 +227,8 @@ static bool is_run(const peer *p, int from, const message_run *run) {
     return is_right;
 }
 
-/* Only the host says who leaves and enters, and nobody has heard of more than it has said. */
+/* Whether the events of a packet are allowed: only the host may send events, and no player can
+ * confirm more of them than the host has sent. */
 static bool are_events(const peer *p, const message_packet *m) {
     if (!m->has_events) {
         return true;
@@ -241,12 +244,13 @@ static bool are_events(const peer *p, const message_packet *m) {
     return is_right;
 }
 
-/* Whether the packet is one that its sender may send. */
+/* Whether the sender of a packet may send it, by what this peer knows. */
 static bool is_packet(const peer *p, int from, const message_packet *m) {
     bool is_right = (from < 0 || from == m->from) && peer_tells(p, m->from) &&
                     m->lead <= MESSAGE_LEAD_MAX && m->lead >= -MESSAGE_LEAD_MAX && are_events(p, m);
     for (int i = 0; i < m->acks && is_right; i++) {
-        /* Who has not heard yet that it enters, has given no inputs. */
+        /* A player that does not know yet that it enters has given no inputs, so that others may
+         * know more of its steps than it does. */
         int player = m->ack[i].player;
         is_right = player != p->me || peer_is_absent(p, player) ||
                    m->ack[i].step <= p->known[player].heard;
@@ -267,8 +271,8 @@ thud_result peer_hear(peer *p, int player, uint64_t input) {
     return result;
 }
 
-/* Takes the inputs that continue those that are known. A player who waits may be sent inputs that
- * it cannot store yet; they are sent again. */
+/* Takes the inputs that continue the known ones, as far as the rollback can store them. A player
+ * that waits may be sent more than that; they are sent again later. */
 static thud_result take_run(peer *p, const message_run *run) {
     peer_known *k = &p->known[run->player];
     int64_t end = steps_of(p) + p->depth;
@@ -281,7 +285,7 @@ static thud_result take_run(peer *p, const message_run *run) {
     return result;
 }
 
-/* Puts events into effect as far as the rollback reaches. */
+/* Applies events to the rollback, up to the last step that it accepts. */
 static thud_result apply_events(peer *p) {
     thud_result result = THUD_OK;
     for (; p->events_applied < p->event_count && result == THUD_OK; p->events_applied++) {
@@ -302,7 +306,8 @@ static thud_result apply_events(peer *p) {
     return result;
 }
 
-/* Takes the events that it lacks, as far as there is room: the others come again. */
+/* Appends the events that this peer lacks, as far as there is room; the others are sent again. On
+ * the host: notes how many events the sender has. */
 static thud_result take_events(peer *p, peer_link *link, const message_packet *m) {
     if (m->has_events && is_host(p)) {
         link->events = m->known > link->events ? m->known : link->events;
@@ -355,7 +360,7 @@ thud_result peer_read(peer *p, int from, const unsigned char *bytes, int count) 
 
 /* ---- playing ---- */
 
-/* Compares what somebody told, once the own hash of that step is known. */
+/* Compares a hash that was received with this peer's own, once the step is confirmed here. */
 static void compare_hash(const peer *p, peer_link *link) {
     int64_t step = link->told.step;
     if (step < 0 || step >= p->hashed) {
@@ -368,17 +373,19 @@ static void compare_hash(const peer *p, peer_link *link) {
     link->told.step = -1;
 }
 
-/* Adds an event to those of the host. */
+/* Appends an event to the host's list, and applies it. */
 static thud_result announce(peer *p, bool enters, int player, int64_t step) {
     p->events[p->event_count++ % PEER_EVENTS] =
         (message_event){.enters = enters, .player = player, .step = step};
     return apply_events(p);
 }
 
-/* Whether a player can enter: it has caught up, and everybody has what it did before it left. */
+/* Whether a player can enter: it has caught up, and all others have its inputs from before it left.
+ */
 static bool can_enter(const peer *p, int player, int64_t step) {
     const peer_link *own = &p->links[player];
-    /* What it has is known as late as a message takes to it and back. */
+    /* The confirmations of the other side are late by a round trip, hence half the depth as a
+     * margin. */
     bool can = own->is_joining && own->has[p->me] >= steps_of(p) - p->depth / 2 &&
                (p->end == 0 || step < p->end) && p->events_applied == p->event_count;
     for (int i = 0; i < MESSAGE_NUMBERS && can; i++) {
@@ -460,7 +467,7 @@ thud_result peer_lose(peer *p, int number) {
     return number < p->players && !peer_is_absent(p, number) ? peer_miss(p, number) : THUD_OK;
 }
 
-/* Whether all who have left or entered did so before a step. */
+/* Whether all entries and exits take effect at or before a step, and are applied. */
 static bool is_settled(const peer *p, int64_t step) {
     bool is = p->events_applied == p->event_count;
     for (int i = 0; i < p->players; i++) {

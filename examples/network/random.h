@@ -13,7 +13,7 @@ static inline uint64_t random_next(uint64_t *state) {
     return x ^ (x >> 31);
 }
 
-/* The same as a real number in [0, 1). */
+/* The next number as a real number in [0, 1). */
 static inline double random_chance(uint64_t *state) {
     return (double)(random_next(state) >> 11) * 0x1p-53;
 }

@@ -1,7 +1,7 @@
 /* serve_websocket.c: thud-serve, a server without a window that browsers and Node join by WebSocket
- * (libwebsockets), before the game begins or in its midst. It plays player 0 itself, the host. A
- * client says hello, is sent a welcome, and the game if that has begun, and then both send packets
- * (messages.h). */
+ * (libwebsockets), before the game begins or while it runs. The server itself is player 0, the
+ * host. A client sends a hello, receives a welcome, and the state of the game if that has begun;
+ * then both send packets (messages.h). */
 #include "match.h"
 #include "options.h"
 
@@ -12,27 +12,29 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The longest message that is sent; numbers of clients: players 1 and up, and then those who only
- * watch. */
+/* SENT_MAX: length of the longest message, bytes. CLIENTS: numbers of clients: players from 1 on,
+ * then spectators. */
 enum { SENT_MAX = MESSAGE_PART_BYTES_MAX, CLIENTS = CARS_MAX + 8 };
 
-/* After the game the others are told what they lack, for so many seconds at most. */
+/* After the game the server goes on sending what other players lack, for so many seconds at most.
+ */
 static const double LINGER = 60;
 
-/* What is sent to a client: the welcome, then the game that it joins, in parts, and then packets,
- * of which the newest waits, since that has what older ones had. */
+/* A client and the messages that wait to be sent to it: the welcome, then the game that it joins,
+ * in parts, and then packets. Only the newest packet is kept, since it includes what older ones
+ * had. */
 typedef struct client {
     struct lws *socket; /* null: nobody */
     bool is_invited;    /* the welcome has been written */
-    uint64_t token;     /* of who has, or had, this number; 0: nobody had */
+    uint64_t token;     /* identifies the client that has or had this number; 0: no client had it */
     int welcome_bytes;  /* 0: sent */
     unsigned char *game;
     size_t game_bytes, game_sent;
     int packet_bytes; /* 0: none waits */
     int received;     /* bytes of a message that has arrived in part */
     unsigned char message[PEER_BYTES_MAX];
-    unsigned char welcome[LWS_PRE + MESSAGE_WELCOME_BYTES]; /* libwebsockets writes its head before
-                                                               each */
+    unsigned char welcome[LWS_PRE + MESSAGE_WELCOME_BYTES]; /* LWS_PRE bytes of room, in which
+                                                               libwebsockets writes its header */
     unsigned char packet[LWS_PRE + PEER_BYTES_MAX];
 } client;
 
@@ -47,7 +49,7 @@ typedef struct server {
     unsigned char part[LWS_PRE + SENT_MAX];
 } server;
 
-/* A signal handler sees nothing else. */
+/* Global, since a signal handler gets no argument. */
 static server the_server;
 
 static void end_by_signal(int number) {
@@ -62,7 +64,7 @@ static bool has_more(const client *c) {
     return c->welcome_bytes || c->game_sent < c->game_bytes || (c->is_invited && c->packet_bytes);
 }
 
-/* Nonzero: the connection is broken. */
+/* Sends the next message of a client, if one waits. Nonzero if the connection is broken. */
 static int send_next(server *s, client *c) {
     unsigned char *bytes = c->packet;
     int count = c->is_invited ? c->packet_bytes : 0;
@@ -101,8 +103,8 @@ static void drop(client *c) {
     lws_set_timeout(c->socket, PENDING_TIMEOUT_CLOSE_SEND, LWS_TO_KILL_ASYNC);
 }
 
-/* Sends who has come in the midst of the game that game, as soon as nobody is leaving or
- * entering. */
+/* Sends the game to a client that has connected while it runs, as soon as no entry or exit is under
+ * way. */
 static void invite(server *s, int number) {
     client *c = &s->clients[number];
     message_welcome welcome;
@@ -170,7 +172,7 @@ static void on_timer(lws_sorted_usec_list_t *timer) {
     lws_sul_schedule(s->context, 0, &s->timer, on_timer, wait > 0 ? wait : 1);
 }
 
-/* Begins the game with those who are there, and tells them. */
+/* Begins the game with the connected clients, and sends them welcomes. */
 static void begin(server *s) {
     message_welcome game = {.players = (int)s->players,
                             .rate = (int)s->rate,
@@ -198,7 +200,8 @@ static void begin(server *s) {
 
 /* ---- clients ---- */
 
-/* The number for who says hello: that which it had, else one that nobody had, else any; 0: none. */
+/* The number for a client that sends a hello: the number that it had before, else one that no
+ * client had, else any free one; 0 if there is none. */
 static int number_for(const server *s, const message_hello *hello) {
     int first = hello->watches ? CARS_MAX : 1, end = hello->watches ? CLIENTS : (int)s->players;
     int unused = 0, left = 0;
@@ -223,7 +226,8 @@ static int count_missing(const server *s) {
     return count;
 }
 
-/* Nonzero: it says no hello, or there is no place for it. */
+/* Takes the hello of a connection, and gives it a number. Nonzero if the bytes are no hello, or no
+ * number is free. */
 static int join(server *s, struct lws *socket, int *number, const unsigned char *bytes, int count) {
     message_hello hello;
     *number = message_read_hello(bytes, count, &hello) && !s->is_over ? number_for(s, &hello) : 0;
@@ -246,7 +250,7 @@ static int join(server *s, struct lws *socket, int *number, const unsigned char 
     return 0;
 }
 
-/* The others go on without a client. */
+/* Called when a client has disconnected: the others play on without it. */
 static void leave(server *s, int number) {
     peer *p = &s->match.peer;
     client *c = &s->clients[number];
@@ -267,7 +271,8 @@ static void leave(server *s, int number) {
     }
 }
 
-/* Nonzero: the client has sent what no player sends. */
+/* Takes a whole message. Nonzero if the client has sent something that no player sends; its
+ * connection is then closed. */
 static int take_message(server *s, struct lws *socket, int *number, const unsigned char *bytes,
                         int count) {
     if (*number == 0) {
@@ -278,14 +283,15 @@ static int take_message(server *s, struct lws *socket, int *number, const unsign
     return !s->is_playing || peer_read(p, *number, bytes, count) != THUD_OK || p->refused > refused;
 }
 
-/* What a connection has received before it has a number. */
+/* A connection, and the part of a hello that it has received before it has a number. */
 typedef struct session {
     int number; /* 0: none yet */
     int received;
     unsigned char message[MESSAGE_HELLO_BYTES];
 } session;
 
-/* Messages may arrive in parts. Nonzero: the client has sent what no player sends. */
+/* Takes a part of a message; messages may arrive in several. Nonzero if the connection has to be
+ * closed. */
 static int receive(server *s, struct lws *socket, session *own, const void *part, size_t count) {
     client *c = own->number ? &s->clients[own->number] : NULL;
     unsigned char *message = c ? c->message : own->message;

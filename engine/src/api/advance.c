@@ -73,8 +73,8 @@ static void clear_gathered_events(thud_world *w) {
     }
 }
 
-/* Appends the events of the last step to the gathered lists. Only that of quarantines may have to
- * be made longer. */
+/* Appends the events of the last step to the gathered lists. There is room for all of them but the
+ * quarantines, whose list is made longer here. */
 static void append_events(thud_world *w) {
     td_event_copy copies[EVENT_KINDS];
     list_event_copies(w, copies);
@@ -160,7 +160,7 @@ static void store_forces(thud_world *w, size_t at) {
     }
 }
 
-/* The mean force of the head of this file. */
+/* now + (mean - now) * waited, the force of the head of this file. */
 static float mean_force(float now, float mean, double waited) {
     return waited < 1.0 ? (float)((double)now + ((double)mean - (double)now) * waited) : mean;
 }

@@ -9,7 +9,8 @@
 #include "api/step.h"
 #include "islands/label.h"
 
-/* The style of a shape by its body's kind and sleep. */
+/* The style in which a shape is drawn: a sensor's, or that of its body's kind and of whether the
+ * body sleeps. */
 static thud_style style_of(const td_drawing *d, const td_shape *shape) {
     const td_body *body = td_body_at(d->w, shape->body);
     if (shape->flags & TD_SHAPE_SENSOR) {

@@ -1,5 +1,5 @@
-/* default_world_of.c: thud_default_world_def_of, which names what a world may do without. It is a
- * file of its own because a program that links it also links all that. */
+/* default_world_of.c: thud_default_world_def_of, whose def names all optional parts (thud_parts).
+ * It is a file of its own because a program that links it also links these parts. */
 #include "contact/sensors.h"
 #include "api/step.h"
 #include "solver/budget.h"

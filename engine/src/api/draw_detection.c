@@ -44,8 +44,8 @@ enum {
     /* Rows of bars, one above the other; where more intervals overlap, bars cover each other.
      * Chosen; thud_draw.h promises 12. */
     ROWS = 12,
-    /* The height of the view over the height of a row. Chosen: 2 * 12 rows take a quarter of the
-     * view. */
+    /* Height of the view divided by the height of a row. Chosen: the 2 * 12 rows of both proxy sets
+       take a quarter of the view. */
     ROWS_A_VIEW = 90
 };
 
@@ -63,11 +63,10 @@ static int free_row(const double *taken, double min) {
     return best;
 }
 
-/* Draws the sorted intervals of one proxy set, the first list where there are two, beyond the first
- * `rows` rows from the lower edge of the view, or from its left edge where they lie along y;
- * returns the number of rows in use after it. Only the plane sweep keeps keys: with another
- * broadphase nothing is drawn.
- */
+/* Draws the sorted intervals of one proxy set (of thud_broadphase_sweep_both only those along its
+ * first axis). Intervals along x are bars above the lower edge of the view, those along y beside
+ * its left edge. `rows`: rows that are in use already. Returns the number in use afterwards.
+ * Broadphases other than the plane sweep keep no intervals, and nothing is drawn. */
 static int draw_intervals(const td_drawing *d, const td_proxy_set *set, int rows) {
     const td_sweep_key *keys = set->keys.data;
     double taken[ROWS], furthest = -0x1p80;

@@ -42,7 +42,7 @@ static int cast_mover(td_move *m, td_way way, thud_ray_hit *found) {
     return td_min_int(count, CAST_HITS_MAX);
 }
 
-/* Whether a hit stops the mover; fills in *hit. False for the mover's own body and where the
+/* Whether a hit stops the mover; if so, sets *hit. False for the mover's own body, and if the
  * callback `pass` lets the mover through. */
 static bool stops(td_move *m, const thud_ray_hit *found, thud_mover_hit *hit) {
     thud_shape_state shape;

@@ -15,8 +15,8 @@ bool td_query_passes(const thud_world *w, int shape, const thud_query_filter *fi
 /* Refuses a filter that no shape can pass, as a zeroed one. */
 thud_result td_query_check_filter(const thud_world *w, const thud_query_filter *filter);
 
-/* THUD_OK if a query's own shape is valid and it and `center`, about which it lies, are within the
- * world; else THUD_ERROR_INVALID, of which the log is not told. */
+/* THUD_OK if a query's own shape is valid, and it and `center`, relative to which its place is
+ * given, are within the world; else THUD_ERROR_INVALID, without a message to the log. */
 thud_result td_query_check(const thud_world *w, thud_pos center, const thud_geometry *shape);
 
 /* The shape relative to `origin`, at the place where the edits made so far put it. Its rotation is
@@ -44,7 +44,8 @@ thud_result td_query_cast_sensors(thud_world *w, const thud_shape_cast *cast, th
 
 /* query_closest.c: signed distance, normal and closest point from a shape to the point `origin`. */
 void td_query_measure(const thud_world *w, int shape, td_position origin, thud_closest *out);
-/* The same as the caller gets it; `point` is that point. */
+/* Converts such a result to the caller's type. `point`: the position of `origin` in the caller's
+ * coordinates. */
 thud_closest_hit td_query_closest_hit(const thud_world *w, int shape, thud_pos point,
                                       const thud_closest *c);
 

@@ -100,7 +100,8 @@ static thud_result path_of_ray(const thud_world *w, const thud_ray *ray, td_path
     return td_path_check(w, path);
 }
 
-/* The same of a shape cast. The path points to the cast's shape. */
+/* Sets *path to that of a shape cast, or refuses it. The path keeps a pointer to the cast's shape.
+ */
 static thud_result path_of_shape_cast(const thud_world *w, const thud_shape_cast *cast,
                                       td_path *path) {
     if (!w || !cast) {

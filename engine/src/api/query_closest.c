@@ -68,9 +68,9 @@ thud_result thud_world_closest(thud_world *w, thud_pos point, double max_distanc
     if (!td_query_prepare(w)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "closest: out of memory");
     }
-    /* The first box reaches one length scale; the factor of four is chosen, not tuned. A shape
-     * outside of the box is further away than `reach`, so that the search ends with best.distance
-     * <= reach. */
+    /* The first box reaches one length scale; the factor of four is chosen, not tuned. Every shape
+     * that is not found in the box is further away than `reach`. So the search may end when
+     * best.distance <= reach. */
     thud_closest best = {.distance = 1e300};
     int nearest = TD_NONE;
     double reach = max_distance < (double)w->length_scale ? max_distance : (double)w->length_scale;

@@ -132,9 +132,9 @@ thud_result thud_world_get_step_error(const thud_world *w, thud_step_error *out)
     return THUD_OK;
 }
 
-/* Maximum and mean penetration over the points of touching contacts, length. Separations are stored
- * with the skin taken off. Where detection moved bodies after the solver they are computed anew
- * from the poses (td_errors_separation). */
+/* Maximum and mean penetration over the points of touching contacts, length. Lanes store
+ * separations minus the skin, which is added here. Where detection moved bodies after the solver
+ * they are computed anew from the poses (td_errors_separation). */
 static void measure_penetration(const thud_world *w, thud_measure *m) {
     int points = 0;
     double sum = 0.0;
@@ -180,7 +180,8 @@ thud_result thud_world_get_measure(const thud_world *w, thud_measure *out) {
         double energy =
             0.5 * (double)body->mass * (x * x + y * y) + 0.5 * (double)body->inertia * turn * turn;
         m.kinetic_energy +=
-            td_finite(energy) ? energy : 0.0; /* the next step quarantines the body otherwise */
+            td_finite(energy) ? energy : 0.0; /* not finite if a body's velocity is not; the next
+                                                 step quarantines that body */
         m.potential_energy -=
             mass * ((double)w->def.gravity.x * center.x + (double)w->def.gravity.y * center.y);
     }

@@ -73,8 +73,9 @@ bool td_snapshot_counts_valid(const td_snapshot_head *head) {
            head->ruled.impulses >= 0 && head->ruled.impulses <= max;
 }
 
-/* Whether arrays with an element for each body, shape or awake slot are as long as the counts of
- * these say, and no list is longer than the room that it will get. */
+/* Whether the lengths of arrays in the snapshot are valid: an array with an element for each body,
+ * shape or awake slot must have as many as there are of these, and no list may be longer than the
+ * room that it will get. */
 static bool lengths_valid(thud_world *w, const td_snapshot_head *head) {
     const td_snapshot_part *parts = head->parts;
     td_part own[TD_SNAPSHOT_PARTS];
@@ -143,8 +144,8 @@ static const char *textured_in(const td_snapshot_head *head, const char *from) {
     return from + sizeof *head + td_snapshot_textured_at(head);
 }
 
-/* Whether the bytes of textures are valid, likewise. The table begins with the points of each
- * terrain. */
+/* Whether the bytes of textures are valid. A world without texture hooks gets here only with a
+ * snapshot that has none. The table begins with the points of each terrain. */
 static bool textures_valid(const thud_world *w, const td_snapshot_head *head, const char *from) {
     return !w->texture_hooks ||
            w->texture_hooks->valid(textured_in(head, from), head->textured, from + sizeof *head,
@@ -157,7 +158,8 @@ static bool rules_valid(const thud_world *w, const td_snapshot_head *head, const
     return !w->rule_hooks || w->rule_hooks->valid(w, head->ruled, ruled_in(head, from));
 }
 
-/* Why the snapshot cannot be restored to this world, or null; copies its head. */
+/* The reason why the snapshot cannot be restored to this world, or null. Copies its head to *head.
+ */
 static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_snapshot_head *head) {
     if (bytes < sizeof *head) {
         return "restore: too short for a snapshot";

@@ -96,17 +96,17 @@ enum {
         TD_SNAPSHOT_JOINT_KINDS * ((1 << (TD_CONSTRAINT_KINDS - TD_PAIR_COUNT)) - 1),
     /* no shape can be a sensor yet: thud_default_small_world_def */
     TD_SNAPSHOT_NO_SENSORS = TD_SNAPSHOT_ALL_JOINTS + TD_SNAPSHOT_JOINT_KINDS,
-    /* likewise no contact can bounce */
+    /* no contact can bounce yet */
     TD_SNAPSHOT_NO_RESTITUTION = 2 * TD_SNAPSHOT_NO_SENSORS,
-    /* likewise no body can fall asleep */
+    /* no body can fall asleep yet */
     TD_SNAPSHOT_NO_SLEEP = 2 * TD_SNAPSHOT_NO_RESTITUTION,
-    /* likewise errors of steps are not collected */
+    /* errors of steps are not collected yet */
     TD_SNAPSHOT_NO_ERRORS = 2 * TD_SNAPSHOT_NO_SLEEP
 };
 
 typedef struct td_snapshot_slots {
     int32_t count;     /* slots ever used */
-    int32_t free_head; /* first of the free list, or TD_NONE */
+    int32_t free_head; /* first slot of the free list, or TD_NONE */
     int32_t live;      /* slots in use */
 } td_snapshot_slots;
 
@@ -142,7 +142,7 @@ typedef struct td_snapshot_head {
 enum { TD_SNAPSHOT_SUMMED_FROM = offsetof(td_snapshot_head, checksum) + sizeof(uint64_t) };
 
 /* Casts const away: writing and reading share functions, which take a world that they may write to;
- * with a stream that writes they do not. */
+ * when a snapshot is written, they only read it. */
 static inline thud_world *td_unconst(const thud_world *w) {
     union {
         const thud_world *given;
@@ -168,7 +168,7 @@ typedef struct td_part {
  * `w` uses, and how much room it needs for the counts of `head`. */
 void td_snapshot_list_parts(thud_world *w, const td_snapshot_head *head,
                             td_part parts[TD_SNAPSHOT_PARTS]);
-/* Lists them in the order of TD_SNAPSHOT_BODIES and so on. */
+/* Lists the world's pools of records in the order of TD_SNAPSHOT_BODIES and so on. */
 void td_snapshot_list_slots(thud_world *w, td_slots *slots[TD_SNAPSHOT_SLOTS]);
 /* The number of entries of the table after the head: one a terrain slot and one a block slot. */
 int td_snapshot_table_count(const td_snapshot_head *head);
@@ -206,7 +206,7 @@ void td_snapshot_list_sections(thud_world *w, const td_snapshot_head *head,
                                td_snapshot_section sections[TD_SECTION_COUNT]);
 /* The offset in TD_SECTION_FIELDS of a field at byte `member` of thud_world, which must be one. */
 size_t td_snapshot_field_at(size_t member);
-/* The size of such a snapshot, bytes. */
+/* The size of a snapshot with this head, bytes. */
 uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head);
 /* snapshot_checksum.c: a hash of the bytes, against damage, not against forgery. */
 uint64_t td_snapshot_checksum(const void *bytes, size_t count);
@@ -227,7 +227,8 @@ static inline uint64_t td_snapshot_textured_at(const td_snapshot_head *head) {
 /* Writes table and values to the bytes after the head, which td_snapshot_head_of gave for this
  * world. Does not change the world. */
 void td_snapshot_write(thud_world *w, const td_snapshot_head *head, char *to);
-/* Reads them into a world that has room for them; snapshot.c has checked head and bytes. */
+/* Reads table and values into a world that has room for them; snapshot.c has checked head and
+ * bytes. */
 void td_snapshot_read(thud_world *w, const td_snapshot_head *head, const char *from);
 
 /* ---- snapshot.c ---- */

@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-#define FNV_PRIME 0x100000001b3ull /* that of FNV-1a for 64 bits */
+#define FNV_PRIME 0x100000001b3ull /* the prime of FNV-1a for 64 bits */
 enum { ROTATION = 29 };            /* bits. Chosen; not tuned */
 
 /* One step: the running sum after the next word. The rotation carries high bits, which a product

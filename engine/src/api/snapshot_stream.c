@@ -74,7 +74,8 @@ enum {
     BODY_BYTES = BODY_FRONT + 1 + sizeof(td_body) - BODY_BACK
 };
 
-/* The bytes of a terrain record before its array of points, which follow by themselves. */
+/* The bytes of a terrain record before its array of points. The points are stored after these
+ * bytes. */
 enum { TERRAIN_BYTES = offsetof(td_terrain_record, points) };
 
 enum {
@@ -88,8 +89,8 @@ static const thud_detection *const DETECTIONS[TD_RANK_COUNT] = {&thud_detection_
                                                                 &thud_detection_bisect,
                                                                 &thud_detection_swept};
 
-/* By shape kind: the function that plugs it into a world, and the pair kind by which to see that it
- * is. */
+/* By shape kind: the function that plugs it into a world, and the pair kind that the world has
+ * exactly if the shape kind is plugged in. */
 #define KIND_ROW(kind, plug, own) [kind] = {plug, own},
 static const struct {
     void (*plug)(thud_world *w);
@@ -100,8 +101,8 @@ _Static_assert(sizeof KINDS / sizeof *KINDS == THUD_SHAPE_KIND_COUNT, "every kin
 /* ---- the head ---- */
 
 /* No pointer is in the bytes, so that builds of 32 bits whose records have the sizes of a build of
- * 64 bits, as WebAssembly's have, read and write the same bytes. What has pointers enters the hash
- * with its size in a build of 64 bits. */
+ * 64 bits, as WebAssembly's have, read and write the same bytes. Records that contain pointers
+ * enter the hash with their size in a build of 64 bits. */
 enum { POINTER_BYTES = 8, ARRAY_BYTES = 24 };
 _Static_assert(sizeof(void *) != POINTER_BYTES || sizeof(td_array) == ARRAY_BYTES,
                "the size of an array's record in a build of 64 bits");
@@ -308,8 +309,8 @@ static void serialize(stream *t, void *memory, size_t bytes) {
     }
 }
 
-/* The table of snapshot.h. Reading, it sets point counts and block->used. A free block holds its
- * next free slot in its first four bytes. */
+/* Writes or reads the table of snapshot.h. Reading also sets the counts of points and block->used.
+ * A free block holds its next free slot in its first four bytes. */
 static void serialize_table(stream *t, thud_world *w) {
     for (int i = 0; i < w->terrains.count; i++) {
         int32_t *count = &td_terrain_record_at(w, i)->points.count;
@@ -328,7 +329,7 @@ static void serialize_table(stream *t, thud_world *w) {
     }
 }
 
-/* Bins with lanes, each after its index. */
+/* Writes or reads the bins that have lanes, each after its index. */
 static void serialize_bins(stream *t, thud_world *w, int count) {
     td_bin *bins = &w->bins[0][0];
     if (!t->to) {
@@ -347,7 +348,7 @@ static void serialize_bins(stream *t, thud_world *w, int count) {
     }
 }
 
-/* The last `count` grid levels; the others are empty. */
+/* Writes or reads the last `count` grid levels; the levels before them are empty. */
 static void serialize_levels(stream *t, td_proxy_set *p, int count) {
     if (!t->to) {
         memset(p->levels, 0, sizeof p->levels);
@@ -365,7 +366,7 @@ static void serialize_body(stream *t, td_body *body) {
     }
 }
 
-/* All slots, free ones as well. Slots are contiguous within TD_CHUNK of them. */
+/* Writes or reads all slots, free ones as well. Slots are contiguous within TD_CHUNK of them. */
 static void serialize_slots(stream *t, td_slots *slots) {
     for (int i = 0; i < slots->count; i += TD_CHUNK) {
         int count = td_min_int(TD_CHUNK, slots->count - i);
@@ -381,7 +382,7 @@ static void serialize_terrains(stream *t, td_slots *terrains) {
     }
 }
 
-/* The blocks that are in use. */
+/* Writes or reads the blocks that are in use. */
 static void serialize_blocks(stream *t, td_slots *pool) {
     for (int i = 0; i < pool->count; i++) {
         td_block *block = td_slot_at(pool, i);
@@ -391,12 +392,12 @@ static void serialize_blocks(stream *t, td_slots *pool) {
     }
 }
 
-/* Plugs into the world the shape kinds, detections and the island solver that the head names, and
- * no others of the shape kinds and detections. */
+/* Plugs into the world the shape kinds, detections and the island solver that the head names.
+ * Removes all other shape kinds and detections. */
 static void plug_in(thud_world *w, const td_snapshot_head *head) {
     memset(w->kinds, 0,
-           TD_PAIR_COUNT *
-               sizeof *w->kinds); /* those of joints stay: snapshot.c has checked them */
+           TD_PAIR_COUNT * sizeof *w->kinds); /* the kinds of joints stay: snapshot.c has checked
+                                                 that the world has those of the snapshot */
     w->instances = NULL;
     w->edit_apply = td_edit_apply; /* for edits that wait in the snapshot */
     w->internal_edges = NULL;
@@ -436,7 +437,7 @@ static void take_counts(thud_world *w, const td_snapshot_head *head) {
     memcpy(w->constraint_count, head->constraints, sizeof head->constraints);
 }
 
-/* Table and values, in the order of the layout. */
+/* Writes or reads table and values, in the order of snapshot.h. */
 static void serialize_all(stream *t, thud_world *w, const td_snapshot_head *head) {
     td_part parts[TD_SNAPSHOT_PARTS];
     td_snapshot_list_parts(w, head, parts);

@@ -29,7 +29,8 @@ static void publish_events(thud_world *w) {
     next->sensor_begin_time.count = next->sensor_end_time.count = 0;
 }
 
-/* Records the time since *last as that of the stage, where the caller has given a clock. */
+/* If the caller has given a clock, stores the time since *last as the stage's, and sets *last to
+ * the present time. */
 static void record_time(thud_world *w, thud_stage stage, double *last) {
     if (w->def.clock) {
         double now = w->def.clock(w->def.clock_context);
@@ -160,8 +161,8 @@ static thud_result run_stages(thud_world *w) {
         return td_refuse(w, THUD_ERROR_MEMORY, "step: out of memory; nothing has moved");
     }
 
-    /* From here on the step cannot fail. A step that fails keeps these two, and the next one goes
-     * on with the stage that they name. */
+    /* From here on the step cannot fail. A step that fails leaves these two as they are, and the
+     * next step goes on with the stage that they name. */
     w->paired = false;
     w->narrowed = 0;
     ask_listeners(w);

@@ -25,7 +25,8 @@ bool td_broadphase_refresh(thud_world *w);
 bool td_narrowphase(thud_world *w);
 /* broadphase.c: thud_parts.few_resting. */
 bool td_broadphase_few_resting(thud_world *w, const td_array **few);
-/* contact_view.c: makes hit events of contacts that have begun and close faster than hit_speed. */
+/* contact_view.c: makes hit events of contacts that have begun in this step with a closing speed
+ * above hit_speed. */
 void td_contacts_hit(thud_world *w);
 /* solve.c: computes the velocity that gravity and forces add in a substep (substep_gain), for all
  * awake bodies, where it may have changed. Forces act for one step: they are cleared, and the next

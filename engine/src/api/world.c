@@ -69,7 +69,7 @@ static bool numbers_in(const thud_world_def *d, td_reason *why) {
                  THUD_WORKERS_MAX);
 }
 
-/* Why the def is refused, or null. */
+/* The reason why the def is refused, or null. */
 static const char *def_error(const thud_world_def *d, td_reason *why) {
     if (d->cookie != TD_COOKIE && d->cookie != TD_COOKIE_BASELINE) {
         return "world_create: the def does not start from thud_default_world_def()";
@@ -209,7 +209,8 @@ static void init_arrays(thud_world *w) {
     }
 }
 
-/* Tells the log of the def, as long as there is no world, why creating it is refused. */
+/* Refuses to create a world, and passes the reason to the def's log, since there is no world yet.
+ */
 static thud_result refuse(const thud_world_def *def, thud_result result, const char *message) {
     if (def->log) {
         def->log(result, message, def->log_context);
@@ -290,8 +291,8 @@ void thud_world_destroy(thud_world *w) {
         td_array_free(&w->memory, &td_terrain_record_at(w, i)->points);
     }
     td_arrays_free(&w->memory, w, ARRAYS, ARRAY_COUNT);
-    td_array_free(&w->memory,
-                  &w->scratch.test_blocks); /* its elements are as wide as a block: narrowphase.c */
+    td_array_free(&w->memory, &w->scratch.test_blocks); /* its elements have the size of the largest
+                                                           block: narrowphase.c */
     for (int i = 0; i < SLOTS_COUNT; i++) {
         td_slots_free(&w->memory, slots_at(w, i));
     }

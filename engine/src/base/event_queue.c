@@ -26,7 +26,8 @@ void td_event_queue_clear(td_event_queue *a, int count) {
     a->heap.count = 0;
 }
 
-/* Whether a number comes before another one: by time, then by number. */
+/* Whether `number` comes before `other`: at an earlier time, or at the same time and with a smaller
+ * number. */
 static bool before(const td_event_queue *a, int number, int other) {
     const double *time = a->time.data;
     return time[number] < time[other] || (time[number] == time[other] && number < other);

@@ -30,7 +30,7 @@ static inline td_body_index td_body_in(const td_array *list, int i) {
     return *TD_AT(td_body_index, list, i);
 }
 
-/* Both append to a list that has room. */
+/* td_push_slot and td_push_body append to a list that has room. */
 static inline void td_push_slot(td_array *list, td_awake_slot slot) {
     TD_PUSH(td_awake_slot, list) = slot;
 }

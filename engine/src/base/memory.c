@@ -76,7 +76,8 @@ bool td_array_reserve(td_memory *memory, td_array *array, int capacity) {
         return true;
     }
     size_t stride = (size_t)array->stride;
-    /* Capacities double, so that appending n elements moves O(n) of them. They stay below 2^27. */
+    /* Capacities double, so that appending n elements moves O(n) of them. They stay below 2^27;
+     * snapshot.c relies on this limit. */
     int64_t grown = td_max_int(array->capacity, 8);
     while (grown < capacity) {
         grown *= 2;

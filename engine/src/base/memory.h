@@ -24,7 +24,7 @@ typedef struct td_array {
 
 /* Memory by the caller's hooks; where they are null, by the C library's allocator. */
 td_memory td_memory_make(thud_allocator hooks);
-/* A memory that gives nothing, for workers, which may not allocate. */
+/* A memory from which every allocation fails, for workers, which must not allocate. */
 td_memory td_memory_none(void);
 /* Allocates a block, zeroed and 64-byte aligned; null when memory is short. */
 void *td_memory_get(td_memory *memory, size_t bytes);

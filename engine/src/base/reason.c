@@ -40,7 +40,7 @@ static char *put_number(char *to, double x) {
     for (; n && n % 10 == 0; n /= 10) {
         power++;
     }
-    char digit[16]; /* the last first */
+    char digit[16]; /* digits, the last one first */
     for (; n || !count; n /= 10) {
         digit[count++] = (char)('0' + n % 10);
     }

@@ -17,7 +17,7 @@ typedef struct td_reason {
 
 /* Whether low <= x <= high. If not (also for not-a-number), `why` gets the text above. */
 bool td_in(td_reason *why, const char *name, double x, double low, double high);
-/* The same for floats: without conversions a call takes half the code. */
+/* td_in for floats. A call has no conversions to double, and so half the code. */
 bool td_float_in(td_reason *why, const char *name, float x, float low, float high);
 /* Whether 0 < x <= high. If not, `why` gets "NAME is X, not in (0, HIGH]". */
 bool td_above_0(td_reason *why, const char *name, double x, double high);

@@ -30,7 +30,8 @@ static inline uint32_t td_angle_from(double radians) {
     return (uint32_t)(uint64_t)(int64_t)((part < 0.0 ? part + 1.0 : part) * TD_TURN + 0.5);
 }
 
-/* The difference of angles for a rotation in radians, which may be several full turns. */
+/* The angle, in quanta, by which a rotation in radians turns a body; it may be several full turns.
+ */
 static inline uint32_t td_angle_between(double radians) {
     double quanta = radians * (1.0 / TD_RADIANS_A_QUANTUM);
     double turns = (double)(int64_t)(quanta * (1.0 / TD_TURN));

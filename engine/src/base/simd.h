@@ -61,9 +61,9 @@ typedef int64_t l2 __attribute__((vector_size(16)));
 typedef uint64_t v2 __attribute__((vector_size(16)));
 typedef uint64_t v4 __attribute__((vector_size(32)));
 
-/* For the functions of which kernels are made: always inlined, unless the compiler optimises for
- * size. Functions of one or two instructions are TD_INLINE_SMALL: vectors of eight are passed
- * through memory, so that a call would take more bytes than the function. */
+/* For the functions that make up the kernels (loops over vectors): always inlined, unless the
+ * compiler optimises for size. Functions of one or two instructions are TD_INLINE_SMALL: vectors of
+ * eight are passed through memory, so that a call would take more bytes than the function. */
 #if defined(__OPTIMIZE_SIZE__)
 #define TD_INLINE static inline
 #else
@@ -79,8 +79,8 @@ TD_INLINE_SMALL i8 i8_all(int32_t x) {
     return (i8){x, x, x, x, x, x, x, x};
 }
 
-/* Whether the program can have more than one thread: WebAssembly without atomics cannot, and links
- * nothing of what workers share. */
+/* Whether the program can have more than one thread: WebAssembly without atomics cannot, and does
+ * not link the code that workers share. */
 #if defined(__wasm__) && !defined(__wasm_atomics__)
 enum { TD_HAS_THREADS = 0 };
 #else
@@ -106,7 +106,9 @@ typedef unsigned td_float_mode;
 #define TD_FLOAT_MODE_GET(mode) __asm__ volatile("stmxcsr %0" : "+m"(mode)::"memory")
 #define TD_FLOAT_MODE_SET(mode) __asm__ volatile("ldmxcsr %0" ::"m"(mode) : "memory")
 #define TD_FLOAT_MODE_OWN 0x1f80u
-#define TD_FLOAT_MODE_FLAGS 0x3fu /* sticky, of exceptions that occurred: no part of the mode */
+#define TD_FLOAT_MODE_FLAGS                                               \
+    0x3fu /* flags of exceptions that have occurred, which are no part of \
+             the mode */
 #elif defined(__aarch64__)
 typedef uint64_t td_float_mode;
 #define TD_FLOAT_MODE_GET(mode) __asm__ volatile("mrs %0, fpcr" : "=r"(mode)::"memory")
@@ -171,7 +173,7 @@ TD_INLINE f8 f8_min(f8 a, f8 b) /* b where a lane is not-a-number, as on x86 */
 #endif
 }
 
-TD_INLINE f8 f8_max(f8 a, f8 b) /* likewise */
+TD_INLINE f8 f8_max(f8 a, f8 b) /* b where a lane is not-a-number, as on x86 */
 {
 #if defined(__AVX2__)
     return (f8)_mm256_max_ps((__m256)a, (__m256)b);
@@ -267,8 +269,8 @@ TD_INLINE i8 i8_load(const int32_t *p) /* p needs no alignment of a vector */
     return r;
 }
 
-/* Packs: copies those of the eight ints at `from` whose bit is set to `to`, one after the other,
- * and returns their number. It may write all eight ints of `to`. */
+/* Compacts: of the eight ints at `from` it copies those whose bit is set to `to`, without gaps, and
+ * returns their number. It may write all eight ints of `to`. */
 TD_INLINE int i8_pack(int32_t *to, const int32_t *from, unsigned bits) {
 #if defined(__SSSE3__) || defined(__wasm_simd128__)
 #define TD_BYTES(i) 4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3
@@ -333,8 +335,8 @@ TD_INLINE td_rows td_transpose(f8 r0, f8 r1, f8 r2, f8 r3) {
     };
 }
 
-/* Reads the records at eight offsets. They are in bytes, not in records: computing addresses would
- * be a tenth of a solver pass otherwise. */
+/* Reads the records at eight offsets. Offsets are in bytes, not in records: the multiplications for
+ * addresses would otherwise take a tenth of the time of a solver pass. */
 TD_INLINE td_rows td_gather(const float (*records)[4], const uint32_t *offset) {
     const char *base = (const char *)records;
     const float *r[8];

@@ -15,7 +15,7 @@
 void td_sincos(double angle, double *s, double *c) {
     double turns = angle * (2.0 / TD_PI);
     double nearest = turns < 0.0 ? turns - 0.5 : turns + 0.5;
-    /* The conversion of what is no number, or no int, is undefined. */
+    /* In C the conversion to int of NaN, or of a number outside of its range, is undefined. */
     int quarters = td_abs(nearest) < QUARTERS_MAX ? (int)nearest : 0;
     double n = (double)quarters;
     double x = ((angle - n * QUARTER_1) - n * QUARTER_2) - n * QUARTER_3;

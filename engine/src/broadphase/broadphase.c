@@ -8,12 +8,11 @@
  *
  * Two proxy sets are kept: one of the shapes of awake bodies, and one of those of static, sleeping
  * and disabled bodies (here: resting), which is sorted again only when a shape enters or leaves it.
- * Pairs are searched only around shapes on the list `moved`: those whose tight bounds have left
- * their fat bounds, new ones, and those of bodies that woke or lack pairs. How a proxy set is
- * ordered and swept is the choice of the world's thud_broadphase: grid.c, those made of
- * plane_sweep.c, or all_pairs.c. td_pairs_sort makes the result independent of that choice, but for
- * crowds (below).
- */
+ * Pairs are searched only around shapes on the list `moved`: shapes whose tight bounds have left
+ * their fat bounds, new shapes, shapes of bodies that woke, and shapes that lack pairs because of a
+ * crowd. How a proxy set is ordered and swept is the choice of the world's thud_broadphase: grid.c,
+ * those made of plane_sweep.c, or all_pairs.c. td_pairs_sort makes the result independent of that
+ * choice, but for crowds (below). */
 #include "contact/contact.h"
 #include "state/kinds.h"
 #include "broadphase/pairs.h"
@@ -115,16 +114,17 @@ static int stamp_partners(thud_world *w, int a) {
     return count;
 }
 
-/* In a crowded world a pair is looked at in the steps in which this number has no bit in common
- * with a mask 2^k - 1 (turn_mask): in one of any 2^k successive steps. */
+/* In a crowded world the pairs of a shape take turns: a pair is looked at only in steps in which
+ * this number has no bit in common with a mask 2^k - 1 (turn_mask). The number grows by 1 in each
+ * step, so that each pair has one turn in any 2^k successive steps. */
 static unsigned turn_number(const thud_world *w, int a, int b) {
     return (unsigned)a + (unsigned)b + (unsigned)w->steps;
 }
 
-/* Adds a pair of shape a with each of the hits, whose bounds all overlap its own, that it has no
- * contact with: the bounds did not overlap before, or, where bounds tell nothing, the hit is not
- * stamped as a partner. Leaves out the pairs whose turn number has a bit of `skip_mask`. False when
- * memory is short. */
+/* `hits` are shapes whose bounds overlap those of shape a. Adds a pair with each hit that shape a
+ * has no contact with: by the main invariant, one whose bounds did not overlap before, or, where
+ * bounds tell nothing (td_bounds_tell_nothing), one that stamp_partners has not stamped. Leaves out
+ * the pairs whose turn number has a bit of `skip_mask`. False when memory is short. */
 static bool add_new_pairs(thud_world *w, int a, const int *hits, int count, unsigned skip_mask) {
     const td_bounds *before = td_bounds_before(w, a);
     const uint32_t *stamps = w->scratch.stamps.data;
@@ -158,9 +158,10 @@ static bool add_new_pairs(thud_world *w, int a, const int *hits, int count, unsi
  * finds more overlapping pairs than CROWD_PAIRS_BASE + CROWD_PAIRS_A_SHAPE times its shapes; until
  * then every new pair gets its contact in the step in which it is found. The world stays crowded
  * until fewer than half as many overlap: with one threshold, a crowd that disperses would get all
- * contacts that it lacks in the one step in which it falls below. Both chosen: in a heap of
- * like circles each has 6 neighbours, 3 pairs a shape; and 207 shapes in one place (the root of
- * n (n - 1) / 2 = 8192 + 64 n) still get all contacts at once. */
+ * contacts that it lacks in the one step in which it falls below that threshold, which would take
+ * long. Both numbers are chosen. For comparison: in a heap of equal circles each has 6 neighbours,
+ * which makes 3 pairs a shape; and up to 207 shapes in one place (the root of n (n - 1) / 2 = 8192
+ * + 64 n) do not make a world crowded. */
 enum { CROWD_PAIRS_BASE = 8192, CROWD_PAIRS_A_SHAPE = 64 };
 
 /* Overlapping pairs above which the world is crowded. */
@@ -168,13 +169,14 @@ static int64_t crowd_threshold(const thud_world *w) {
     return CROWD_PAIRS_BASE + CROWD_PAIRS_A_SHAPE * (int64_t)w->shapes.live;
 }
 
-/* Limits of a shape in one step of a crowded world. Its overlapping shapes are divided into 2^k
- * parts of about CROWD_TESTS_A_SHAPE or fewer, of which one is tested in this step (cheap: filters
- * and contact lists); of the pairs left, about CROWD_CONTACTS_A_SHAPE become contacts (expensive:
- * each goes through the narrowphase from then on), or about one, once the shape has that many.
- * Pairs of sensors become contacts as soon as they are tested. Every other pair has its turn within
- * the product of both powers of two, in steps. CROWD_TESTS_A_SHAPE is part of what thud_detection.h
- * promises (n / 64 steps in a crowd of n); both chosen. */
+/* Limits of a shape in one step of a crowded world. The shapes that overlap it are divided into 2^k
+ * parts of about CROWD_TESTS_A_SHAPE or fewer, one of which is tested in each step; a test is
+ * cheap, since it reads filters and contact lists. Of the pairs that pass, about
+ * CROWD_CONTACTS_A_SHAPE become contacts, or about one if the shape has that many contacts already;
+ * a contact is expensive, since it goes through the narrowphase from then on. Pairs of sensors
+ * become contacts as soon as they are tested. So every pair has its turn within a number of steps
+ * that is the product of two powers of two. thud_detection.h promises n / 64 steps in a crowd of n,
+ * which depends on CROWD_TESTS_A_SHAPE. Both chosen. */
 enum { CROWD_TESTS_A_SHAPE = 128, CROWD_CONTACTS_A_SHAPE = 32 };
 
 /* 2^k - 1 for the least 2^k with count <= 2^k max: a mask for turn_number. */
@@ -186,9 +188,10 @@ static unsigned turn_mask(int count, int max) {
     return turns - 1;
 }
 
-/* In a crowded world: drops of a shape's new pairs, from index `first` on, those that filters rule
- * out, and then those whose turn it is not, but for sensors. `skip_mask` is the mask that the pairs
- * have passed already. Returns whether the shape may have pairs left for later steps. */
+/* In a crowded world: removes pairs of a shape from scratch.pairs, where its new pairs begin at
+ * index `first`: those that filters rule out, and those that have no turn in this step, except for
+ * pairs of sensors. `skip_mask` is the mask that the pairs have passed already. Returns whether the
+ * shape may have pairs left for later steps. */
 static bool keep_pairs_in_turn(thud_world *w, int shape, int first, unsigned skip_mask) {
     td_array *pairs = &w->scratch.pairs;
     td_pairs_filter(w, first);
@@ -206,7 +209,7 @@ static bool keep_pairs_in_turn(thud_world *w, int shape, int first, unsigned ski
     return skip_mask != 0;
 }
 
-/* Adds the new pairs of all hits that are held. False when memory is short. */
+/* Adds the new pairs of all hits that hold_hits has collected. False when memory is short. */
 static bool add_held(td_pair_search *s) {
     int first = 0;
     bool done = true;
@@ -218,8 +221,8 @@ static bool add_held(td_pair_search *s) {
     return done;
 }
 
-/* Holds the hits of a shape, or adds their pairs at once where they are too many. False when memory
- * is short. */
+/* Collects the hits of a shape and prefetches their bounds, so that add_held finds them in the
+ * cache; adds their pairs at once where they are too many. False when memory is short. */
 static bool hold_hits(td_pair_search *s, int shape, const int *hits, int count) {
     if (!td_fetches(s->w)) {
         return add_new_pairs(s->w, shape, hits, count, 0);
@@ -270,8 +273,8 @@ static bool query(thud_world *w, const td_proxy_set *set, const td_bounds *bound
                                             &w->scratch.found_shapes, &w->broadphase.tested);
 }
 
-/* Searches all pairs of awake shapes of which one moved. False where add_hits ended it or memory is
- * short. */
+/* Searches all pairs of awake shapes of which one moved. False where add_hits ended the search or
+ * memory is short. */
 static bool sweep(td_pair_search *s) {
     thud_world *w = s->w;
     s->overlaps = s->held = s->shape_count = 0;
@@ -313,8 +316,9 @@ static bool has_moved(const thud_world *w, int shape) {
     return *td_marks_at(w, shape) & TD_MARK_MOVED;
 }
 
-/* Adds the new pairs of a resting shape with those awake shapes that moved (`with_moved`), or with
- * those that did not; of TD_NONE none. False when memory is short. */
+/* Adds the new pairs of a resting shape with the awake shapes that moved (`with_moved`), or with
+ * the awake shapes that did not move. Does nothing for TD_NONE, a shape that has left the set, and
+ * for terrain. False when memory is short. */
 static bool find_awake_pairs_of(thud_world *w, int shape, bool with_moved) {
     if (shape == TD_NONE || td_kind_is_line(td_shape_at(w, shape)->kind)) {
         return true;
@@ -360,19 +364,21 @@ static bool find_resting_pairs_of(thud_world *w, int shape) {
     return add_new_pairs(w, shape, w->scratch.found_shapes.data, w->scratch.found_shapes.count, 0);
 }
 
-/* Resting shapes query the awake ones where there are fewer than one of them for this many awake
- * shapes that moved. Chosen; not tuned. */
+/* The resting shapes query the set of awake shapes, instead of the moved awake shapes querying the
+ * resting set, where there is less than one resting shape for this many awake shapes that moved.
+ * Chosen; not tuned. */
 enum { MOVED_PER_RESTING = 8 };
-/* The resting shapes near those that moved are looked for where fewer than this many are expected
- * for each of those, as if the resting shapes were spread evenly over their bounds. Chosen: a query
- * costs as much as a hundred shapes that are found, so that what is looked for in vain costs
- * little. */
+/* The resting shapes near the awake shapes that moved are counted by a query, if fewer than this
+ * many are expected for each moved shape. The expectation assumes that resting shapes are spread
+ * evenly over their bounds. Chosen: a query costs as much as a hundred shapes that it finds, so
+ * that a count in vain costs little. */
 enum { RESTING_PER_MOVED = 4 };
 
-/* Sets *few to the resting shapes that shall query the awake ones, where these are few beside the
- * awake shapes that moved: all resting shapes, or those whose bounds meet the bounds around all
- * that moved. Null where they are many. False when memory is short. A world without it
- * (thud_parts) finds the same pairs, by more queries. */
+/* Sets *few to a list of the resting shapes that shall query the awake set: all resting shapes, or
+ * those that overlap the bounds around all awake shapes that moved. Sets it to null if the list
+ * would be long beside the number of awake shapes that moved (MOVED_PER_RESTING). False when memory
+ * is short. A world may lack this function (thud_parts); it finds the same pairs by more queries.
+ */
 bool td_broadphase_few_resting(thud_world *w, const td_array **few) {
     td_scratch *scratch = &w->scratch;
     const td_proxy_set *rest = &w->rest_shapes;
@@ -409,10 +415,10 @@ bool td_broadphase_few_resting(thud_world *w, const td_array **few) {
 }
 
 /* Adds every new pair of an awake and a resting shape of which one moved, and of two resting ones
- * with a sensor. Where few resting shapes are near the awake ones that moved, each of those queries
- * the awake set; else each moved awake shape queries the resting set. Resting shapes that moved
- * also query the awake set for shapes that did not move, unless all of those moved, as in the first
- * step. False when memory is short. */
+ * with a sensor. Where few resting shapes are near the awake shapes that moved, each of these
+ * resting shapes queries the awake set; else each moved awake shape queries the resting set.
+ * Resting shapes that moved also query the awake set for shapes that did not move, unless all awake
+ * shapes moved, as in the first step. False when memory is short. */
 static bool find_mixed_pairs(thud_world *w) {
     bool all_moved = w->awake_shapes.moved_count == w->awake_shapes.ids.count;
     const td_array *few = NULL;
@@ -445,7 +451,7 @@ static bool find_mixed_pairs(thud_world *w) {
 
 /* Whether the centres of all shapes span more than 2^30 bounds quanta (2^16 length scales) along an
  * axis: a quarter of the range after which bounds wrap around. Differences of bounds are right up
- * to half of the range, so that the rest is reserve for the shapes' extents. */
+ * to half of the range; the other quarter is left for the extents of the shapes. */
 static bool is_vast(const thud_world *w) {
     const td_proxy_set *a = &w->awake_shapes, *b = &w->rest_shapes;
     int64_t low_x = INT64_MAX, low_y = INT64_MAX, high_x = INT64_MIN, high_y = INT64_MIN;
@@ -474,9 +480,10 @@ static bool find_internal_edges(thud_world *w) {
     return true;
 }
 
-/* Puts the shapes that may have pairs left for later steps onto the moved list of the next step,
- * to be searched by their contact lists. `crowded` is kept as a mark of these shapes, so that it is
- * in snapshots: was_crowded. */
+/* Puts the shapes that may have pairs left for later steps onto the moved list of the next step.
+ * TD_MARK_WOKEN makes that step search their contact lists, since their bounds do not tell which
+ * pairs are new. TD_MARK_CROWDED remembers whether the world is crowded (was_crowded); marks are in
+ * snapshots. */
 static void requeue_crowded(thud_world *w, bool crowded) {
     int marks = TD_MARK_WOKEN | (crowded ? TD_MARK_CROWDED : 0);
     for (int i = 0; i < w->scratch.crowded.count; i++) {
@@ -510,7 +517,8 @@ bool td_broadphase(thud_world *w) {
     }
     w->broadphase.sort_moves = w->awake_shapes.sort_moves + w->rest_shapes.sort_moves;
     w->awake_shapes.sort_moves = w->rest_shapes.sort_moves = 0;
-    /* Bounds before this step matter as well, so the world counts as vast for one step longer. */
+    /* The test for new pairs also compares the bounds before this step, so that the world stays
+     * vast for one step longer. */
     bool vast = is_vast(w);
     w->vast |= vast;
     bool crowded = false;

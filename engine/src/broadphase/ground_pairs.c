@@ -5,7 +5,8 @@
 #include "broadphase/pairs.h"
 #include "state/shape.h"
 
-/* Whether the body of a shape is awake, or the pair with the line is a sensor's. */
+/* Whether the pair can have a contact: the body of the shape is awake, or the shape or the line is
+ * a sensor. */
 static bool may_pair(const thud_world *w, int line, int shape) {
     return td_body_at(w, td_shape_at(w, shape)->body)->awake.at > 0 || td_senses(w, line) ||
            td_senses(w, shape);
@@ -13,7 +14,7 @@ static bool may_pair(const thud_world *w, int line, int shape) {
 
 /* Adds the pairs of one shape with those segments of a line that its fat bounds reach and did not
  * reach before (or, where bounds tell nothing, with all that it reaches). Most shapes are above the
- * line, and no more is read of them. False when memory is short. */
+ * whole line, which is tested first from the proxy alone. False when memory is short. */
 static bool add_pairs_of_shape(thud_world *w, int terrain_shape, int shape) {
     const td_shape_proxy *proxy = td_shape_proxy_at(w, shape);
     if (td_terrain_below(w, terrain_shape, proxy->center, &proxy->fat) ||
@@ -47,7 +48,7 @@ static bool add_pairs_of_shape(thud_world *w, int terrain_shape, int shape) {
 static bool add_pairs_of_line(thud_world *w, int line, const td_array *shapes) {
     for (int i = 0; i < shapes->count; i++) {
         int shape = td_int_at(shapes, i);
-        /* TD_NONE: left since the set was built. */
+        /* TD_NONE stands for a shape that has left the set since it was built. */
         if (shape != TD_NONE && !add_pairs_of_shape(w, line, shape)) {
             return false;
         }

@@ -45,11 +45,11 @@ void td_pairs_filter(thud_world *w, int first) {
     pairs->count = kept_count;
 }
 
-/* So few pairs are sorted by insertion: clearing and adding up the tables of a radix sort takes
- * longer. Chosen; not tuned. */
+/* Up to this many pairs are sorted by insertion: for them, clearing and summing the tables of a
+ * radix sort takes longer. Chosen; not tuned. */
 enum { INSERTED_MAX = 32 };
 
-/* By which pairs are sorted: shape a, then shape b. */
+/* The sort key of a pair: shape a, then shape b. */
 static uint64_t key_of(const td_new_pair *pair) {
     return (uint64_t)(uint32_t)pair->a << 32 | (uint32_t)pair->b;
 }
@@ -134,8 +134,9 @@ bool td_pair_has_contact(const thud_world *w, const td_new_pair *p) {
 /* Whether a pair may have a contact although its bounds did not overlap before, so that the bodies'
  * contacts must be searched. Touching shapes keep their contact when their fat bounds part: the
  * cached manifold, and the speculative margin of small shapes, reach further. When the bounds
- * overlap again, the pair seems new. So does one with a line where bounds tell nothing; for other
- * shapes where bounds tell nothing, the search for pairs has gone through the partners already. */
+ * overlap again, the pair seems new. A pair with a line also seems new where bounds tell nothing
+ * (td_bounds_tell_nothing). For other shapes in that case, add_new_pairs has searched the contacts
+ * already. */
 static bool may_have_contact(const thud_world *w, const td_new_pair *p) {
     bool line =
         td_kind_is_line(td_shape_at(w, p->a)->kind) || td_kind_is_line(td_shape_at(w, p->b)->kind);

@@ -10,10 +10,11 @@ typedef struct td_new_pair {
     int32_t a, b, child;
 } td_new_pair;
 
-/* The greatest number of hits that wait while what their test reads is prefetched. Chosen. */
+/* Maximum number of hits that are collected, while the bounds that their test reads are prefetched.
+ * Chosen. */
 enum { TD_HELD_MAX = 64 };
 
-/* The search for pairs among awake shapes, as add_hits of broadphase.c continues it. */
+/* The state of the search for pairs among awake shapes: the context of add_hits in broadphase.c. */
 typedef struct td_pair_search {
     thud_world *w;
     int64_t overlaps;     /* overlapping pairs found so far */
@@ -28,7 +29,8 @@ typedef struct td_pair_search {
 /* Appends a pair to scratch.pairs. False when memory is short. */
 bool td_pairs_add(thud_world *w, int a, int b, int child);
 
-/* Adds the new pairs of lines with awake shapes or sensors. False when memory is short. */
+/* Adds the new pairs of lines (terrain shapes) with awake shapes or sensors. False when memory is
+ * short. */
 bool td_pairs_add_ground(thud_world *w); /* ground_pairs.c */
 
 /* Drops the pairs, from index `first` on, that filters, rules or joints keep from colliding
@@ -62,9 +64,9 @@ static inline const td_bounds *td_bounds_before(const thud_world *w, int shape) 
                                                   : td_fat_at(w, shape);
 }
 
-/* Whether the bounds of a pair overlapped at the last broadphase, so that it has a contact. Only
- * where bounds tell. `marks`: the union of both shapes' marks; `before`: td_bounds_before of one.
- */
+/* Whether the bounds of a pair overlapped at the last broadphase, so that it has a contact. Valid
+ * only where td_bounds_tell_nothing is false. `marks`: the union of both shapes' marks; `before`:
+ * td_bounds_before of the shape that is not `other`. */
 static inline bool td_bounds_had_met(const thud_world *w, int marks, const td_bounds *before,
                                      int other) {
     return !(marks & TD_MARK_FRESH) && td_bounds_overlap(before, td_bounds_before(w, other));

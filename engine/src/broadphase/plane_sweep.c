@@ -1,13 +1,14 @@
 /* plane_sweep.c: sort and sweep (sweep and prune) along an axis: shapes are kept sorted by the
- * least coordinate of their fat bounds, so that a shape can only overlap those that begin before it
- * ends. plane_sweep_x.c and its neighbours are the broadphases that are made of it.
+ * least coordinate of their fat bounds, so that a shape can only overlap those whose least
+ * coordinate is below its own greatest one. plane_sweep_x.c and its neighbours are the broadphases
+ * that are made of it.
  *
  * Motion is coherent: the order hardly changes from step to step, and insertion sort, which moves
- * each key past those that it has overtaken, takes little more than one comparison a shape
- * (D. Baraff, "Dynamic Simulation of Non-penetrating Rigid Bodies", 1992). Where the keys are far
- * from sorted, at the start or after great changes, passes of insertion sort over every 701st,
- * 301st ... key come first: Shell's sort with the gaps of M. Ciura ("Best Increments for the
- * Average Case of Shellsort", 2001), which bounds the work. */
+ * each key past those that it has overtaken, takes little more than one comparison a shape (D.
+ * Baraff, "Dynamic Simulation of Non-penetrating Rigid Bodies", 1992). Where the keys are far from
+ * sorted, at the start or after great changes, passes of insertion sort over every 701st, 301st ...
+ * key come first: Shell's sort with the gaps of M. Ciura ("Best Increments for the Average Case of
+ * Shellsort", 2001), which bounds the work. */
 #include "broadphase/plane_sweep.h"
 
 #include "broadphase/sorted_axis.h"
@@ -15,8 +16,8 @@
 
 #include <string.h>
 
-/* Makes `keys`, of which there are `count`, those of the shapes in set->list: shapes that had a key
- * keep their order, and new ones are appended. */
+/* Replaces the `count` keys by those of the shapes in set->list: shapes that have a key already
+ * keep their order, so that little is left to sort, and new ones are appended. */
 static void update_keys(thud_world *w, const td_proxy_set *set, td_sweep_key *keys, int count) {
     int32_t *present = w->scratch.order.data;
     const int32_t *list = set->list.data;
@@ -63,8 +64,9 @@ bool td_sweep_list(thud_world *w, td_proxy_set *set, int lists) {
     return true;
 }
 
-/* Sets each key to where its shape begins along the axis, relative to the first key's place, and
- * set->widest to the greatest extent; both in bounds quanta. */
+/* Sets each key to the least coordinate of its shape's bounds along the axis, relative to the
+ * centre of the first key's shape, and set->widest to the maximum extent of a shape; both in bounds
+ * quanta. */
 static void update_key_values(const thud_world *w, td_proxy_set *set, td_sweep_key *keys, int count,
                               td_axis axis) {
     double widest = 0.0;

@@ -49,8 +49,9 @@ typedef struct range {
     int count;
 } range;
 
-/* The keys along an axis whose intervals may overlap the one from `min` on: they begin before it
- * ends, and not further before it than the widest shape is wide. */
+/* The keys along an axis whose intervals may overlap the interval of length `extent` from `min` on:
+ * a key is at most the end of the interval, and not below `min` by more than the extent of the
+ * widest shape. */
 static range range_along(const td_proxy_set *set, td_axis axis, double min, int32_t extent) {
     int count = set->ids.count;
     const td_sweep_key *keys =
@@ -75,8 +76,8 @@ static td_bounds bounds_at(const td_proxy_set *set, int i) {
                        td_int_at(&set->max_x, i), td_int_at(&set->max_y, i)};
 }
 
-/* td_sweep_fn. A pair of which one moved is reported by the first of those of the two that search.
- */
+/* A td_sweep_fn. Either all shapes search or those that moved (td_sweeps_every). A pair is reported
+ * once: by the first in ids of those of its two shapes that search. */
 static bool sweep(const td_proxy_set *set, td_memory *memory, const td_shape_proxy *proxy,
                   td_array *hits, td_hits_fn *report, void *context, int64_t *tested) {
     const int32_t *ids = set->ids.data, *moved = set->moved.data;

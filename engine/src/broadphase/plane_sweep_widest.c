@@ -14,8 +14,9 @@ static double spread_of(double sum, double squares, int count) {
     return td_max_double(squares * (double)count - sum * sum, 0.0);
 }
 
-/* The axis of the greater variance of the centres of the bounds, but for VARIANCE_RATIO. Centres
- * are taken from that of the first shape, in the order of the list. */
+/* The axis along which the centres of the bounds have the greater variance; the present axis is
+ * kept unless the other variance is VARIANCE_RATIO times as great. Centres are relative to that of
+ * the first shape in the list, so that the sums stay exact. */
 static td_axis choose_axis(const thud_world *w, const td_proxy_set *set) {
     const int32_t *list = set->list.data;
     double sum[TD_AXES] = {0.0}, squares[TD_AXES] = {0.0};

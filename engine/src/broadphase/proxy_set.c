@@ -7,8 +7,9 @@
 
 #define ARRAY(name, element) TD_ARRAY_PLACE(td_proxy_set, name, element)
 
-/* The arrays of a proxy set. The first FILLED have one element for each of `ids`, and every
- * broadphase fills them, but for the cells; the others belong to single broadphases. */
+/* The arrays of a proxy set. The first FILLED have one element for each of `ids`; every broadphase
+ * fills them, except for `cells`, which only the grid does. Each of the others belongs to one
+ * broadphase. */
 static const td_array_place ARRAYS[] = {
     ARRAY(ids, int32_t),       ARRAY(min_x, int32_t),    ARRAY(min_y, int32_t),
     ARRAY(max_x, int32_t),     ARRAY(max_y, int32_t),    ARRAY(moved, int32_t),
@@ -27,7 +28,9 @@ bool td_proxy_set_reserve(thud_world *w, td_proxy_set *p, int count) {
     return td_arrays_reserve(&w->memory, p, ARRAYS, FILLED, count + TD_LANES);
 }
 
-/* Where some shapes that woke are still in the set, these bodies may be among them. */
+/* Adds the shapes of the bodies to the set of resting shapes in place, if the broadphase can. If
+ * the set still has shapes that woke (`woken`), it is built anew: these bodies may be among them,
+ * and would be in the set twice. */
 void td_proxy_sets_asleep(thud_world *w, const td_array *bodies) {
     td_proxy_set *rest = &w->rest_shapes;
     bool (*enter)(thud_world *w, td_proxy_set *set, int shape) = w->def.broadphase->enter;
@@ -42,7 +45,8 @@ void td_proxy_sets_asleep(thud_world *w, const td_array *bodies) {
     }
 }
 
-/* Where more than a quarter of the shapes may leave, building the set anew takes no longer. Chosen.
+/* The shapes of woken bodies are removed in place later (td_proxy_set_drop_woken), unless the
+ * bodies are more than a quarter of the shapes: then building the set anew takes no longer. Chosen.
  */
 void td_proxy_sets_woken(thud_world *w, const td_array *bodies) {
     td_proxy_set *rest = &w->rest_shapes;
@@ -52,8 +56,9 @@ void td_proxy_sets_woken(thud_world *w, const td_array *bodies) {
     rest->woken = rest->valid;
 }
 
-/* Each is replaced by TD_NONE, with bounds that overlap no others within a quarter of the range of
- * bounds. */
+/* Replaces each shape of an awake body by TD_NONE, and its bounds by inverted ones (the minimum
+ * above the maximum), which overlap no bounds nearer than a quarter of the range after which bounds
+ * wrap around. */
 void td_proxy_set_drop_woken(thud_world *w) {
     td_proxy_set *rest = &w->rest_shapes;
     int *ids = rest->ids.data;

@@ -26,9 +26,9 @@ typedef struct td_proxy_set {
     td_array min_x, min_y, max_x, max_y; /* int32, in the order of ids, and eight more of room */
     td_array moved;                      /* int32: -1 where the shape is on the moved list */
     int moved_count;                     /* how many of `moved` are -1 */
-    int head, tail; /* so many of the first and last ids do not search in a sweep: 0, but where
-                       workers share it (shared_sweep.c) */
-    bool woken;     /* shapes at rest: ids have shapes that are awake by now */
+    int head, tail; /* numbers of first and of last ids that do not search in a sweep. Both are 0
+                       except in the copies for workers (shared_sweep.c) */
+    bool woken;     /* set of resting shapes only: `ids` still has shapes of bodies that woke */
     bool listed;    /* `list` is up to date: no shape has entered or left the set since */
     bool loose;     /* built so that thud_broadphase.follow can update it */
     bool valid;     /* the arrays hold the present bounds */
@@ -61,16 +61,16 @@ struct thud_world;
 /* Receives the shapes that overlap `shape`; false ends the sweep, which then returns false. */
 typedef bool td_hits_fn(void *context, int shape, const int *hits, int count);
 
-/* Whether every shape searches in a sweep, which finds each pair from one side and pays where most
- * moved; else only shapes that moved search. */
+/* Whether every shape searches in a sweep, and looks only at shapes after it in the order; this
+ * pays where most shapes moved. Otherwise only shapes that moved search, on both sides. */
 static inline bool td_sweeps_every(const td_proxy_set *set) {
     return set->moved_count * 2 > set->ids.count;
 }
 
-/* Finds each pair of shapes whose bounds overlap and of which one moved, once, and reports those of
- * one shape that searches together; `hits` is memory for them. False when memory is short, or where
- * `report` returned false. Adds the number of pairs of bounds that it compared to *tested, also
- * where it returns false. */
+/* Finds each pair of shapes whose bounds overlap and of which one moved, once. Calls `report` for
+ * each shape that searches, with all the shapes that it found; `hits` is memory for them. False
+ * when memory is short, or where `report` returned false. Adds the number of compared pairs of
+ * bounds to *tested, also where it returns false. */
 typedef bool td_sweep_fn(const td_proxy_set *set, td_memory *memory, const td_shape_proxy *proxy,
                          td_array *hits, td_hits_fn *report, void *context, int64_t *tested);
 /* Appends every shape whose bounds overlap `bounds`, which lie near near_place (td_unwrap). False
@@ -95,7 +95,7 @@ struct thud_broadphase {
     td_find_fn *find[2];
 };
 
-/* Initialiser of such a pair. */
+/* Initialiser of `sweep` or `find`: the function of a wide file for each instruction set. */
 #if defined(TD_HAS_AVX2)
 #define TD_BOTH_WIDE(name) \
     { TD_JOIN(name, base), TD_JOIN(name, avx2) }
@@ -117,8 +117,9 @@ bool td_proxy_set_reserve(struct thud_world *w, td_proxy_set *set, int count);
 void td_proxy_set_free(td_memory *memory, td_proxy_set *set);
 
 /* proxy_set.c: tells the world's sets that bodies (a list of td_body_index) have fallen asleep, or
- * have woken. What woke stays in the set of shapes at rest until td_proxy_set_drop_woken, since a
- * step in which bodies wake goes on with the sets that its broadphase has filled. */
+ * have woken. Shapes of woken bodies stay in the set of resting shapes until
+ * td_proxy_set_drop_woken, since the rest of the step still uses the sets as its broadphase has
+ * filled them. */
 void td_proxy_sets_asleep(struct thud_world *w, const td_array *bodies);
 void td_proxy_sets_woken(struct thud_world *w, const td_array *bodies);
 /* Takes the shapes that are awake out of the set of shapes at rest. */

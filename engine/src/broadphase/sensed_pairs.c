@@ -9,9 +9,10 @@
 #include "contact/sensors.h"
 #include "state/shape.h"
 
-/* Reserves, before bodies move, the memory of all that follows here. False when memory is short.
- * The hits of a search, and the room that it asks for ahead of each range of shapes, are at most
- * all shapes each; the third part is reserve. */
+/* Reserves, before bodies move, the memory of all functions below. False when memory is short.
+ * found_shapes gets room for three times all shapes: a search has at most as many hits, and
+ * reserves at most as much again ahead of a range of shapes (reserve_hits); the third part is a
+ * margin. */
 bool td_sensed_reserve(thud_world *w) {
     int room = w->scratch.sensed_room = td_sensors_expect(w);
     int more[TD_CONSTRAINT_KINDS] = {[TD_PAIR_SENSOR] = room};
@@ -61,13 +62,15 @@ static bool add(thud_world *w, int shape, int other, int child) {
            td_pairs_add(w, pair.a, pair.b, child);
 }
 
-/* Whether the two may have a sensor contact, as far as `other` and the filters say. */
+/* Whether one of the two is a sensor, `other` has been in the world since the start of the step,
+ * and filters allow the pair. */
 static bool may_pair(const thud_world *w, int shape, int other) {
     return (td_senses(w, shape) || td_senses(w, other)) && exists_since_start(w, other) &&
            td_pair_allowed(w, shape, other);
 }
 
-/* Adds the pair if it may have a contact and the fat bounds overlap. False: no room; so below. */
+/* Adds the pair if it may have a contact and the fat bounds overlap. False when there is no room
+ * for it, as in the functions below. */
 static bool try_pair(thud_world *w, int shape, int other) {
     bool may = td_pair_meets(w, shape, other) && may_pair(w, shape, other);
     return !may || add(w, shape, other, 0);
@@ -78,8 +81,8 @@ static bool try_line(thud_world *w, int shape, int line) {
     return !may_pair(w, shape, line) || w->ground->each(w, line, shape, add);
 }
 
-/* Adds the pairs of a moved shape with the shapes of a set that did not move: of those, and only of
- * those, the set has the present bounds. */
+/* Adds the pairs of a moved shape with the shapes of a set that did not move. The bounds of shapes
+ * that moved in this step are out of date in the set. */
 static bool pair_with_set(thud_world *w, const td_proxy_set *set, int shape) {
     td_array *found = &w->scratch.found_shapes;
     found->count = 0;

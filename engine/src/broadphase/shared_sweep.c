@@ -1,10 +1,11 @@
 /* shared_sweep.c: the search for pairs of awake shapes by workers, each of which takes
  * TD_SHARE_SHAPES shapes of the proxy set at a time.
  *
- * A worker allocates nothing, and has room for a fixed number of pairs: parts that need more, or
- * whose pairs bounds tell nothing about, are searched by the calling thread once the workers are
- * done. It also adds up what they found, part after part. Which parts these are does not depend on
- * the workers, so that pairs come in the same order with any number of them. */
+ * A worker allocates nothing, and has room for a fixed number of pairs. The calling thread then
+ * goes through all parts in order: it adds the pairs that a worker found in a part, or searches the
+ * part itself if it needs more room or has pairs of which bounds tell nothing
+ * (td_bounds_tell_nothing). Which parts these are does not depend on the workers, so that pairs
+ * come in the same order with any number of them. */
 #include "state/jobs.h"
 #include "state/shared_stages.h"
 
@@ -14,10 +15,11 @@
  * thread has woken. Chosen; not tuned. */
 enum { SHARED_SHAPES_MIN = 1024 };
 
-/* The bounds that one shape may be compared with: as many ints of a worker's stack. Chosen. */
+/* Room for hits on a worker's stack, ints: the maximum number of bounds that one shape may be
+ * compared with. Chosen. */
 enum { HITS_OF_SHAPE = 1024 };
 
-/* What the workers share. */
+/* The argument of all workers. */
 typedef struct sweeping {
     thud_world *w;
     td_job job;
@@ -37,8 +39,9 @@ static td_sweep_share *share_at(const thud_world *w, int index) {
     return &TD_AT(td_share, &w->scratch.shares, index)->sweep;
 }
 
-/* Whether enough shapes search, bounds tell of all pairs but those of woken shapes, and there is
- * memory: without it the calling thread searches alone. */
+/* Whether workers share the search: enough shapes search, the world is not vast (bounds tell which
+ * pairs are new, except for woken shapes), and there is memory. Otherwise the calling thread
+ * searches alone. */
 static bool is_shared(thud_world *w) {
     const td_proxy_set *set = &w->awake_shapes;
     int searching = td_sweeps_every(set) ? set->ids.count : set->moved_count;
@@ -46,7 +49,7 @@ static bool is_shared(thud_world *w) {
            td_array_reserve(&w->memory, &w->scratch.shares, share_count(w));
 }
 
-/* Searches the shapes of one part, as a td_sweep_fn. */
+/* Searches the shapes of one part; the arguments are those of a td_sweep_fn. */
 static bool sweep_part(const thud_world *w, td_memory *memory, int index, td_array *hits,
                        td_hits_fn *report, void *context, int64_t *tested) {
     td_proxy_set part = w->awake_shapes;
@@ -60,7 +63,8 @@ static bool sweep_part(const thud_world *w, td_memory *memory, int index, td_arr
 
 /* ---- a worker ---- */
 
-/* Keeps the new ones of the pairs that are not tested yet. False where bounds tell nothing. */
+/* Tests the pairs of a share from new_count on, and keeps those that are new. False where bounds do
+ * not tell whether a pair is new. */
 static bool keep_new_pairs(const sweeper *s) {
     const thud_world *w = s->w;
     td_sweep_share *share = s->share;
@@ -135,8 +139,8 @@ static bool add_share(td_pair_search *search, const td_sweep_share *share, int64
     return true;
 }
 
-/* Adds what the workers found, and searches the parts that they have not done. False when memory is
- * short, or where so many pairs overlap that the world becomes crowded. */
+/* Adds the pairs that the workers found, and searches the parts that they left undone. False when
+ * memory is short, or where so many pairs overlap that the world becomes crowded. */
 static bool join(const sweeping *shared, td_memory *memory, td_array *hits, td_hits_fn *report,
                  td_pair_search *search, int64_t *tested) {
     const thud_world *w = shared->w;
@@ -161,8 +165,8 @@ bool td_shared_sweep(const td_proxy_set *set, td_memory *memory, const td_shape_
         if (join(&shared, memory, hits, report, search, tested)) {
             return true;
         }
-        /* As if it had not begun: alone, the calling thread finds out in the same place that the
-         * world is crowded with any number of workers. */
+        /* Undoes the search and has the calling thread repeat it alone: then the world becomes
+         * crowded at the same pair for any number of workers. */
         *tested = tested_before;
         search->overlaps = search->held = search->shape_count = 0;
         search->crowded = false;

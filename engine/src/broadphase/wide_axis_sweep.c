@@ -4,7 +4,7 @@
  * against all after it.
  *
  * Coordinates of keys are doubles in bounds quanta from set->reference. Ranges end at a multiple of
- * eight shapes, so that up to seven more are tested than begin before the end. */
+ * eight shapes, so that up to seven shapes more are tested than necessary. */
 #include "broadphase/wide_scan.h"
 
 /* The end of the range from index `from` that holds every shape that begins at or before `max`, to
@@ -34,8 +34,9 @@ TD_INLINE int first_reaching(const td_proxy_set *set, double min) {
     return low;
 }
 
-/* Where the i-th shape begins and ends along the axis; the beginning counts as 0 where the set is
- * not sorted. */
+/* The least (min_of) and the greatest (max_of) coordinate of the i-th shape's bounds along the
+ * axis, as keys count them. In a set that is not sorted they are not used, and the least one counts
+ * as 0. */
 TD_INLINE double min_of(const td_proxy_set *set, int i) {
     const td_sweep_key *keys = set->keys.data;
     return keys ? keys[i].min : 0.0;

@@ -8,7 +8,8 @@ int TD_WIDE(td_proxy_set_fill)(td_proxy_set *set, const td_shape_proxy *proxy,
     int32_t *ids = set->ids.data, *moved = set->moved.data;
     int32_t *rows[4] = {set->min_x.data, set->min_y.data, set->max_x.data, set->max_y.data};
     int count = set->ids.count, moved_count = 0;
-    /* Eight more ids past the end, for the last eight lanes: any shape will do. */
+    /* The loop below reads eight ids at a time, and may read beyond the last one. The ids there
+     * must be valid, but the bounds that it writes for them are never used. */
     for (int i = count; i < count + TD_LANES; i++) {
         ids[i] = ids[count - 1];
     }

@@ -22,7 +22,8 @@ TD_INLINE void load_four_words(const td_shape_proxy *proxy, const int32_t *ids, 
     out[0] = (i8)rows.x, out[1] = (i8)rows.y, out[2] = (i8)rows.z, out[3] = (i8)rows.w;
 }
 
-/* Prefetches eight proxies, the place of which in memory no hardware can foresee. */
+/* Prefetches eight proxies. The order of ids has no pattern in memory that a hardware prefetcher
+ * could follow. */
 TD_INLINE void fetch_eight_proxies(const td_shape_proxy *proxy, const int32_t *ids) {
     for (int i = 0; i < TD_LANES; i++) {
         __builtin_prefetch(&proxy[ids[i]]);
@@ -32,7 +33,7 @@ TD_INLINE void fetch_eight_proxies(const td_shape_proxy *proxy, const int32_t *i
 /* The distance, in shapes, at which loops over all proxies prefetch. Chosen. */
 enum { FETCH_AHEAD = 6 * TD_LANES };
 
-/* A search in a proxy set: the bounds that are asked about, and the hits so far. */
+/* A search in a proxy set: the bounds of the query, and the hits so far. */
 typedef struct scan {
     const td_proxy_set *set;
     /* The set's arrays. */
@@ -40,9 +41,9 @@ typedef struct scan {
     td_memory *memory;
     td_array *hits;
     int32_t *out, *limit; /* where the next hit is written, and the end of hits' memory */
-    /* The bounds asked about, in all lanes. */
+    /* The bounds of the query, in all lanes. */
     i8 query_min_x, query_min_y, query_max_x, query_max_y;
-    int64_t tested; /* bounds compared with those */
+    int64_t tested; /* number of bounds compared with those of the query */
 } scan;
 
 /* Which overlapping shapes are hits: all, those that moved, or those that did not. */
@@ -77,7 +78,7 @@ TD_INLINE scan begin_scan(const td_proxy_set *set, td_memory *memory, td_array *
     return s;
 }
 
-/* Sets the bounds asked about. */
+/* Sets the bounds of the query. */
 TD_INLINE void set_query(scan *s, const td_bounds *b) {
     s->query_min_x = i8_all(b->min_x);
     s->query_min_y = i8_all(b->min_y);
@@ -104,8 +105,8 @@ TD_INLINE unsigned overlaps(const scan *s, int at, scan_filter which) {
     return i8_bits(found);
 }
 
-/* Makes room for `more` hits, and eight that i8_pack may write beyond. False when memory is short.
- */
+/* Makes room for `more` hits, and for eight ints that i8_pack may write behind them. False when
+ * memory is short. */
 TD_INLINE bool reserve_hits(scan *s, int more) {
     if (s->limit - s->out >= more + TD_LANES) {
         return true;
@@ -126,8 +127,8 @@ TD_INLINE bool report_hits(scan *s, int i, td_hits_fn *report, void *context) {
 }
 
 /* Appends the hits among the shapes from .. to - 1, for which there is room. Most ranges hold at
- * most eight shapes, many none: the first eight are tested in any case, since a branch that cannot
- * be predicted costs more than a test. */
+ * most eight shapes, and many none. The first eight are tested even if the range is empty, since a
+ * branch that cannot be predicted costs more than a test. */
 TD_INLINE void scan_span(scan *s, int from, int to, scan_filter which) {
     int at = from;
     s->tested += to - from;

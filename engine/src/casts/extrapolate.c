@@ -1,9 +1,11 @@
-/* extrapolate.c: free flight in closed form (flight.h), and the calls that tell where it leads.
+/* extrapolate.c: the free flight of a body in closed form (flight.h), and the API calls that return
+ * where it ends.
  *
  * With z = c t, p = (1 - exp(-z)) / z and r = (1 - p) / z, a velocity v0 under the acceleration g
  * and the damping c becomes in the time t
  *   v1 = v0 - v0 z p + g t p,   and the way is   t (v0 p + g t r),
- * as in damping.h, which knows no z far above 1, since a step has none. */
+ * as in damping.h, whose series is only valid for small z, as within a step; here z may be large.
+ */
 #include "casts/flight.h"
 
 #include "base/rotation.h"
@@ -43,7 +45,7 @@ static void damped(double z, double *p, double *r) {
     *r = (q - d) / (1.0 + z * q);
 }
 
-/* Coordinate k after a time, as if there were no maximum speed. */
+/* Coordinate k of the flight after the time t, if there were no maximum speed. */
 static void fly(const td_flight *f, int k, double t, double *moved, double *velocity) {
     double p, r, v = f->velocity[k], gain = f->gain[k] * t;
     damped(f->damping[k] * t, &p, &r);
@@ -54,8 +56,8 @@ static void fly(const td_flight *f, int k, double t, double *moved, double *velo
 /* Halvings of the time until a flight reaches the maximum speed: as many as a double has digits. */
 enum { HALVINGS = 53 };
 
-/* Velocities change in one direction alone, so that a flight that reaches the maximum speed keeps
- * it from then on. */
+/* Each velocity only grows or only falls during a flight. So once a velocity has reached the
+ * maximum, it stays there. */
 td_flight_point td_flight_at(const td_flight *f, double seconds) {
     td_flight_point at = {0};
     for (int k = 0; k < 3 && f->moves; k++) {

@@ -7,7 +7,7 @@
 
 /* The flight of one body from where it is now. Coordinates are x, y and the rotation. */
 typedef struct td_flight {
-    bool moves;          /* false: it stays, and velocity, gain and damping are of no account */
+    bool moves;          /* false: the body does not move, and the other members are not read */
     double velocity[3];  /* at the start, length/s, rad/s */
     double gain[3];      /* acceleration, length/s^2 */
     double damping[3];   /* 1/s */
@@ -22,9 +22,10 @@ typedef struct td_flight_point {
 } td_flight_point;
 
 td_flight td_flight_of(const thud_world *w, td_body_index body);
-/* Where the flight is after a time, s. */
+/* The point of the flight after `seconds`, s. */
 td_flight_point td_flight_at(const td_flight *f, double seconds);
-/* The flight's body there, as callers get it, with `seconds` and no shape that it met. */
+/* That point as a thud_prediction: the pose and velocity of the body, with `seconds` and without a
+ * shape that it meets. */
 thud_prediction td_flight_tell(const thud_world *w, const td_flight *f, const td_flight_point *at,
                                double seconds);
 

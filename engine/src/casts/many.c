@@ -29,7 +29,7 @@ struct batch {
     td_job job;
 };
 
-/* A worker's part of it. */
+/* A batch with the memory of one worker. */
 typedef struct batch_worker {
     const batch *b;
     int *room; /* its candidate array */
@@ -49,7 +49,7 @@ static td_path shape_path(const batch *b, int i) {
                      cast->filter,   false};
 }
 
-/* Casts CHUNK of them. */
+/* Makes CHUNK casts. */
 static void cast_chunk(void *work, int chunk) {
     const batch_worker *h = work;
     const batch *b = h->b;
@@ -66,7 +66,7 @@ static void cast_chunk(void *work, int chunk) {
     }
 }
 
-/* The job of one worker: chunk after chunk, until there are no more. */
+/* The task of one worker: takes chunk after chunk until none is left. */
 static void cast_chunks(void *argument) {
     batch *b = argument;
     td_worker worker = td_worker_arrive(&b->job);
@@ -74,7 +74,7 @@ static void cast_chunks(void *argument) {
     td_worker_walk(&worker, (b->count + CHUNK - 1) / CHUNK, cast_chunk, &h);
 }
 
-/* The casts, after their checks. */
+/* Makes all casts, which have been checked. */
 static thud_result cast_all(thud_world *w, batch *b) {
     int workers = w->def.job_system.workers;
     bool shared = workers > 1 && b->count >= SHARED_CASTS_MIN && !w->locked;

@@ -18,7 +18,8 @@ static thud_result find(const thud_world *w, thud_shape_id id, int *index) {
     return result;
 }
 
-/* Brings the preview of edits up to date, but inside a callback. */
+/* Brings the preview of edits (preview.h) up to date. Not inside a callback, where it must not
+ * change. */
 static thud_result prepare(thud_world *w) {
     return w->locked || td_preview_make(w)
                ? THUD_OK

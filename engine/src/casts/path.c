@@ -84,7 +84,7 @@ static bool meets_solid(const thud_geometry *still, const td_path *way, double *
     return hit;
 }
 
-/* The same for a terrain whose origin is at (x, y). */
+/* As meets_solid, for a terrain whose origin is at (x, y). */
 static bool meets_ground(const thud_terrain *terrain, double x, double y, const td_path *way,
                          double *fraction, thud_closest *c) {
     thud_geometry moving = *way->shape;

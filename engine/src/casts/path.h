@@ -16,11 +16,11 @@ typedef bool td_meets_fn(const thud_world *w, int index, const td_path *way, thu
 struct td_path {
     td_meets_fn *meets;
     thud_pos origin;                 /* of the path, in the world */
-    td_position from;                /* the same in fixed point */
+    td_position from;                /* `origin` in fixed point */
     double dx, dy;                   /* the displacement from the origin to the end, length */
     const thud_geometry *shape;      /* the moving shape, about the origin; null: a point */
     const thud_query_filter *filter; /* null: everything but sensors */
-    bool only_sensors;               /* shapes that are no sensors are passed */
+    bool only_sensors;               /* the path passes through shapes that are no sensors */
 };
 
 td_meets_fn td_point_meets, td_shape_meets;

@@ -29,14 +29,15 @@ static thud_geometry placed(const td_shape *shape, const chord *c) {
                            .hy = (double)shape->half_y};
 }
 
-/* A normal counts as facing the way if they meet at more than this cosine below a right angle: what
- * slides along a side in double precision does not face it. Normals are in single precision, 6e-8.
- */
+/* A shape that touches another one at the start of a chord moves further into it if the cosine
+ * between its displacement and the other's outward normal is below minus this. It is above the
+ * error of normals, which are in single precision (6e-8): a shape that slides along a surface is
+ * not stopped by it. */
 #define FACING 1e-6
 
-/* The first shape that `shape` meets on the chord, below the fraction of the hit found so far, at
- * which a hit replaces it. A shape that overlaps it at the start counts if the way leads further
- * in. */
+/* Finds the first shape that `shape` meets on the chord, and stores it in *first if it comes before
+ * the hit that is there. A shape that overlaps at the start counts only if the motion leads further
+ * into it. */
 static void meet(const thud_world *w, int shape, const chord *c, const td_array *room,
                  thud_ray_hit *first) {
     const td_shape *own = td_shape_at(w, shape);
@@ -66,7 +67,7 @@ static void meet(const thud_world *w, int shape, const chord *c, const td_array 
     }
 }
 
-/* The chords of a flight of this time. */
+/* The number of chords for a flight of this time: one for each step, up to a maximum. */
 static int chords_of(const thud_world *w, double seconds) {
     double steps = seconds / w->def.time_step + 0.999;
     return steps < THUD_PREDICTION_CHORDS_MAX ? (int)steps : THUD_PREDICTION_CHORDS_MAX;

@@ -1,7 +1,7 @@
 /* walk.c: finds the hits of a path in order, a few at a time. State between calls is the last hit
  * that was returned (`last`): a call searches for hits after it. A path is searched in pieces
  * (path.h). Terrains are not in the broadphase; the first hit on any of them (`ground`) is found by
- * testing all, anew each time that the walk has returned it. See walk.h. */
+ * testing all of them, and searched again each time the walk has returned it. See walk.h. */
 #include "casts/walk.h"
 
 #include "state/handles.h"
@@ -117,8 +117,9 @@ void td_walk_next(td_walk *walk, double limit, td_nearest *k) {
             k->count = k->capacity;
             walk->last = k->hits[k->count - 1];
         } else if (walk->ground.fraction <= walk->to) {
-            /* The hits before it come first; the next call finds `ground`. Without any it is the
-             * hit. */
+            /* `ground` is in this piece. If the call has found hits before it, they are returned
+             * first, and the next call returns `ground`. If it has found none, `ground` is returned
+             * now. */
             walk->last = k->count ? k->hits[k->count - 1] : walk->ground;
             if (k->count == 0) {
                 k->count = walk->ground.fraction < limit;

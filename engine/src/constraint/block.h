@@ -54,9 +54,11 @@ typedef struct td_point {
 /* The fields of a contact point that few passes need, apart from td_point so that it stays small.
  * Blocks of locks and rods have a td_brace_rows in their place. */
 typedef struct td_point_history {
-    f8 normal_velocity; /* at the start of the step, length/s; negative: closing. For a manifold
-                           that is kept from an earlier step it is valid in bouncy blocks only */
-    f8 total; /* normal impulse of all substeps; valid where td_solve_context.keep_totals */
+    f8 normal_velocity; /* at the start of the step, length/s; negative: closing. Where the manifold
+                           cache has kept the manifold of an earlier step, it is valid in bouncy
+                           blocks only */
+    f8 total; /* sum of the normal impulses of all substeps; valid if td_solve_context.keep_totals
+                 is set */
 } td_point_history;
 
 /* Data of locks and rods for bracing (joints/joint_brace.c), in the place of the two
@@ -73,11 +75,12 @@ typedef struct td_brace_rows {
 
 static_assert(sizeof(td_brace_rows) == 2 * sizeof(td_point_history), "they share their place");
 
-/* The fields of friction and restitution that few contacts need. */
+/* The fields of friction and restitution that few passes read, apart from td_block. */
 typedef struct td_surface {
     f8 speed;  /* surface speed (a belt's): target of b's sliding speed along t, length/s; read only
                   where td_solve_context.surface_speeds */
-    f8 total;  /* tangent impulse of all substeps; valid where td_solve_context.keep_tangents */
+    f8 total;  /* sum of the tangent impulses of all substeps; valid if
+                  td_solve_context.keep_tangents is set */
     f8 energy; /* in blocks that are bouncy: twice the pair's kinetic energy before it bounced in
                   this step; < 0: it has not bounced */
 } td_surface;
@@ -111,10 +114,10 @@ typedef struct td_anchor_rows {
     i8 turn;               /* td_joint.turn: the relative angle that is 0, 2^32 a full turn */
 } td_anchor_rows;
 
-/* The further rows of a lock: a joint's locked directions, or a rod. The joint's frame is
- * u = (nx, ny), v = (-ny, nx). Point 0 of the block is the row along u (`along`, or the rod), point
- * 1 that along v (`across`), and the tangent row is the rotation (`turn`). The points' separations
- * and `turn_gap` are the gaps that the solver closes. */
+/* The rows that a block of locks (a joint's locked directions) or rods has in addition. The joint's
+ * frame is u = (nx, ny), v = (-ny, nx). Point 0 of the block is the row along u (`along`, or the
+ * rod), point 1 that along v (`across`), and the tangent row is the rotation (`turn`). The points'
+ * separations and `turn_gap` are the gaps that the solver closes. */
 typedef struct td_lock_rows {
     td_applied_impulse applied;
     f8 frame_turns; /* 1: the frame turns with body a; 0: it is constant in the step */
@@ -130,10 +133,11 @@ typedef struct td_lock_rows {
     td_anchor_rows anchor;
 } td_lock_rows;
 
-/* The further rows of a drive: the limits, spring and motor of one direction of a joint. The
- * impulse of the limits is that of point 0, the impulse of the spring that of point 1, the impulse
- * of the motor the tangent's. The points' crosses are the lever arms crossed with u and v, as in
- * td_lock_rows. The coordinate is a length, or an angle of direction `turn`. */
+/* The rows that a block of drives has in addition. A drive is the limits, spring and motor of one
+ * direction of a joint. The impulse of the limits is that of point 0, the impulse of the spring
+ * that of point 1, the impulse of the motor the tangent's. cross_a and cross_b of point 0 are the
+ * lever arms crossed with u, those of point 1 the same crossed with v, as for locks. The coordinate
+ * is a length, or an angle of direction `turn`. */
 typedef struct td_drive_rows {
     td_applied_impulse applied;
     f8 gap_u, gap_v; /* from a's anchor to b's along u and v, at the start of the step */
@@ -151,8 +155,8 @@ typedef struct td_drive_rows {
     td_anchor_rows anchor;
 } td_drive_rows;
 
-/* The further row of a gear. The Jacobian of its one row has the linear part (a_x, a_y) for side a,
- * and (nx, ny) of the block for side b. */
+/* The rows that a block of gears has in addition. A gear has one constraint row. The linear part of
+ * its Jacobian is (a_x, a_y) for side a, and the block's (nx, ny) for side b. */
 typedef struct td_gear_rows {
     f8 a_x, a_y;
 } td_gear_rows;
@@ -170,8 +174,8 @@ typedef struct td_lane_marks {
 enum {
     TD_LANE_ALTERED = 1 << 13, /* contact: a prologue has changed its settings */
     TD_LANE_REFUSED = 1 << 12, /* contact: a prologue has vetoed it */
-    /* Joint: it pressed a body into a static shape in the last step, or in the one before, so that
-     * its motion was corrected (joints/joint_yield.c). */
+    /* Joint: it yielded, in the last step (LOST) or in the one before it (WAS_LOST): it had pressed
+       a body into a static shape, and joint_yield.c corrected the motion. */
     TD_LANE_LOST = 1 << 11,
     TD_LANE_WAS_LOST = 1 << 10
 };
@@ -180,8 +184,8 @@ enum {
 typedef struct td_block {
     int32_t shape_a[TD_LANES], shape_b[TD_LANES]; /* of joints TD_NONE */
     int32_t constraint[TD_LANES];                 /* TD_NONE: empty lane */
-    uint32_t feature[TD_LANES]; /* the faces or corners that touch: impulses are kept as the warm
-                                   start while they stay the same; 0: none yet */
+    uint32_t feature[TD_LANES]; /* code of the faces or corners that touch; while it stays the same,
+                                   impulses are kept as the warm start. 0: none yet */
     /* One row that belongs to the block as a whole, not to lanes. */
     int32_t next, prev; /* indices of blocks of the same bin, or TD_NONE */
     int32_t used;       /* lanes 0 .. used - 1 are in use */
@@ -190,9 +194,11 @@ typedef struct td_block {
     union {
         int32_t has_offsets;   /* contacts, 1: a shape may be off its body's centre of mass, turned
                                   against its body, or have internal edges */
-        int32_t anchors_stale; /* joints, 1: td_anchor_rows and settings must be looked up again */
+        int32_t anchors_stale; /* joints, 1: td_anchor_rows and settings must be copied from the
+                                  joint again */
     };
-    int32_t shared;      /* 1: a lane has a kinematic body, which other blocks may have as well */
+    int32_t shared;      /* 1: a lane has a kinematic body. Other blocks of the run may have the
+                            same body, so that only one worker may solve the run */
     union {              /* one bit for each lane */
         uint32_t apart;  /* contacts: its shapes provably stay apart during the motion of the step
                             (detection/gaps.h) */
@@ -238,11 +244,12 @@ static inline td_awake_slot td_slot_of_side(uint32_t side) {
     return (td_awake_slot){(int32_t)(side / TD_AWAKE_BYTES)};
 }
 
-/* Least and greatest number of blocks in a chunk, the unit that a worker claims, of those that can
- * be divided: enough work to outweigh what claiming it costs, and small enough, 22 to 36 KB, to be
- * still in the cache when the tally reads it. Chosen. Chunks begin at multiples of TD_CHUNK_UNIT
- * blocks of their run, since depths of as many blocks are rounded together (wide_tally.c): so a
- * report does not depend on how runs are divided. */
+/* Minimum and maximum number of blocks in a chunk, the piece of a run that a worker claims: enough
+ * work to outweigh the cost of claiming it, and small enough, 22 to 36 KB, to be still in the cache
+ * when the tally reads it. Runs that only one worker may solve are a single chunk of any size.
+ * Chosen. Chunks begin at multiples of TD_CHUNK_UNIT blocks of their run, since depths of as many
+ * blocks are rounded together (wide_tally.c): so a report does not depend on how runs are divided.
+ */
 enum { TD_CHUNK_UNIT = 4, TD_CHUNK_BLOCKS_MIN = 8, TD_CHUNK_BLOCKS = 24 };
 
 /* ---- the data after a block's points ---- */
@@ -348,7 +355,8 @@ typedef struct td_collide_context {
 typedef enum td_bounce { TD_BOUNCE_FIRST, TD_BOUNCE_AGAIN, TD_BOUNCE_LAST } td_bounce;
 
 /* Passes of bracing (joints/joint_brace.c), which scales down the impulses of torn joints so that
- * they add no energy, after the warm start and after the relax pass of a substep. In this order: */
+ * they add no energy, after the warm start and after the relax pass of a substep. The stages of a
+ * bracing run in this order: */
 typedef enum td_brace {
     TD_BRACE_WARM_START,   /* apply the warm start along the present directions; not in the first
                               substep */
@@ -389,16 +397,16 @@ enum { TD_BOUNCE_PASSES = 64 };
 /* Arguments of the solver's passes: constants of the step, then the state of the present pass. */
 typedef struct td_solve_context {
     float (*velocity)[4]; /* by awake slot: x, y, turn, inverse mass */
-    float (*delta)[4];    /* by awake slot: motion since the start of the step: x, y, angle; 1 if a
-                             pair of the body with restitution closes or parts faster than pairs at
-                             rest */
+    float (*delta)[4];    /* by awake slot: motion since the start of the step: x, y, angle. The
+                             fourth value is 1 if a contact of the body has restitution and closes
+                             or parts faster than resting ones (td_end_flights_fn) */
     const float (*substep_gain)[4]; /* by awake slot: velocity gained by forces in a substep */
     float inv_h;                    /* 1 / h: substeps per second */
     float substeps;                 /* number of substeps of the step */
     float push_speed;               /* maximum speed at which overlap is corrected, length/s */
     float joint_closing_speed;      /* TD_JOINT_CLOSING_SPEED, length/s */
     float bounce_speed;  /* <= 0, length/s: a pair bounces if its normal velocity is below this */
-    float elastic_speed; /* the same for pairs with a restitution of 1 or more */
+    float elastic_speed; /* bounce_speed for pairs with a restitution of 1 or more */
     /* A pair bounces in this step if it meets within this time, s: a step and a substep, since the
      * last relax pass would otherwise stop a pair that meets in the substep after the step. */
     float bounce_time;
@@ -409,16 +417,17 @@ typedef struct td_solve_context {
     float bias_rate[2]; /* 1/s */
     float mass_scale[2], impulse_scale[2];
     bool keep_totals;    /* td_point_history.total is summed up, since a later stage reads it */
-    bool keep_tangents;  /* td_surface.total is summed up, likewise */
+    bool keep_tangents;  /* td_surface.total is summed up, since a later stage reads it */
     bool surface_speeds; /* a lane has a surface speed */
     bool passes_over;    /* td_block.solved is valid: td_islands.passes_over */
     bool last;           /* this is the last substep, whose relax pass fills `tally` */
     bool again;          /* this is the second relax pass of its substep */
-    bool first;          /* this is the first substep, which sets totals instead of adding */
+    bool first;          /* this is the first substep, which sets totals (td_point_history.total)
+                            instead of adding to them */
     bool bounces;        /* a lane has restitution: bounce passes have set the totals of blocks that
                             are bouncy */
-    td_bounce bounce;    /* the present bounce pass ... */
-    atomic_bool *bounced;   /* ... and the flag that it sets where a pair bounces */
+    td_bounce bounce;    /* the present bounce pass */
+    atomic_bool *bounced;   /* a flag that the present bounce pass sets if a pair bounces */
     td_brace brace;         /* the present pass of bracing */
     atomic_bool *adds;      /* flag of the present bracing: impulses of torn joints may have added
                                energy. The flags of the next bracings follow it */

@@ -40,9 +40,10 @@ typedef void td_update_rows_fn(const struct thud_world *world, const td_block *b
 /* How a kind fills, clears and measures its lanes. lanes.c sets the bodies' awake slots and inverse
  * inertias in a lane, for all kinds alike. */
 typedef struct td_lane_ops {
-    /* The constraint takes the lane, which is all zeros: sets the kind's own data in it. */
+    /* Sets the kind's own data in a lane that the constraint takes; the lane is all zeros before.
+     */
     void (*fill)(struct thud_world *world, td_block *block, int lane, int constraint);
-    /* The constraint gives the lane back. */
+    /* Called before the constraint leaves its lane. */
     void (*clear)(struct thud_world *world, td_block *block, int lane, int constraint);
     /* Masses or shapes of its bodies have changed: invalidates what is cached, so that the next
      * narrowphase computes the lane again. */

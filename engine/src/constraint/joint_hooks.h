@@ -43,11 +43,14 @@ typedef struct td_joint_hooks {
     bool (*may_add_energy)(thud_world *w, bool relaxed);
     /* Computes the share of its impulses that each group keeps. */
     void (*set_shares)(thud_world *w, bool relaxed);
-    /* Whether a lock is wide open. Valid after the first call of may_add_energy in a step. */
+    /* Whether any joint has a locked direction that is wide open: its gap is so wide that its bias
+     * is at its maximum (is_wide_open, joint_brace.c). Valid after the first call of may_add_energy
+     * in a step. */
     bool (*wide_open)(const thud_world *w);
 
     /* ---- joint_caps.c, before the solver ---- */
-    /* Sets the bounds of springs and motors that act both along and across. */
+    /* Sets the force bounds of springs and motors that act both along and across, so that the
+     * resultant of both directions stays within the maximum force. */
     void (*share_caps)(thud_world *w);
 
     /* ---- joint_yield.c ---- */
@@ -66,9 +69,10 @@ typedef struct td_joint_hooks {
     void (*draw)(const struct td_drawing *drawing);
     /* direct/island_step_joints.c: a step of an island with joints; see island_step.h. */
     double (*solve)(struct td_island_work *work, double tolerance);
-    /* joints/lock_tree_step.c: the same for an island of hinges and welds that form a tree, whose
-     * result is kept in td_islands.results; for all islands that are listed, setting td_island.tree
-     * of each; and writes a result to the world. */
+    /* joints/lock_tree_step.c, for islands of hinges and welds that form a tree. solve_tree solves
+     * the step of one island, and keeps the result in td_islands.results. solve_trees does so for
+     * all listed islands, and sets td_island.tree of each. write_tree writes a result to the world.
+     */
     td_tree_outcome (*solve_tree)(thud_world *w, const struct td_island *island,
                                   const struct td_direct_body *known);
     void (*solve_trees)(thud_world *w);
@@ -103,8 +107,8 @@ bool td_joints_exclude_contact(const thud_world *w, td_body_index a, td_body_ind
 
 /* The bit of a body in td_body.passes, a Bloom filter of the bodies that its joints exclude
  * contacts with: if contacts of two bodies are excluded, each has the bit of the other. Other pairs
- * may also have them, since many bodies share the 16 bits and bits are never cleared; keeps_apart
- * gives the exact answer. */
+ * may also have them, since many bodies share the 16 bits and bits are never cleared;
+ * td_joints_exclude_contact gives the exact answer. */
 static inline uint16_t td_passing_bit(td_body_index body) {
     return (uint16_t)(1u << (body.at & 15));
 }

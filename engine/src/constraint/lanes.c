@@ -2,8 +2,8 @@
  *
  * A constraint gets the lowest colour that is free at both of its bodies (td_colours). Static and
  * kinematic bodies take no colour, since the solver does not change them. Constraints of kinematic
- * bodies begin at TD_KINEMATIC_COLOUR: their runs are solved by one worker alone (td_block.shared),
- * and few constraints of other bodies are in these. */
+ * bodies get colours from TD_KINEMATIC_COLOUR on. Their runs are solved by one worker alone
+ * (td_block.shared), and constraints of other bodies rarely need so high a colour. */
 #include "constraint/lanes.h"
 
 #include <string.h>
@@ -54,7 +54,7 @@ static int choose_bin(thud_world *w, const td_constraint *constraint) {
     return bin;
 }
 
-/* Gives the colour of the constraint's bin back at both bodies. */
+/* Makes the colour of the constraint's bin free again at both bodies. */
 static void release_bin(thud_world *w, const td_constraint *constraint, int bin) {
     mark_colour(w, moving_slot(td_body_at(w, constraint->body[0])), bin, false);
     mark_colour(w, moving_slot(td_body_at(w, constraint->body[1])), bin, false);
@@ -277,7 +277,8 @@ bool td_lanes_place(thud_world *w, const int *constraints, int count) {
     if (count == 0) {
         return true;
     }
-    int lanes[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND]; /* set for the few bins that get some */
+    int lanes[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND]; /* lanes of the bins that get constraints; other
+                                                       elements are not set */
     int more[TD_FORM_COUNT] = {0};
     if (!td_array_reserve(&w->memory, &w->scratch.lane_bins, count)) {
         return false;
@@ -369,9 +370,9 @@ static void list_bin(thud_world *w, int kind, int bin) {
     w->scratch.points += TD_HAS_THREADS ? run->count * td_form_points(w->kinds[kind]->form) : 0;
 }
 
-/* The blocks of each chunk of a run, whose last one may have fewer. As many chunks for each worker,
- * so that none waits for a chunk that is left over; with a single worker, a chunk is a whole run.
- */
+/* The number of blocks in each chunk of a run; the last chunk may have fewer. The run is divided
+ * into a multiple of the number of workers, so that no worker waits while another one solves a
+ * chunk that is left over. With a single worker, a chunk is a whole run. */
 static int chunk_size(const thud_world *w, const td_run *run) {
     int workers = TD_HAS_THREADS ? w->def.job_system.workers : 1;
     if (workers <= 1 || td_run_is_single(run)) {

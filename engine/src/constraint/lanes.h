@@ -6,8 +6,8 @@
  * one more bin of each kind has the lanes of sleeping bodies. A constraint that finds no free
  * colour goes to the overflow colour, whose blocks have one lane each.
  *
- * Invariants: all blocks of a bin but the last are full (a lane that is given back is filled with
- * the bin's last lane). Which lane a constraint has depends only on the history of the world, never
+ * Invariants: all blocks of a bin but the last are full (when a lane becomes free, the bin's last
+ * lane moves into it). Which lane a constraint has depends only on the history of the world, never
  * on addresses or workers. */
 #ifndef TD_LANES_H
 #define TD_LANES_H
@@ -88,9 +88,9 @@ static inline void td_constraints_fetch(const thud_world *w, const int *constrai
     }
 }
 
-/* Gives each of the constraints a lane, by its graph colour. The contents of a lane that a
- * constraint already has, while its bodies sleep, are moved. False when memory is short, and
- * nothing has changed. */
+/* Gives each of the constraints a lane in the bin of its graph colour. A constraint whose bodies
+ * slept already has a lane among the sleeping ones; its contents are moved. False when memory is
+ * short; nothing has changed then. */
 bool td_lanes_place(thud_world *w, const int *constraints, int count);
 /* Moves the lanes of the constraints with their contents to their kinds' bins of sleeping lanes.
  * td_lanes_reserve_sleeping must have been called before; it reserves memory for any number of
@@ -115,7 +115,8 @@ td_phase td_phase_from(const thud_world *w, int first);
 
 /* Updates the awake slots and inverse inertias of a lane, after those of a body have changed. */
 void td_lane_refresh(thud_world *w, int constraint);
-/* The same, and makes the next narrowphase compute its manifold and effective masses again. */
+/* td_lane_refresh; and the next narrowphase computes manifold and effective masses of the lane
+ * anew, in place of reusing those of earlier steps. */
 void td_lane_renew(thud_world *w, int constraint);
 
 #endif

@@ -41,7 +41,8 @@ td_pair_kind td_pair_of(const thud_world *w, int *shape_a, int *shape_b) {
 bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b) {
     const td_shape *a = td_shape_at(w, shape_a), *b = td_shape_at(w, shape_b);
     const td_body *body_a = td_body_at(w, a->body), *body_b = td_body_at(w, b->body);
-    /* A collision needs a dynamic body; a sensor one that moves. */
+    /* A contact of two solid shapes needs a dynamic body; a contact of a sensor needs a dynamic or
+     * kinematic one. */
     int kind_min =
         (a->flags | b->flags) & TD_SHAPE_SENSOR ? THUD_BODY_KINEMATIC : THUD_BODY_DYNAMIC;
     if (td_same_body(a->body, b->body) || (body_a->kind < kind_min && body_b->kind < kind_min) ||
@@ -172,8 +173,8 @@ void td_contact_end(thud_world *w, int contact_index) {
     }
 }
 
-/* Whether edits that wait for the next step remove one side of a constraint: the body is gone or
- * will be disabled or enabled, the shape is gone, or it is a terrain that moves. `shape`: TD_NONE
+/* Whether an edit that waits for the next step will end a constraint on this side: it removes,
+ * disables or enables the body, removes the shape, or moves it if it is a terrain. `shape`: TD_NONE
  * for a joint. */
 static bool is_ending_side(const thud_world *w, td_body_index body, int shape) {
     const td_body *b = td_body_at(w, body);
@@ -185,7 +186,8 @@ static bool is_ending_side(const thud_world *w, td_body_index body, int shape) {
     return moved_line || !(td_shape_at(w, shape)->flags & TD_SHAPE_LIVE);
 }
 
-/* It predicts what the change list does in the next step (state/changes.c). */
+/* The function has to agree with state/changes.c, which applies the waiting edits in the next step.
+ */
 bool td_contact_is_ending(const thud_world *w, const td_constraint *constraint) {
     return (td_is_contact(constraint) && constraint->child == TD_NONE) ||
            is_ending_side(w, constraint->body[0], constraint->shape_a) ||

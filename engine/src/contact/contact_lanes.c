@@ -1,5 +1,6 @@
 /* contact_lanes.c: writes what a contact keeps in its lane: shapes, friction and restitution, and
- * which general paths its block needs. */
+ * whether its block needs the passes that know lever arms of the shapes (td_block.has_offsets) and
+ * internal edges. */
 #include "constraint/lanes.h"
 #include "contact/internal_edges.h"
 #include "rules/rule_hooks.h"
@@ -18,7 +19,7 @@ void td_contact_settle(thud_world *w, td_block *block, int lane, int index) {
     }
 }
 
-/* A contact takes a lane. */
+/* Writes a contact into the lane that it takes (td_lane_ops.fill). */
 static void fill(thud_world *w, td_block *block, int lane, int index) {
     const td_contact *contact = td_contact_at(w, index);
     const td_shape *a = td_shape_at(w, contact->shape_a);
@@ -31,8 +32,9 @@ static void fill(thud_world *w, td_block *block, int lane, int index) {
     block->mark[lane].internal_edges = td_internal_edges_of(a, b);
 }
 
-/* A contact leaves its lane: clears its surface, since the world counts lanes with restitution and
- * with a surface speed. */
+/* Clears the surface of the lane that a contact leaves (td_lane_ops.clear): the world counts the
+ * lanes with restitution and those with a surface speed, and td_surface_set corrects these counts.
+ */
 static void clear(thud_world *w, td_block *block, int lane, int index) {
     td_surface_set(w, block, points_of(w, td_contact_at(w, index)), lane,
                    &(thud_contact_settings){0.0f, 0.0f, 0.0f});

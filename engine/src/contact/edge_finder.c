@@ -1,6 +1,6 @@
 /* edge_finder.c: finds the masks td_shape.internal_edges and td_shape.hidden (internal_edges.h):
- * which faces and corners of a static shape have another static shape at them, and which of a
- * moving body's shape another shape of the same body.
+ * which faces and corners have a neighbour at them. The neighbours of a static shape are other
+ * static shapes; those of a moving body's shape are the other shapes of the same body.
  *
  * Static boxes are inspected lazily: a box that comes or moves, and its neighbours, are marked as
  * TD_SHAPE_UNSEEN, and the masks are computed when the box gets its first contact. A world of many
@@ -85,8 +85,9 @@ static void find_parts(box_parts *parts, const thud_geometry *box, double width)
     }
 }
 
-/* Whether a neighbour that contains the corner at (x, y) hides it from all sides: it extends past
- * it along the normals closest to either face. */
+/* Whether a neighbour that contains the corner at (x, y) hides the corner from all sides. It does
+ * if it extends past the corner along the two contact normals that are closest to the normals of
+ * the corner's faces. */
 static bool flattens_corner(const td_neighbourhood *s, int neighbour, const thud_geometry *placed,
                             int corner, double x, double y) {
     const thud_geometry *box = &s->a;
@@ -129,7 +130,7 @@ static bool add_neighbour_bits(const td_neighbourhood *s, int neighbour, void *c
     return false;
 }
 
-/* Adds the bits of all neighbours to the masks of a box, which are 0 before. */
+/* Adds the bits of all neighbours to the masks of a box. The caller has set the masks to 0. */
 static void find_masks(const td_neighbourhood *s) {
     box_parts parts;
     parts.known = false;
@@ -196,8 +197,8 @@ static bool find_due(const td_neighbourhood *s, int neighbour, void *context) {
     return due;
 }
 
-/* A td_neighbour_fn: marks a neighbour of a shape that has come or moved as unseen. Of a terrain,
- * on either side, the sealed ends are found at once, since terrains are few. */
+/* A td_neighbour_fn: marks a neighbour of a shape that is new or has moved as unseen. If the shape
+ * or the neighbour is a terrain, its sealed ends are found at once, since terrains are few. */
 static bool mark_neighbour(const td_neighbourhood *s, int neighbour, void *context) {
     int pair[] = {s->shape, neighbour};
     for (int i = 0; i < 2; i++) {
@@ -211,16 +212,16 @@ static bool mark_neighbour(const td_neighbourhood *s, int neighbour, void *conte
     return false;
 }
 
-/* Whether all resting shapes have come or moved in this step, as in a world's first step. Each of
- * them is then in the list of moved shapes itself, and no neighbours need to be looked for.
- * Terrains are not in the set of resting shapes, so that there must be none. */
+/* Whether all resting shapes are new or have moved in this step, as in a world's first step. Then
+ * td_internal_edges_find is called for each of them, and need not look for its neighbours. False in
+ * a world with terrains, which are not in the set of resting shapes. */
 static bool all_are_new(const thud_world *w) {
     return w->terrains.live == 0 &&
            w->moved.count - w->awake_shapes.moved_count == w->rest_shapes.ids.count;
 }
 
-/* For a terrain that has come, all resting shapes are marked, not only those near it: terrains are
- * few. */
+/* For a terrain that is new or has moved, all resting shapes are marked, not only those near it:
+ * terrains are few. */
 bool td_internal_edges_find(thud_world *w, int shape) {
     int due = TD_NONE;
     if (!td_is_ground(w, shape)) {

@@ -127,7 +127,8 @@ bool td_neighbour_extends(const td_neighbourhood *s, int neighbour, const thud_g
     return past + td_half_along(n, nx, ny) > level;
 }
 
-/* Calls `fn` for neighbour n unless it is the shape itself or does not count for `other`. */
+/* Calls `fn` for shape n unless n is the shape itself, or cannot hide edges from `other`: the two
+ * do not collide, or a one-way rule lets `other` through n. */
 static bool visit(const td_neighbourhood *s, int n, td_neighbour_fn *fn, void *context) {
     return n != s->shape &&
            (s->other == TD_NONE ||

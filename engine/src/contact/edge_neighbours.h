@@ -29,8 +29,8 @@ typedef struct td_neighbourhood {
 
 /* For the present poses. With `other` TD_NONE, the field b is a copy of a. */
 td_neighbourhood td_neighbourhood_of(thud_world *w, int shape, int other);
-/* The same for given instances of both shapes, relative to any common origin, such as the poses at
- * a time within the step. */
+/* td_neighbourhood_of for given poses of both shapes, such as those at a time within the step. Both
+ * are relative to the same origin, which may be any. */
 td_neighbourhood td_neighbourhood_between(thud_world *w, int shape, int other,
                                           const thud_geometry *a, const thud_geometry *b);
 
@@ -63,10 +63,10 @@ typedef bool td_neighbour_fn(const td_neighbourhood *s, int neighbour, void *con
 
 /* Calls `fn` for the neighbours whose bounds are within 2 TD_NEIGHBOUR_GAP of `where` (an instance
  * in the frame of `s`), as long as it returns false; whether a call returned true. Where `other` is
- * not TD_NONE, only neighbours count that may collide with it, too, and that no one-way rule lets
- * it pass. Terrains count wherever they are. Uses scratch.found_shapes, for which
- * td_internal_edges_see and its siblings reserve room; false where the search runs out of memory.
- */
+ * not TD_NONE, a neighbour counts only if it may collide with `other`, too, and no one-way rule
+ * lets `other` pass through it. Terrains count wherever they are. Uses scratch.found_shapes, for
+ * which td_internal_edges_see, _find and _lose reserve room; false also where the search runs out
+ * of memory. */
 bool td_neighbour_any(const td_neighbourhood *s, const thud_geometry *where, td_neighbour_fn *fn,
                       void *context);
 

@@ -26,9 +26,9 @@
 /* Sine of the angle to a face's normal up to which a normal counts as the face's. Above the
  * rounding of single precision; chosen, not tuned. */
 #define FACE_SINE_MAX 1e-5
-/* The same where both shapes have neighbours and the normal is a face's of one of them, against the
- * faces of the other: two boxes that rest flat on each other are not exactly parallel. Chosen; not
- * tuned. */
+/* FACE_SINE_MAX for two boxes that both have neighbours, if the normal is that of a face of one,
+ * and is compared with the faces of the other. It is larger, since two boxes that rest flat on each
+ * other are not exactly parallel. Chosen; not tuned. */
 #define RESTING_FACE_SINE_MAX 0.01
 /* The part of a face that must be covered is longer at each end than the part that the other shape
  * takes up, by this share of that shape's half thickness. Chosen; not tuned. */
@@ -148,8 +148,9 @@ static bool is_ghost(const td_neighbourhood *s, double nx, double ny, double str
     return at.face == TD_NONE ? corner_hidden(s, &at, nx, ny) : touched_part_hidden(s, at.face);
 }
 
-/* Whether the contact of a lane is at a feature of shape a that has no neighbour, by the masks
- * alone, in single precision; most are. False does not say that it is hidden. */
+/* A quick test by the masks alone, in single precision: whether the contact of a lane is at a face
+ * or corner of shape a that has no neighbour. Most are. If it returns false, the feature may be
+ * hidden, and is_ghost has to decide. */
 static bool is_open(const thud_world *w, const td_block *block, int lane) {
     const td_shape_proxy *a = td_shape_proxy_at(w, block->shape_a[lane]);
     float nx = block->nx[lane], ny = block->ny[lane];
@@ -166,7 +167,7 @@ static bool is_open(const thud_world *w, const td_block *block, int lane) {
     return !(block->mark[lane].internal_edges & bits);
 }
 
-/* Whether (nx, ny) is, to rounding, a normal of a face of the box. */
+/* Whether (nx, ny) is a normal of a face of the box, up to rounding. */
 static bool is_face_normal(const thud_geometry *box, double nx, double ny) {
     return feature_of(box->c, box->s, nx, ny, FACE_SINE_MAX).face != TD_NONE;
 }
@@ -193,8 +194,8 @@ static sides sides_of(const td_internal_edge_pair *p) {
     return s;
 }
 
-/* A td_axis_hidden_fn: whether one of the sides has the normal, from shape 0 to shape 1, hidden.
- * `context`: sides. */
+/* A td_axis_hidden_fn: whether the normal (nx, ny), from shape 0 to shape 1, is hidden for at least
+ * one of the two shapes. `context`: sides. */
 static bool is_hidden(double nx, double ny, void *context) {
     const sides *s = context;
     const thud_geometry *placed = s->pair->placed;
@@ -303,8 +304,8 @@ static void average_points(td_internal_edge_contact *c) {
     c->count = 1;
 }
 
-/* Whether on that side (0: a, 1: b) both contacts have a shape of the same surface: shapes of one
- * body, or both of static bodies. */
+/* Whether the shapes of both contacts on one side (0: a, 1: b) form one surface: they belong to one
+ * body, or both to static bodies. */
 static bool same_surface(const thud_world *w, const td_contact *to, const td_contact *from,
                          int side) {
     return td_same_body(to->body[side], from->body[side]) ||

@@ -66,8 +66,8 @@ typedef struct td_internal_edge_ops {
      * manifold along an axis that is not hidden, or loses its points and its bit of
      * td_block.touching. */
     void (*amend)(thud_world *w, td_block *block, int kind);
-    /* The same for all lanes of the step, where they may have internal edges. Adds the blocks in
-     * which a lane stops touching to scratch.separated, which has room. */
+    /* Calls `amend` for all blocks of the step whose lanes may have internal edges. Adds the blocks
+     * in which a lane stops touching to scratch.separated, which has room. */
     void (*amend_all)(thud_world *w);
     /* Whether the unit normal, from the first shape to the second, belongs to a hidden face or
      * corner. */
@@ -79,7 +79,7 @@ typedef struct td_internal_edge_ops {
 
 extern const td_internal_edge_ops td_internal_edges;
 
-/* edge_finder.c: the first four of these functions. */
+/* edge_finder.c: `find`, `see`, `lose` and `join` of td_internal_edge_ops. */
 bool td_internal_edges_find(thud_world *w, int shape);
 bool td_internal_edges_see(thud_world *w, int shape);
 bool td_internal_edges_lose(thud_world *w, td_body_index body);

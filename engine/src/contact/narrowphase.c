@@ -16,8 +16,9 @@
 #include "api/step.h"
 #include "state/awake.h"
 
-/* Part 1: finds the waiting contacts that touch. Contacts that have begun in a step that then ran
- * out of memory stay in scratch.begins, since their events have not been published. */
+/* Part 1: finds the waiting contacts that touch. If the step before ran out of memory after
+ * contacts had begun, these contacts stay in scratch.begins, since their events have not been
+ * published. */
 static bool find_touching(thud_world *w) {
     const thud_shared_stages *shared = TD_HAS_THREADS ? w->def.job_system.stages : NULL;
     int contacts = w->constraints.live, *begins = w->scratch.begins.data, kept_count = 0;
@@ -80,13 +81,13 @@ static bool begin_contacts(thud_world *w) {
 
 /* ---- lanes ---- */
 
-/* The work that the workers share in collide_lanes. */
+/* The argument of all workers of collide_lanes. */
 typedef struct colliding {
     thud_world *w;
     td_job job;
 } colliding;
 
-/* One worker's place in it. */
+/* One worker's state: the phase of the chunks that it works on (td_phase). */
 typedef struct colliding_phase {
     thud_world *w;
     td_phase phase;
@@ -110,15 +111,16 @@ static void collide_chunks(thud_world *w, int first, int end) {
     }
 }
 
-/* A part of the phase (a td_chunk_fn). */
+/* Computes the manifolds of one part of a phase (a td_chunk_fn). */
 static void collide_part(void *work, int part) {
     const colliding_phase *c = work;
     int first = c->phase.first + part;
     collide_chunks(c->w, first, first + td_phase_step(&c->phase));
 }
 
-/* A worker: takes chunks until none is left. It takes them by the phases of the solver, so that it
- * works on the same blocks there: they need not travel to the cache of another processor. */
+/* A worker: takes chunks until none is left. It takes them by the phases of the solver
+ * (td_phase_from), so that the solver gives the same blocks to the same worker, in whose cache they
+ * are. */
 static void collide_as_worker(void *argument) {
     colliding *shared = argument;
     colliding_phase own = {.w = shared->w};

@@ -70,8 +70,8 @@ enum {
     TD_CONSTRAINT_ROD = TD_PAIR_COUNT, /* locks the distance of two anchors */
     TD_CONSTRAINT_LOCK,                /* locks directions (along, across, turn) of a frame */
     TD_CONSTRAINT_DRIVE_LINE,          /* limit, spring and motor of the distance of two anchors */
-    TD_CONSTRAINT_DRIVE_AXIS,          /* the same of a direction of a frame */
-    TD_CONSTRAINT_DRIVE_TURN,          /* the same of the relative rotation */
+    TD_CONSTRAINT_DRIVE_AXIS,          /* limit, spring and motor along an axis of a frame */
+    TD_CONSTRAINT_DRIVE_TURN,          /* limit, spring and motor of the relative rotation */
     TD_CONSTRAINT_GEAR,                /* couples the coordinates of two joints */
     TD_CONSTRAINT_KINDS
 };

@@ -29,7 +29,7 @@ static void begin(thud_world *w, int index) {
     }
 }
 
-/* The same for its end. */
+/* Ends a contact, and sets the time of the events that this adds. */
 static void end(thud_world *w, int index) {
     int first = w->events.sensor_end_time.count;
     td_contact_end(w, index);

@@ -13,9 +13,9 @@
  * (thud_parts), or is given it by thud_shape_set_sensor or a snapshot, so that a program without
  * sensors does not link it. */
 typedef struct td_sensor_hooks {
-    /* Reserves memory for a step of a world that has sensors, and sets scratch.sensed_room, which
-     * else is 0, so that sensors which a callback makes in a step wait for the next one. False when
-     * memory is short. */
+    /* Reserves memory for a step of a world that has sensors, and sets scratch.sensed_room, the
+     * number of pairs that have room. In a world without sensors that number is 0, so that a sensor
+     * that a callback makes within a step waits for the next one. False when memory is short. */
     bool (*reserve)(thud_world *w);
     void (*note_held)(thud_world *w); /* td_sensing_note_held */
     /* Makes the events of sensors: first for shapes that passed through a sensor within the step,
@@ -29,9 +29,10 @@ extern const td_sensor_hooks td_sensor_stages;
 /* Whether the two share a point at their present poses. One of them may be a terrain. */
 bool td_sensor_overlaps(const thud_world *w, int shape_a, int shape_b);
 
-/* The number of pairs of sensors and other shapes for which a step reserves room in advance: pairs
- * that come into being, or that only pass each other. It is all pairs that are possible, or an
- * estimate where those are many. It depends on the state of the world alone. */
+/* The number of pairs of a sensor and another shape for which a step reserves room before bodies
+ * move: pairs that begin to overlap in the step, or overlap only within it. It is the number of all
+ * possible pairs, or an estimate where that is large. It depends on the state of the world alone,
+ * so that runs stay deterministic. */
 int td_sensors_expect(const thud_world *w);
 /* Reserves room for the begin and the end events of `more` pairs. False when memory is short. */
 bool td_sensor_room(thud_world *w, int more);

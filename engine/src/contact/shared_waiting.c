@@ -1,6 +1,6 @@
 /* shared_waiting.c: tests of waiting contacts by workers, each of which takes TD_SHARE_WAITING
- * contacts at a time. What they find is joined in the order of the contacts, as one thread finds
- * it. */
+ * contacts at a time. Their results are joined in the order of the contacts, so that they are the
+ * same as those of one thread. */
 #include "contact/waiting.h"
 #include "state/jobs.h"
 #include "state/shared_stages.h"
@@ -9,7 +9,7 @@
  * woken. Chosen; not tuned. */
 enum { SHARED_WAITING_MIN = 1024 };
 
-/* What the workers share; each has a copy, with its own thread. */
+/* The arguments of the test; each worker has a copy, in which `thread` is its own number. */
 typedef struct testing {
     thud_world *w;
     td_job *job;
@@ -49,8 +49,8 @@ static void test_as_worker(void *argument) {
     td_worker_walk(&worker, own.shares, test_share, &own);
 }
 
-/* Whether there are enough contacts, and memory for what is found of them: without it the calling
- * thread tests them alone. */
+/* Whether workers share the test: there are enough contacts, and memory for the results. Otherwise
+ * the calling thread tests all contacts alone. */
 static bool is_shared(thud_world *w, int contacts, int shares) {
     return w->def.job_system.workers > 1 && contacts >= SHARED_WAITING_MIN &&
            td_waiting_reserve(w, w->def.job_system.workers) &&

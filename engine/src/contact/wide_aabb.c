@@ -48,7 +48,7 @@ static void aabb_aabb(td_block *const *blocks, int count, const td_collide_conte
     }
 }
 
-/* A td_sift_fn: of the waiting pairs whose fat bounds overlap, those are near whose boxes are
+/* A td_sift_fn: of the waiting pairs whose fat bounds overlap, it keeps those whose boxes are
  * within the margin along both axes. The shapes' offsets in their bodies are not needed, and not
  * read. */
 static td_sifted sift_aabbs(const int32_t *a, const int32_t *b, const td_collide_context *c) {

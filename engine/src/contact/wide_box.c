@@ -144,7 +144,8 @@ TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs, const i8 *re
     td_found found[2];
     for (int k = 0; k < 2; k++) {
         block->point[k].normal_impulse = f8_keep(same, block->point[k].normal_impulse);
-        /* Halfway between the surfaces, from the reference centre, in the world. */
+        /* (px, py): the contact point, halfway between the surfaces, relative to the centre of the
+         * reference box in its frame; (wx, wy): the same vector in world axes. */
         f8 px = (k ? x1 : x0) - half * (k ? s1 : s0), py = k ? y1 : y0;
         f8 wx = px * t.ux - py * t.uy, wy = px * t.uy + py * t.ux;
         found[k] = (td_found){.valid = k ? valid1 : valid0,

@@ -58,7 +58,8 @@ static void circle_circle(td_block *const *blocks, int count, const td_collide_c
     }
 }
 
-/* A td_sift_fn, by the exact separation, as those below. */
+/* A td_sift_fn. The functions for circles and boxes compute the exact separation, not only a lower
+ * bound of it. */
 static td_sifted sift_circles(const int32_t *a, const int32_t *b, const td_collide_context *c) {
     td_pairs8 p = td_read_shapes(a, b, 0, c);
     return td_sift(a, b, f8_sqrt(p.dx * p.dx + p.dy * p.dy) - p.ahx - p.bhx, c);

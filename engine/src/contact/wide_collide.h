@@ -34,7 +34,7 @@ TD_INLINE void td_fetch_shapes(td_block *const *blocks, int i, int count,
 typedef struct td_pairs8 {
     f8 dx, dy;             /* from the centre of shape a to that of b */
     f8 ax, ay, ac, as;     /* a: offset of the shape from its body's centre of mass; cosine, sine */
-    f8 bx, by, bc, bs;     /* the same of b */
+    f8 bx, by, bc, bs;     /* the same values for shape b */
     f8 ahx, ahy, bhx, bhy; /* half extents */
 } td_pairs8;
 
@@ -98,7 +98,7 @@ TD_INLINE td_pairs8 td_read_shapes(const int32_t *shape_a, const int32_t *shape_
     return p;
 }
 
-/* The same for the pairs of a block. */
+/* td_read_shapes for the pairs of a block. */
 TD_INLINE td_pairs8 td_read_pairs(const td_block *block, const td_collide_context *c) {
     return td_read_shapes(block->shape_a, block->shape_b, block->has_offsets, c);
 }

@@ -13,12 +13,14 @@
 
 #include "contact/wide_collide.h"
 
-/* Greatest rotation of either body since then, radians (about three degrees). The kept normal does
- * not rotate with the body: beyond this it would be off by more than 5 %. Chosen. */
+/* Maximum rotation of either body since the manifold was computed, radians (about three degrees).
+ * The kept normal does not rotate with the body: beyond this it would be off by more than 5 %.
+ * Chosen. */
 #define TD_KEEP_TURN 0.05f
-/* Greatest relative motion: TD_KEEP_SHARE of the smallest half extent, and TD_KEEP_MARGINS times
- * the speculative margin; only TD_KEEP_MARGINS_ONE times for a lane with one point, so that the
- * second one is found before it overlaps. Chosen. */
+/* Maximum relative motion since then: the lesser of TD_KEEP_SHARE of the smallest half extent and
+ * TD_KEEP_MARGINS times the speculative margin. For a lane with one point it is only
+ * TD_KEEP_MARGINS_ONE times that margin, so that a second point is found before it overlaps.
+ * Chosen. */
 #define TD_KEEP_SHARE 0.1f
 #define TD_KEEP_MARGINS 2.5f
 #define TD_KEEP_MARGINS_ONE 0.5f
@@ -88,8 +90,8 @@ TD_INLINE void td_cache_update_points(td_block *block, int points, i8 keep, cons
 TD_INLINE void td_cache_store(td_block *block, int points, i8 recomputed, f8 min_extent,
                               f8 max_extent, const td_collide_context *c) {
     td_manifold_cache *kept = td_manifold_cache_of(block, points);
-    /* The contact point of a rolling circle moves over its rim: its arm is computed anew much
-     * sooner. */
+    /* The contact point of a rolling circle moves along its rim, so that its lever arm has to be
+     * computed anew after a shorter motion. */
     float margins = points == 1 ? TD_KEEP_MARGINS_ONE : TD_KEEP_MARGINS;
     f8 limit = f8_min(f8_all(TD_KEEP_SHARE) * min_extent, f8_all(margins * c->margin));
     kept->limit = f8_pick(recomputed, limit, kept->limit);

@@ -1,19 +1,20 @@
-/* arrival_rows.c: see arrival_rows.h. Its pass is that of wide_project.c, one row at a time, since
- * arrivals are few, and bodies have several. */
+/* arrival_rows.c: see arrival_rows.h. td_arrival_rows_project computes the same as wide_project.c,
+ * but one row at a time, since arrivals are few, and several may have the same body. */
 #include "detection/arrival_rows.h"
 
 #include "solver/friction.h"
 
-/* The relative value of b against a at the point along (x, y): of motions or of velocities. */
+/* The motion or velocity of b relative to a at the contact point, along (x, y). `a`, `b`: records
+ * of motions, or of velocities. */
 static float along(const td_arrival *r, const float *a, const float *b, float x, float y) {
     float px = b[0] - b[2] * r->by - a[0] + a[2] * r->ay;
     float py = b[1] + b[2] * r->bx - a[1] - a[2] * r->ax;
     return px * x + py * y;
 }
 
-/* Adds an impulse along (x, y) at the arm (rx, ry), times the inverse masses, to a body's record. A
- * body that no impulse moves keeps its own, whatever the impulse is, an overflow too: slot 0 stands
- * for all static bodies. */
+/* Adds an impulse along (x, y) at the arm (rx, ry), times the inverse masses, to a body's record.
+ * The record of a body with infinite mass does not change, even if the impulse is not finite: slot
+ * 0 is shared by all static bodies. */
 static void push_one(float *record, float inv_mass, float inv_inertia, float rx, float ry, float x,
                      float y) {
     if (inv_mass > 0.0f) {
@@ -30,8 +31,8 @@ static void push(thud_world *w, const td_arrival *r, float *a, float *b, float x
     push_one(b, mass_b, r->inv_inertia[1], r->bx, r->by, x, y);
 }
 
-/* Corrects by a change of the accumulated impulse `sum`, which stays >= 0, what the records of both
- * bodies lack along the normal. */
+/* Corrects a lack of motion or velocity along the normal: changes the accumulated impulse `sum`,
+ * which stays >= 0, and applies the change to the records of both bodies. */
 static void correct(thud_world *w, const td_arrival *r, float *a, float *b, float *sum,
                     float lack) {
     float before = *sum;

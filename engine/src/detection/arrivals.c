@@ -6,23 +6,26 @@
 #include "state/body.h"
 #include "state/surface.h"
 
-/* Touching contacts that the two bodies of an arrival have at least, together. Chosen: a body that
- * meets one that stands alone on the ground has its impact at the exact time. */
+/* Minimum of the touching contacts that the two bodies of an arrival have together. Chosen so that
+ * a body that meets another one that stands alone on the ground still has its impact at the exact
+ * time (impacts.c). */
 enum { CONTACTS_MIN = 2 };
-/* Most arrivals of a step: this many, and one for so many awake bodies. Chosen: in the scene
- * circle_pit (2,000) a step has at most 52. */
+/* Maximum number of arrivals in a step: ARRIVALS_MAX, and one more for each BODIES_PER_ARRIVAL
+ * awake bodies. Chosen: in the scene circle_pit (2,000) a step has at most 52. */
 enum { ARRIVALS_MAX = 64, BODIES_PER_ARRIVAL = 4 };
 
-/* In multiples of TD_IMPACT_DISTANCE: the gap that an arrival leaves. Shapes that come nearer than
- * 1 meet, for impacts.c; the rows leave up to TD_LOAD_CLOSING_MAX less. */
+/* The gap at which the rows of arrivals aim, in multiples of TD_IMPACT_DISTANCE. impacts.c counts
+ * shapes that are nearer than 1 as meeting; the rows may miss their target by up to
+ * TD_LOAD_CLOSING_MAX, and must stay above that. */
 #define ARRIVAL_DISTANCE 1.2f
 
 int td_arrivals_max(const thud_world *w) {
     return ARRIVALS_MAX + w->body_of.count / BODIES_PER_ARRIVAL;
 }
 
-/* Whether the motion of a body in the step is within the bounds of motions, and a number:
- * td_finalize removes a body of which that is not so. Slot 0 does not move. */
+/* Whether the motion of a body in the step is finite and within the bounds of motions
+ * (td_motion_held); if not, td_finalize may quarantine the body. True for slot 0, which does not
+ * move. */
 static bool has_path(const thud_world *w, td_awake_slot slot) {
     const float *delta = td_row(&w->delta, slot);
     bool bounded = true;
@@ -47,19 +50,19 @@ static bool may_arrive(const thud_world *w, int contact) {
            td_detection_of(w, c->body[0], c->body[1])->rank == TD_RANK_SWEPT;
 }
 
-/* Whether the pair closes, and does not bounce, as `bounce_speed` of collide.c has it for pairs
- * that are not in free flight. */
+/* Whether the pair closes and does not bounce, by the rule that bounce_speed of collide.c has for
+ * pairs that are not in free flight. */
 static bool stops(const thud_world *w, const td_arrival *r) {
     float threshold = w->def.restitution_threshold * w->length_scale;
     float restitution = r->settings.restitution, speed = r->impact.closing_speed;
     return speed > 0.0f && (restitution == 0.0f || (restitution < 1.0f && speed <= threshold));
 }
 
-/* Asks the rules and the prologue about the pair, and keeps the answer. False: it is refused, and
- * has no effect in this step. */
+/* Asks the rules and the prologue about the pair, and keeps the answer. False if they refuse the
+ * pair, which then has no effect in this step. */
 static bool is_accepted(thud_world *w, td_arrival *r) {
     if (w->decisions) {
-        w->decisions->has_impact = false; /* that of an impact before */
+        w->decisions->has_impact = false; /* forgets the decision about an earlier impact */
     }
     bool meets = td_surface_meet(w, &r->impact.seen, &r->settings);
     if (w->decisions && w->decisions->has_impact) {
@@ -134,7 +137,8 @@ void td_arrivals_find(thud_world *w) {
     }
 }
 
-/* By bisection: td_arrivals_find lists arrivals by rising numbers of their contacts. */
+/* Finds the arrival by binary search: td_arrivals_find lists arrivals by rising numbers of their
+ * contacts. */
 const td_arrival *td_arrival_of(const thud_world *w, int contact) {
     int low = 0, end = w->scratch.arrivals.count;
     while (low < end) {

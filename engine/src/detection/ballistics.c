@@ -1,8 +1,8 @@
-/* ballistics.c: see ballistics.h. Only swept bodies follow parabolas, since only their times of
- * impact allow for them.
+/* ballistics.c: see ballistics.h. Only bodies with the detection `swept` follow parabolas, since
+ * only its times of impact take the curvature into account.
  *
- * With v0 and v1 the velocities at the start and the end of the step, dt its length and gain = v1
- * - v0 what gravity and forces add, the path is
+ * With v0 and v1 the velocities at the start and the end of the step, dt its length and gain = v1 -
+ * v0 what gravity and forces add, the path is
  *   x(s) = (v0 dt) s + (gain dt) s^2 / 2,   s in [0, 1]
  * so that the motion in the step is v1 dt - gain dt / 2, and `fall` is gain dt. */
 #include "detection/ballistics.h"
@@ -12,10 +12,10 @@
 
 #include <float.h>
 
-/* A body is in free flight while contacts change its velocity by at most this share of what
- * gravity and forces add in a step. Chosen, 1/16: with 0 contacts that only brush a body would put
- * it on the polygon of the substeps. At half and twice of it the impacts in the scenes platformer
- * and circle_pit, swept, change by at most 3 and 14 %. */
+/* A body is in free flight if contacts change its velocity by at most this share of what gravity
+ * and forces add in a step. Chosen, 1/16: at 0 a contact that only brushes a body would put it on
+ * the polygon of the substeps. At half and at twice this value the number of impacts in the scenes
+ * platformer and circle_pit, swept, changes by at most 3 and 14 %. */
 #define FREE_SHARE_MAX 0.0625
 
 void td_ballistics_save_velocities(thud_world *w) {
@@ -29,12 +29,12 @@ void td_ballistics_save_velocities(thud_world *w) {
     }
 }
 
-/* Whether gravity and forces alone changed the body, but for the speed `share` (length/s), at its
- * centre and, by the turn, at its max_extent. With n substeps of semi-implicit Euler, v1 = v0 +
- * gain, and motion / dt is v1 - gain (n - 1) / (2 n), which lies between v1 - gain / 2 (n without
- * bound) and v1 (n = 1). `rounding` allows two units of single precision (2^-23 each) a substep.
- * Impulses may have made the velocity before infinite; the solver clamps it, and the path is no
- * parabola. */
+/* Whether gravity and forces alone changed the body's velocity, up to a deviation of `share`
+ * (length/s) at its centre and, by rotation, at its max_extent. With n substeps of semi-implicit
+ * Euler, v1 = v0 + gain, and motion / dt is v1 - gain (n - 1) / (2 n), which lies between v1 - gain
+ * / 2 (n without bound) and v1 (n = 1). `rounding` allows two units of single precision (2^-23
+ * each) a substep. Impulses of the caller may have made the velocity before the step infinite; the
+ * solver clamps it then, and the path is no parabola. */
 static bool gained_only_gravity(const thud_world *w, td_awake_slot slot, double share) {
     const td_trajectory *f = td_trajectory_at(w, slot);
     const float *velocity = td_row(&w->velocity, slot), *delta = td_row(&w->delta, slot);
@@ -79,8 +79,8 @@ static void set_fall(const thud_world *w, td_awake_slot slot) {
     }
 }
 
-/* Whether an acting joint has the body. Its impulse may be little, and still keep the joint
- * closed, so that its body does not count as in free flight. */
+/* Whether the body has a joint that acts. Such a body does not count as in free flight: even an
+ * impulse that is below FREE_SHARE_MAX may be what keeps the joint closed. */
 static bool is_joined(const thud_world *w, const td_body *body) {
     bool joined = false;
     for (int e = w->joint_hooks ? body->first_constraint : TD_NONE; e != TD_NONE && !joined;

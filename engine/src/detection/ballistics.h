@@ -7,9 +7,9 @@
 
 /* Saves the velocities, before the solver changes them, in the `motion` of new trajectories. */
 void td_ballistics_save_velocities(thud_world *w);
-/* Runs after the solver, before motions become poses. Each dynamic swept body whose velocity
- * changed by gravity and forces only, but for FREE_SHARE_MAX of it, gets the motion of its
- * parabola; td_trajectory.free and `fall` tell of it. */
+/* Runs after the solver, before motions become poses. Each dynamic swept body in free flight (only
+ * gravity and forces changed its velocity, up to FREE_SHARE_MAX of that change) gets the motion of
+ * its parabola; sets td_trajectory.free and `fall`. */
 void td_ballistics_set_parabolas(thud_world *w);
 
 #endif

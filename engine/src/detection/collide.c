@@ -11,9 +11,9 @@
 #include "contact/contact.h"
 #include "geometry/shape_instance.h"
 
-/* In multiples of TD_IMPACT_DISTANCE: a change of `fall` of a whole step by less does not change
- * times of impact noticeably. Chosen equal to CLOSING_MIN of toi_queue.c, motion below which
- * touching shapes do not collide. */
+/* In multiples of TD_IMPACT_DISTANCE: a change of `fall` (the displacement by gravity in a step)
+ * that is smaller than this does not change times of impact noticeably. Chosen equal to CLOSING_MIN
+ * of toi_queue.c, the motion below which touching shapes do not collide. */
 #define FALL_MIN 0.01
 /* Bound of velocities, length/s or rad/s: below FLT_MAX, 3.4e38, so that the conversion is finite.
  */
@@ -27,12 +27,14 @@ typedef struct side {
     double inv_mass, inv_inertia; /* 0 unless the body is awake and dynamic */
     double x, y;                  /* the impact point, from the centre of mass */
     double velocity[3];           /* at the time of the impact: x, y (length/s), turn (rad/s) */
-    double motion[3];             /* velocity of the trajectory then, likewise */
+    double motion[3];             /* velocity of the trajectory at that time: x, y (length/s), turn
+                                     (rad/s) */
     bool keeps_motion;            /* its motion does not change; see choose_kept_motion */
 } side;
 
-/* Collects a body's state at `time`. w->velocity is that of the end of the step, so that what
- * `fall` adds until then is subtracted; a motion follows its `fall` from `since`. */
+/* Collects a body's state at `time`. w->velocity has the velocity at the end of the step, so that
+ * the part that `fall` adds from `time` until then is subtracted. The motion is that at `since`, to
+ * which `fall` adds a part until `time`. */
 static side side_of(thud_world *w, td_body_index index, const td_impact_point *at, double time) {
     td_body *body = td_body_at(w, index);
     td_trajectory f = td_trajectory_of(w, index);
@@ -65,8 +67,9 @@ static double speed_along(const side *a, const side *b, bool use_motion, double 
     return vx * x + vy * y;
 }
 
-/* Whether an impulse changes the body. Motions of held bodies and of those that keep their motion
- * do not change, nor those of bodies that are not awake. */
+/* Whether an impulse changes the body's velocity, or with `use_motion` its motion. Velocities
+ * always change; motions do not if the body is held, keeps its motion (choose_kept_motion), or is
+ * not awake. */
 static bool is_movable(const side *s, bool use_motion) {
     return !use_motion || (s->trajectory && !s->trajectory->held && !s->keeps_motion);
 }
@@ -104,8 +107,8 @@ static double relative_fall_along(const side *a, const side *b, double x, double
     return fx * x + fy * y;
 }
 
-/* Sets at->speed, and at->closing_distance = (speed - fall r / 2) r, with r = 1 - time the
- * remaining of the step and `fall` the relative one along the normal. */
+/* Sets at->speed, and at->closing_distance = (speed - fall r / 2) r, where r = 1 - time is the rest
+ * of the step, and `fall` is the relative fall along the normal. */
 static void measure_closing(thud_world *w, const td_toi_candidate *e, td_impact_point *at,
                             double time) {
     side a = side_of(w, e->body[0], at, time), b = side_of(w, e->body[1], at, time);
@@ -149,24 +152,24 @@ typedef struct surface {
     double bounce_speed; /* no restitution at a closing speed up to this, length/s */
 } surface;
 
-/* The impulses of an impact along the normal and along (ny, -nx), and whether the pair bounced: it
- * was given restitution. */
+/* The impulses of an impact along the normal and along (ny, -nx), and whether restitution was
+ * applied. */
 typedef struct outcome {
     double normal, tangent;
     bool bounced;
 } outcome;
 
-/* Applies the collision law to the velocities or to the motions of both bodies, after A.
- * Chatterjee and A. Ruina, "A New Algebraic Rigid-Body Collision Law Based on Impulse Space
- * Considerations" (1998), without tangential restitution. With normal n, tangent t, closing speed
- * c, restitution e and the inverse effective masses K:
+/* Applies the collision law to the velocities or to the motions of both bodies, after A. Chatterjee
+ * and A. Ruina, "A New Algebraic Rigid-Body Collision Law Based on Impulse Space Considerations"
+ * (1998), without tangential restitution. With normal n, tangent t, closing speed c, restitution e
+ * and the inverse effective masses K:
  *   P1 = c / Knn                               along n: stops the approach without friction
  *   T = -(slide + Knt P1) / (Ktt - Knt^2/Knn)  along t: then stops the sliding, while
  *   A = -T Knt / Knn                           along n: keeps the normal speed
  * In the code: Knn inverse_mass, Knt mixed, P1 stop, T tangent, A along.
  * The impulse is (1 + e) P1 along n, and the share of (A, T) that keeps |tangent| <= friction x
- * normal. No impact gains energy, also where normal and friction impulses act on each other
- * through the turn (Knt != 0). */
+ * normal. No impact gains energy, even if normal and friction impulses are coupled by the rotation
+ * of the bodies (Knt != 0). */
 static outcome apply_collision(side *a, side *b, bool use_motion, const surface *u) {
     double closing = -speed_along(a, b, use_motion, u->nx, u->ny);
     double tx = u->ny, ty = -u->nx;
@@ -193,10 +196,10 @@ static outcome apply_collision(side *a, side *b, bool use_motion, const surface 
     return (outcome){normal, tangent, bounced};
 }
 
-/* Keeps a pair that did not bounce from falling into each other in the rest of the step: with the
- * falls Fa, Fb along the normal, which leads from a to b, Fa is reduced to at most max(Fb, 0), and
- * Fb raised to at least min(Fa, 0). fall_reduced tells of each body whether its `fall` changed by
- * more than FALL_MIN. */
+/* Keeps gravity from closing a pair that did not bounce in the rest of the step. Let Fa and Fb be
+ * the `fall` of both bodies along the normal from a to b: Fa is reduced to at most max(Fb, 0), and
+ * Fb raised to at least min(Fa, 0). Sets fall_reduced[i] if the fall of body i changed by more than
+ * FALL_MIN. */
 static void stop_mutual_fall(const thud_world *w, const side *a, const side *b, const surface *u,
                              bool fall_reduced[2]) {
     double fall_min = FALL_MIN * (double)(TD_IMPACT_DISTANCE * w->length_scale);
@@ -215,8 +218,9 @@ static void stop_mutual_fall(const thud_world *w, const side *a, const side *b, 
     }
 }
 
-/* Writes velocity and motion of a side to its body: velocities for the end of the step, with what
- * `fall` adds until then, motions per step. A body that keeps its motion has no impact counted. */
+/* Writes velocity and motion of a side to its body. The velocity is that at the end of the step,
+ * including what `fall` adds until then; the motion is per step. For a body that keeps its motion,
+ * the impact is not counted. */
 static void write_back(const thud_world *w, const side *s) {
     td_trajectory *f = s->trajectory;
     if (!f || s->body->kind != THUD_BODY_DYNAMIC) {
@@ -252,9 +256,10 @@ static void set_motion_from_velocity(side *s) {
 }
 
 /* The closing speed, length/s, up to which the pair does not bounce: the restitution threshold of
- * the world, and in swept pairs, whose bounces would follow each other ever sooner, also a
- * multiple of the speed that gravity gives in a step (solver/bounces.h). Of both, elastic pairs
- * take the lesser and pairs in free flight that are not elastic the greater. */
+ * the world, and for swept pairs, whose bounces would follow each other in ever shorter times, also
+ * a multiple of the speed that gravity gives in a step (solver/bounces.h). Of these two, elastic
+ * pairs take the lesser, and pairs in free flight that are not elastic the greater; other pairs
+ * take the threshold. */
 static double bounce_speed(const thud_world *w, const side *a, const side *b, const surface *u) {
     double threshold = (double)(w->def.restitution_threshold * w->length_scale),
            dt = w->def.time_step;
@@ -282,20 +287,20 @@ thud_contact td_impact_view(const thud_world *w, const td_toi_candidate *e,
     return td_contact_between(w, a, b, place, normal, at->distance);
 }
 
-/* Whether the body touches others than the one of this pair. Where the pair may bounce, one
- * contact more is needed: with a single other contact a body that keeps its motion would gain
+/* Whether the body touches other bodies than the one of this pair. If the pair may bounce, one
+ * contact more is needed: with a single other contact, a body that keeps its motion would gain
  * energy. */
 static bool touches_others(const side *s, bool pair_touches, bool bounces) {
     return s->trajectory && s->trajectory->contact_count > pair_touches + bounces;
 }
 
-/* Chooses a body that keeps its motion in this step. If a body that touches others took a new
- * motion, it would meet them at once, and they those that they touch: a heap would have impacts
- * with itself for the rest of the step. Its motion comes from the solver, which solved all its
- * contacts together, so that it is kept; only its velocity changes, and the next step's solver
- * spreads that. The other body of the pair takes the whole change of motion. If both touch others,
- * the one that took such a change already keeps its motion, or else the slower one along the
- * normal. */
+/* Chooses a body of the pair that keeps its motion in this step, if one touches others. With a new
+ * motion it would meet those at once, and they their neighbours, so that a heap would have impacts
+ * within itself for the rest of the step. Its motion comes from the solver, which solved all its
+ * contacts together, and is kept; only its velocity changes, and the solver of the next step passes
+ * that on. The other body takes the whole change of motion. If both touch others, the body that has
+ * taken such a change before (`deflected`) keeps its motion, or else the one that is slower along
+ * the normal. */
 static void choose_kept_motion(side *a, side *b, bool pair_touches, const surface *u) {
     bool bounces = u->restitution > 0.0;
     bool touch_a = touches_others(a, pair_touches, bounces);
@@ -316,9 +321,10 @@ static void choose_kept_motion(side *a, side *b, bool pair_touches, const surfac
     b->keeps_motion = keep_b;
 }
 
-/* Removes from the velocity of a body that takes the change of motion for both what gravity and
- * forces gave it in the rest of the step, since it stands there against the other. Only once a
- * step: a body that meets eight others would end the step with eight times that speed, upwards. */
+/* For the body that takes the change of motion for both: removes from its velocity the part that
+ * gravity and forces give in the rest of the step, since the other body carries it there. This is
+ * done only once a step: a body that meets eight others would otherwise end the step with eight
+ * times that speed, upwards. */
 static void remove_remaining_gain(const thud_world *w, side *s, double time) {
     const float *substep_gain = td_row(&w->substep_gain, s->body->awake);
     for (int k = 0; k < 2 && !s->trajectory->deflected; k++) {

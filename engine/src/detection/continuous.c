@@ -1,13 +1,13 @@
-/* continuous.c: the detection `continuous`, which stops fast bodies at static shapes (as
- * continuous collision of non-bullet bodies in Box2D, solver.c: b2SolveContinuous).
+/* continuous.c: the detection `continuous`, which stops fast bodies at static shapes (as continuous
+ * collision of non-bullet bodies in Box2D, solver.c: b2SolveContinuous).
  *
  * A body that moved in the step by more than half its smallest half extent is swept from its pose
  * at the start to that at the end, by the time of impact of each of its shapes with static shapes
- * (geometry/toi.c: conservative advancement). It is put back to the first time of impact, and
- * stays there for the rest of the step; the next step finds a contact. The swept shapes are
- * smaller than the real ones by `shrink`, so that a body that slides along a floor does not hit
- * it. Where even a smaller shape overlaps at the start, a circle in its middle (the core) is swept
- * alone, without turning: the body may move along in the overlap, but its middle does not pass to
+ * (geometry/toi.c: conservative advancement). It is put back to the first time of impact, and stays
+ * there for the rest of the step; the next step finds a contact. The swept shapes are smaller than
+ * the real ones by `shrink`, so that a body that slides along a floor does not hit it. If even the
+ * smaller shape overlaps a static shape at the start, only its core, a circle in its middle, is
+ * swept, without rotation: the body may slide on while it overlaps, but its middle does not pass to
  * the other side.
  *
  * It runs after td_finalize, once a step. Times are shares, in [0, 1], of the motion of the step.
@@ -37,12 +37,14 @@ typedef struct sweep {
     thud_world *w;
     td_awake_slot slot;
     td_body_index body;
-    int shape;              /* of the body: the one that is set in `swept` */
-    td_swept swept;         /* `placed` is the smaller shape, `core` the circle in its middle */
+    int shape;              /* the shape of the body that `swept` describes */
+    td_swept swept;         /* `placed`: the shape, made smaller by td_swept.shrink; `core`: a
+                               circle in its middle */
     sweep_hit last;         /* the latest hit that the prologue refused; time -1: none */
     sweep_hit next;         /* the first hit after `last` found so far; time 1: none */
-    const td_array *shapes; /* int: static shapes near the path, and others */
-    td_array *hits;         /* int: what a query finds, with memory for more */
+    const td_array *shapes; /* int: shapes near the path; static shapes are among them */
+    td_array *hits;         /* int: shapes that a query finds; `memory` is used if there are more
+                               than it has room for */
     td_memory *memory;
 } sweep;
 
@@ -72,7 +74,7 @@ static void record_hit(sweep *s, int other, const td_swept_hit *hit) {
 /* Whether the swept shape stops at another one: a solid shape of a static body that it may collide
  * with. */
 static bool stops_at(const sweep *s, int other) {
-    if (other == TD_NONE) { /* left since the set was built */
+    if (other == TD_NONE) { /* a shape that has left the set since it was built */
         return false;
     }
     const td_shape *shape = td_shape_at(s->w, other);
@@ -96,7 +98,7 @@ static void sweep_against_shape(sweep *s, int other) {
     record_hit(s, other, &hit);
 }
 
-/* The same against a terrain. */
+/* sweep_against_shape for a terrain. */
 static void sweep_against_terrain(sweep *s, int line) {
     if (stops_at(s, line)) {
         td_swept_hit hit = {.time = 1.0};
@@ -229,8 +231,8 @@ void td_hold_at(thud_world *w, td_awake_slot slot, double time) {
     td_body_place_shapes(w, body);
 }
 
-/* Begins the sweep of a body. Returns whether something is near it. Most have nothing near, so that
- * it sets no more than that takes. */
+/* Begins the sweep of a body. Returns whether a shape is near its path. Most bodies have none, so
+ * that only the fields that find_obstacles needs are set. */
 static bool begin_sweep(sweep *s, thud_world *w, td_awake_slot slot, td_array *hits,
                         td_memory *memory) {
     const float *delta = td_row(&w->delta, slot);
@@ -287,8 +289,8 @@ static void stop_at_first_hit(thud_world *w, td_awake_slot slot) {
     }
 }
 
-/* Room for what a query reserves: it counts every shape of the ranges that it scans as a hit, and
- * scans in lanes. */
+/* Reserves memory for the hits of a query. A query reserves room as if every shape of the ranges
+ * that it scans were a hit, rounded up to whole lanes. */
 static bool reserve(thud_world *w) {
     return td_held_reserve(w) && td_array_reserve(&w->memory, &w->scratch.ahead,
                                                   3 * w->rest_shapes.ids.count + 4 * TD_LANES);

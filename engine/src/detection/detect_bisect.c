@@ -19,7 +19,8 @@ static bool is_within_target(const td_approach *p, double time) {
     return closest.distance <= p->target;
 }
 
-/* The last tested time, in [0, 1), at which the pair is still apart; see td_time_of_impact_fn. */
+/* A td_time_of_impact_fn. Sets *time to the last tested time, in [0, 1), at which the pair is still
+ * apart. */
 static bool time_of_impact(const td_approach *p, double *time) {
     if (p->on_ground) {
         bool collided = false;

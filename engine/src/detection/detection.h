@@ -11,7 +11,8 @@
 #include "geometry/shape_instance.h"
 #include "thud/thud_detection.h"
 
-/* Two shapes, or a shape and a terrain, on straight paths through an interval of the step. */
+/* Two shapes, or a shape and a terrain, that move on straight paths during an interval of the step:
+ * the input of a time-of-impact test. */
 typedef struct td_approach {
     bool on_ground;      /* shape a against `ground`, in the frame of the ground; b is not set */
     thud_terrain ground; /* a view; the world owns its points */
@@ -60,9 +61,9 @@ extern const td_detection_stage td_stage_impacts;
  * of the step is removed, since it does not move in the rest. */
 void td_hold_at(struct thud_world *w, td_awake_slot slot, double time);
 
-/* continuous.c: whether td_stage_continuous has to sweep a fast body: something that may be in its
- * way is near. `hits` (int) and `memory` are for what a query finds; without enough of both it is
- * true. Threads may ask at the same time. */
+/* continuous.c: whether td_stage_continuous has to sweep a fast body, since a shape is near its
+ * path. `hits` (int) and `memory` are for the shapes that a query finds; if both are too small, the
+ * result is true. Threads may call it at the same time. */
 bool td_fast_meets(struct thud_world *w, td_awake_slot slot, td_array *hits, td_memory *memory);
 /* Prefetches what td_fast_meets reads of bodies after the one at index i of scratch.fast. */
 void td_fast_fetch(const struct thud_world *w, int i);
@@ -70,15 +71,16 @@ void td_fast_fetch(const struct thud_world *w, int i);
 struct thud_detection {
     const char *name;
     int rank; /* TD_RANK_...; in a pair of moving bodies the higher rank decides */
-    const td_detection_stage *stage;      /* null: it has the contacts of the narrowphase only */
+    const td_detection_stage *stage;      /* null: the detection consists of the narrowphase only */
     td_time_of_impact_fn *time_of_impact; /* for td_stage_impacts; null in other stages */
     /* Null, or the island solver that a world with this detection has where its quality has none
      * (take_quality of quality.c). With one, every island without joints is solved directly
      * (direct/direct_islands.c). */
     const struct thud_island_solver *islands;
-    bool senses; /* sensors find what passes them within a step (sensing.c); else they go by poses
-                    at the end of the step only */
-    /* The same for a fast body against awake bodies; null: against resting ones only. */
+    bool senses; /* sensors also report shapes that pass through them within a step (sensing.c);
+                    false: they report by the poses at the end of the step only */
+    /* Tests the path of a fast body against awake bodies, for sensors. Null: paths are tested
+     * against resting bodies only. */
     void (*sense_awake)(struct thud_world *w, td_awake_slot slot);
 };
 

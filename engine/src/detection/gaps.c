@@ -1,11 +1,11 @@
 /* gaps.c: see gaps.h.
  *
- * With n the normal, d the displacements of the centres, phi the turns and c = r x n the crosses
- * of a point, its gap at the end of a motion is
+ * With n the normal, d the displacements of the centres, phi the turns and c = r x n the crosses of
+ * a point, its gap at the end of a motion is
  *   gap = start_separation + skin + n . (d_b - d_a) + c_b phi_b - c_a phi_a
- * where start_separation is that at the start of the step, measured from the skin at which
- * contacts rest. The rows neglect that normal and arms turn with the bodies; `row_error` bounds
- * what that may make of the gap. */
+ * where start_separation is that at the start of the step, measured from the skin at which contacts
+ * rest. The rows neglect that normal and lever arms turn with the bodies; `row_error` bounds the
+ * error that this causes in the gap. */
 #include "detection/gaps.h"
 
 #include "constraint/lanes.h"
@@ -25,35 +25,35 @@ TD_DECLARE_WIDE(td_find_open_fn, td_find_open_points);
  * low stacks. If any point falls short then, contacts are stacked deep, where a plain pass carries
  * a correction one contact further: over-relaxed ones follow (SOR with the factor OVER_RELAXATION,
  * which must be below 2), until no point falls short or PASSES_MAX are done, and at last
- * FINAL_PASSES plain ones, which take back what over-relaxation has moved too far. The first
- * FINE_PASSES go on while a single point falls short by more than SHORTFALL_TOLERANCE. The others
- * are there to spare collisions, each of which costs as much as a pass over forty blocks; few of
- * them are spared by one more pass, so that they go on only while there are more collisions than
- * blocks. Measured with 1/4 to 3 collisions a block as that bound in
- * circle_pit (2,000, steps 100 to 150): 372, 379, 425, 520, 969, 3,729 impacts a step with 0.25,
- * 0.5, 1, 1.5, 2, 3; with 1 the step took four fifths of the time with 0.5, and half of it once the
- * heap settled. */
+ * FINAL_PASSES plain ones, which undo the overshoot of over-relaxation. The first FINE_PASSES go on
+ * while a single point falls short by more than SHORTFALL_TOLERANCE. Later passes only serve to
+ * avoid collisions, each of which costs as much as a pass over forty blocks. One more pass avoids
+ * few of them, so that later passes go on only while there are more collisions than blocks.
+ * Measured with 1/4 to 3 collisions a block as that bound in circle_pit (2,000, steps 100 to 150):
+ * 372, 379, 425, 520, 969, 3,729 impacts a step with 0.25, 0.5, 1, 1.5, 2, 3; with 1 the step took
+ * four fifths of the time with 0.5, and half of it once the heap settled. */
 enum { PLAIN_PASSES = 8, FINE_PASSES = 20, PASSES_MAX = 160, FINAL_PASSES = 2 };
 #define OVER_RELAXATION 1.8f
 
-/* In multiples of TD_IMPACT_DISTANCE. td_gaps_project leaves no gap below TARGET_DISTANCE, or below
- * that of the start if that is smaller, but for what bodies at rest may yield to their load. A gap
- * that is left below COLLISION_DISTANCE and is smaller than that of the start by more than
- * TD_LOAD_CLOSING_MAX is a collision, for time of impact tests. All chosen. TARGET_DISTANCE is
- * below 1, so that gaps that come from times of impact (1 TD_IMPACT_DISTANCE) are not changed. */
+/* In multiples of TD_IMPACT_DISTANCE. td_gaps_project lets no gap end below TARGET_DISTANCE, or
+ * below the gap at the start of the step if that is smaller, except that bodies at rest may close
+ * by YIELD_AT_REST. A gap that ends below COLLISION_DISTANCE, and has shrunk by more than
+ * TD_LOAD_CLOSING_MAX, is a collision, for which a time of impact is computed. All chosen.
+ * TARGET_DISTANCE is below 1, so that gaps that come from times of impact (1 TD_IMPACT_DISTANCE)
+ * are not changed. */
 #define TARGET_DISTANCE 0.8f
 #define SHORTFALL_TOLERANCE 0.05f
 #define COLLISION_DISTANCE 0.05f
 
 /* In multiples of TD_IMPACT_DISTANCE: by how much a gap may close in a step between two bodies that
- * both move less than TD_SLEEP_SPEED does in it. The projection has no friction: if it held such
- * bodies, too, it would push them off each other along the normals, against the friction that
- * carries them, and a heap would creep without end and never fall asleep (circle_pit with 2,000
- * circles moved at 0.03 length scales a second after 300 steps, and at 0.007 after 1,200). What
- * they carry is left to the soft solver, which has friction. Chosen below TD_LOAD_CLOSING_MAX,
- * from where on it would be a collision. It is 0 in a world with joints: a joint may pull a body
- * with any force, so that a body that yields a little in each step would be pulled deep into what
- * it rests on (a ball that a rod reels into the floor: by 24 mm in place of 2). */
+ * both move less than TD_SLEEP_SPEED does in it. The projection has no friction. If it also held
+ * such slow bodies apart, it would push them along the normals, against the friction that holds
+ * them, and a heap would creep without end and never fall asleep (circle_pit with 2,000 circles
+ * moved at 0.03 length scales a second after 300 steps, and at 0.007 after 1,200). The load that
+ * they carry is left to the soft solver, which has friction. Chosen below TD_LOAD_CLOSING_MAX, from
+ * where on it would be a collision. It is 0 in a world with joints: a joint may pull a body with
+ * any force, so that a body that yields a little in each step would be pulled deep into what it
+ * rests on (a ball that a rod reels into the floor: by 24 mm in place of 2). */
 #define YIELD_AT_REST 0.1f
 
 /* The inputs of the wide kernels, with lengths in the caller's unit. */
@@ -87,8 +87,8 @@ static td_block *const *blocks_of(const thud_world *w, const td_run *run) {
     return (td_block **)w->scratch.blocks.data + run->first;
 }
 
-/* One pass over all contacts and arrivals; at how many points it was not enough, see
- * td_project_context. */
+/* One pass over all contacts and arrivals. Returns at how many points another pass is needed
+ * (td_project_context.enough, .closing). */
 static int project_once(thud_world *w, const td_project_context *context) {
     int unfinished = td_arrival_rows_project(w, context);
     for (int i = 0; i < w->scratch.runs.count; i++) {
@@ -108,8 +108,8 @@ int td_gaps_room(const thud_world *w) {
     return (int)(bytes / (size_t)w->scratch.impacts.stride) + 1;
 }
 
-/* Clamps motions as td_motion_held does: where a body under a contact spins fast, the projection
- * may give any motion. */
+/* Clamps motions to the bounds of td_motion_held: if a body in contact spins fast, the projection
+ * may give it a motion of any size. */
 static void clamp_motions(thud_world *w) {
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         float *delta = td_row(&w->delta, slot);
@@ -155,26 +155,27 @@ void td_gaps_find_open(thud_world *w) {
     }
 }
 
-/* What a body moves in a step by its velocity, or what it has yet to move in this one, which a
- * projection or an impact may have made different; x, y (lengths), angle (radians). Slot 0 is a
- * body at rest. */
-static double way_of(const thud_world *w, td_awake_slot slot, int k, bool by_velocity) {
+/* A component of the motion that the body's velocity would give in a whole step (`by_velocity`), or
+ * of the motion of its trajectory, which the projection or an impact may have changed. k: 0 and 1
+ * for x, y (lengths), 2 for the angle (radians). Slot 0 is at rest. */
+static double motion_of(const thud_world *w, td_awake_slot slot, int k, bool by_velocity) {
     if (by_velocity) {
         return (double)td_row(&w->velocity, slot)[k] * w->def.time_step;
     }
     return slot.at > 0 ? td_trajectory_at(w, slot)->motion[k] : 0.0;
 }
 
-/* Whether two bodies that touch rest on each other: no point of the one moves against the other by
- * the impact distance in a step, neither by their velocities nor by their motions in this step. */
+/* Whether two touching bodies rest on each other: no point of one moves relative to the other by as
+ * much as the impact distance in a step, neither by their velocities nor by their motions in this
+ * step. */
 static bool rests(const thud_world *w, td_awake_slot a, td_awake_slot b) {
     double most = (double)(TD_IMPACT_DISTANCE * w->length_scale);
     bool rest = true;
     for (int i = 0; i < 2; i++) {
-        double x = way_of(w, b, 0, i) - way_of(w, a, 0, i);
-        double y = way_of(w, b, 1, i) - way_of(w, a, 1, i);
-        double rims = td_abs(way_of(w, a, 2, i)) * (double)td_row(&w->reach, a)[1] +
-                      td_abs(way_of(w, b, 2, i)) * (double)td_row(&w->reach, b)[1];
+        double x = motion_of(w, b, 0, i) - motion_of(w, a, 0, i);
+        double y = motion_of(w, b, 1, i) - motion_of(w, a, 1, i);
+        double rims = td_abs(motion_of(w, a, 2, i)) * (double)td_row(&w->reach, a)[1] +
+                      td_abs(motion_of(w, b, 2, i)) * (double)td_row(&w->reach, b)[1];
         rest &= __builtin_sqrt(x * x + y * y) + rims < most;
     }
     return rest;
@@ -234,9 +235,10 @@ static relative_motion relative_motion_at(const thud_world *w, const td_contact 
                                  turn * max_extent};
 }
 
-/* With two points of one face, by how much the gap may shrink per length of sliding: where an edge
- * passes the ends of a face, it may be nearer to it beyond its points, and slides over the face. 0
- * where both points are at one place. */
+/* For a contact of two points on one face: the length by which the gap may shrink per length of
+ * sliding. The two points bound the edge that faces the face; if the edge is inclined and slides
+ * along, another point of it, which is nearer to the face, may come over it. 0 if both points are
+ * at one place. */
 static double edge_slope(const td_block *block, int lane) {
     const td_point *p = block->point;
     double width = td_abs((double)p[0].cross_b[lane] - (double)p[1].cross_b[lane]);
@@ -273,13 +275,13 @@ bool td_gap_stays_open(const thud_world *w, const td_contact *contact, double no
         double from = at_start + start.along + start.turn_b * cross_b - start.turn_a * cross_a;
         double to = at_start + end.along + end.turn_b * cross_b - end.turn_a * cross_a;
         present++;
-        /* A gap that seems to have shrunk by more than load allows: the shapes have moved past
-         * each other, and the row means nothing. */
+        /* If a gap seems to have shrunk by more than a load can cause, the shapes have moved past
+         * each other, and the row is no longer valid. */
         stays_open &= from >= at_start - TD_LOAD_CLOSING_MAX * unit;
         stays_open &= to - slack >= td_min_double((double)COLLISION_DISTANCE * unit,
                                                   from - TD_LOAD_CLOSING_MAX * unit);
     }
-    /* A point that is not there had a gap of more than TD_SPECULATIVE at the start of the step. */
+    /* A missing point means that its gap was above TD_SPECULATIVE at the start of the step. */
     if (present < points) {
         stays_open &=
             (double)(TD_SPECULATIVE * w->length_scale) + end.along - end.turn_reach - slack >=

@@ -1,13 +1,13 @@
-/* ghosts.c: see ghosts.h. A ghost remains one until one shape has come past a face of the other
- * that was between them: then the pair has another separating axis, and so another normal. Until
- * then the neighbours that hide the face meet the shape instead. */
+/* ghosts.c: see ghosts.h. A contact stays a ghost until one shape has moved past a face of the
+ * other that now separates them: then the pair has another separating axis, and so another normal.
+ * Until then the neighbours that hide the face meet the shape instead. */
 #include "detection/ghosts.h"
 
 #include "contact/internal_edges.h"
 #include "terrain/terrain.h"
 
-/* Least duration of a ghost, share of the rest of the step, so that the search goes on. Chosen, as
- * TIME_TOLERANCE of detect_bisect.c. */
+/* Minimum time for which a contact stays a ghost, as a share of the rest of the step, so that the
+ * search makes progress. Chosen, equal to TIME_TOLERANCE of detect_bisect.c. */
 #define GHOST_TIME_MIN 0x1p-20
 
 /* The part of a shape that has to come past a face: the centre of a circle, the whole of any other
@@ -38,9 +38,9 @@ static double time_past_face(const td_approach *p) {
     return first;
 }
 
-/* Whether a shape meets a terrain at a sealed end, which is a ghost. *part: the share of the
- * approach after which the shape may have come over the line; 2 where it is over it already and
- * the contact remains a ghost for the whole step. */
+/* Whether a shape meets a terrain at a sealed end (td_is_at_sealed_end), which is a ghost. *part:
+ * the share of the approach after which the shape may have come above the line; 2 if it is above it
+ * already, so that the contact stays a ghost for the whole step. */
 static bool is_end_ghost(const thud_world *w, const td_toi_candidate *e, const td_approach *p,
                          double *part) {
     thud_closest c;

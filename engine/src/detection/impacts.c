@@ -2,15 +2,15 @@
  * `bisect` or `swept` from impact to impact, in the order of time, and resolves each impact there
  * (Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996).
  *
- * Before the motion of the solver becomes poses, gaps.c takes out of it what moves touching shapes
- * into each other, together with pairs that would meet on bodies that touch others (arrivals.c).
- * The rest of this file runs after that. Each awake body has a trajectory, at first the motion that
- * the solver gave it. Pairs that may meet are candidates: contacts, whose fat bounds reach as far
- * as the bodies were expected to move; each body and the ground; and pairs with escaped shapes,
- * which leave those bounds. A queue has the time of impact of each candidate. The earliest is taken
- * out, both bodies are moved to that time, they get new velocities and trajectories (collide.c),
- * and the times of all their candidates are computed anew. At the end poses, motions and bounds of
- * changed bodies follow, and hit events are made.
+ * Before the motions that the solver found become poses, gaps.c corrects them so that touching
+ * shapes do not move into each other; it solves these contacts together with the arrivals
+ * (arrivals.c). The rest of this file runs after that. Each awake body has a trajectory, at first
+ * the motion that the solver gave it. Pairs that may meet are candidates: contacts, whose fat
+ * bounds reach as far as the bodies were expected to move; each body and the ground; and pairs with
+ * escaped shapes, which move out of their fat bounds within the step. A queue has the time of
+ * impact of each candidate. The earliest is taken out, both bodies are moved to that time, they get
+ * new velocities and trajectories (collide.c), and the times of all their candidates are computed
+ * anew. At the end poses, motions and bounds of changed bodies follow, and hit events are made.
  *
  * The work of a step is bounded: a body is held at its place for the rest of the step after
  * IMPACTS_MAX impacts, and at its next impact once TOI_BUDGET is spent (thud_stats.held_bodies).
@@ -39,13 +39,13 @@
 
 /* Impacts of a body in a step before it is held, and the same where the pair is elastic
  * (restitution 1), since a held body loses energy. Measured in the scene smash (size 300, 120
- * steps, swept): bodies lose 2.7 s in all by holds; with half of both numbers 4.8 s and 21 % fewer
- * times of impact, with twice both 1.7 s and 30 % more. */
+ * steps, swept): bodies are held for 2.7 s in all. With half of both numbers it is 4.8 s, with 21 %
+ * fewer computed times of impact; with twice both numbers 1.7 s, with 30 % more. */
 enum { IMPACTS_MAX = 8, ELASTIC_IMPACTS_MAX = 16 };
 
-/* Extra candidates for which memory is reserved, beside one for each body, and one for each body
- * and terrain. Chosen: any more are allocated within the step, and if that fails their bodies are
- * held. */
+/* Extra candidates for which memory is reserved, in addition to one for each body and one for each
+ * body and terrain. Chosen. Memory for more is allocated within the step; if that fails, their
+ * bodies are held. */
 enum { SPARE_CANDIDATES = 256 };
 
 /* Times of impact (thud_stats.motion_exact) that a step computes before a body is held at its next
@@ -58,8 +58,8 @@ enum { TOI_BUDGET = 8192, TOI_BUDGET_PER_BODY = 48 };
 
 /* ---- collisions ---- */
 
-/* Holds a body at its place, at trajectory.since, for the rest of the step. Its `fall` is
- * cancelled, and the velocity that it would give. */
+/* Holds a body at its present place (at trajectory.since) for the rest of the step. Cancels its
+ * `fall`, and the velocity that this would add. */
 static void hold_body(thud_world *w, td_trajectory *f) {
     if (!f->held) {
         double remaining = 1.0 - f->since, fall = 0.5 * remaining;
@@ -74,9 +74,9 @@ static void hold_body(thud_world *w, td_trajectory *f) {
     f->changed = true;
 }
 
-/* Removes from the velocity of a tied body (constraint/tied_bodies.h) what gravity and forces
- * gave it in the rest of the step, since it does not move there; as td_hold_at does. The
- * trajectory of a body in free flight has that part in its `fall`, which hold_body cancels. */
+/* Removes from the velocity of a tied body (constraint/tied_bodies.h) the part that gravity and
+ * forces give in the rest of the step, since the body does not move in it; td_hold_at does the
+ * same. For a body in free flight that part is in its `fall`, which hold_body cancels. */
 static void remove_remaining_gain(thud_world *w, td_awake_slot slot, const td_trajectory *f) {
     float *velocity = td_row(&w->velocity, slot);
     const float *substep_gain = td_row(&w->substep_gain, slot);
@@ -88,7 +88,7 @@ static void remove_remaining_gain(thud_world *w, td_awake_slot slot, const td_tr
 
 /* Holds a body, and all bodies that joints tie to it at the same time: if they moved on, the
  * joints would open. */
-static void hold_body_and_ring(thud_world *w, td_trajectory *f) {
+static void hold_tied_group(thud_world *w, td_trajectory *f) {
     td_awake_slot slot = td_body_at(w, f->body)->awake;
     if (td_is_tied(w, slot) && !f->held) {
         remove_remaining_gain(w, slot, f);
@@ -117,10 +117,10 @@ static bool is_tied(const thud_world *w, const td_toi_candidate *e) {
            td_is_tied(w, td_body_at(w, e->body[1])->awake);
 }
 
-/* Whether the prologue refuses the pair, or has decided its velocities; then the candidate is
- * marked and is not computed again in this step. It fills `settings` with the surface of the pair,
- * where it is seen to meet. The prologue is not called again for pairs that touched at the start of
- * the step, whose settings are in their lane, nor for arrivals. */
+/* Whether the prologue refuses the pair or has decided its velocities (*decided); the candidate is
+ * then marked, and its time is not computed again in this step. Sets *settings to the surface of
+ * the pair at the point of impact. The prologue has been called already for pairs that touched at
+ * the start of the step, whose settings are in their lane, and for arrivals. */
 static bool is_vetoed(thud_world *w, int number, const thud_contact *seen,
                       thud_contact_settings *settings, bool *decided) {
     *decided = false;
@@ -143,7 +143,7 @@ static bool is_vetoed(thud_world *w, int number, const thud_contact *seen,
     }
     *settings = td_surface_of_impact(w, seen);
     if (w->decisions) {
-        w->decisions->has_impact = false; /* that of an impact before */
+        w->decisions->has_impact = false; /* forgets the decision about an earlier impact */
     }
     bool meets = td_surface_meet(w, seen, settings);
     *decided = w->decisions && w->decisions->has_impact;
@@ -156,21 +156,22 @@ static bool is_vetoed(thud_world *w, int number, const thud_contact *seen,
     return veto;
 }
 
-/* Whether the step has computed its budget of times of impact; see TOI_BUDGET. */
+/* Whether the step has used up its budget of times of impact (TOI_BUDGET). */
 static bool is_over_budget(const thud_world *w) {
     return w->stats.motion_exact / TOI_BUDGET_PER_BODY >
            TOI_BUDGET / TOI_BUDGET_PER_BODY + w->body_of.count;
 }
 
-/* Computes the time of a candidate anew that was stopped before it met: the test of its path goes
- * by the chord, and stops early where the arc may be nearer; from here on less of the arc is left.
- * The stop counts as an impact of both bodies, so that their number is bounded. */
+/* Computes the time of a candidate anew whose time came out too early, so that its shapes do not
+ * meet yet. The test follows the chord of a path, and stops early where the arc may be nearer than
+ * the chord; the rest of the arc deviates less from its chord. The stop counts as an impact of both
+ * bodies, which bounds the number of such tests. */
 static void requeue_early_stop(thud_world *w, int number, td_trajectory *const trajectories[2]) {
     for (int side = 0; side < 2; side++) {
         td_trajectory *f = trajectories[side];
         if (f && td_body_at(w, f->body)->kind == THUD_BODY_DYNAMIC &&
             (++f->impacts > IMPACTS_MAX || is_over_budget(w))) {
-            hold_body_and_ring(w, f);
+            hold_tied_group(w, f);
             td_toi_queue_update_body(w, f);
         }
     }
@@ -220,7 +221,7 @@ static void resolve_candidate(thud_world *w, int number, double time) {
         if (f && td_body_at(w, f->body)->kind == THUD_BODY_DYNAMIC && !impact.kept_motion[side] &&
             (next_step || f->impacts > impacts_max || is_over_budget(w) ||
              !td_toi_candidates_find(w, f))) {
-            hold_body_and_ring(w, f);
+            hold_tied_group(w, f);
         }
     }
     w->stats.impacts++;
@@ -322,7 +323,8 @@ static void hit_events(thud_world *w) {
 
 /* Reserves all memory that the stage uses; see td_detection_stage. */
 static bool reserve(thud_world *w) {
-    /* Each impact has a body that is not held yet, and is counted for it. */
+    /* Upper bound: each impact is counted for at least one body that is not held yet, and a body is
+     * held after so many. */
     int awake = w->body_of.count;
     int impacts_max = (ELASTIC_IMPACTS_MAX + 1) * awake + td_arrivals_max(w);
     int extras = awake * (w->terrains.live + 1) + SPARE_CANDIDATES;
@@ -345,8 +347,8 @@ static bool reserve(thud_world *w) {
            td_event_queue_reserve(&w->memory, &w->scratch.queue, w->constraints.count + extras);
 }
 
-/* Before the solver: ties bodies of joints into groups, saves velocities, and mutes the contacts
- * that bounce on the way (solver/bounces.h). */
+/* Before the solver: finds the groups of tied bodies, saves velocities, and takes the contacts that
+ * bounce within the step out of the soft solver (solver/bounces.h). */
 static void run_before_solving(thud_world *w) {
     if (w->joint_hooks) {
         w->joint_hooks->tie(w);
@@ -355,8 +357,8 @@ static void run_before_solving(thud_world *w) {
     td_bounces_take(w);
 }
 
-/* Counts the touching contacts of each body, and forgets which pairs that do not touch were refused
- * in the step before. */
+/* Counts the touching contacts of each body, and clears the veto marks that pairs without a
+ * touching contact got in the step before. */
 static void visit_contacts(thud_world *w) {
     for (int i = 0; i < w->constraints.count; i++) {
         td_constraint *contact = td_constraint_at(w, i);
@@ -372,8 +374,8 @@ static void visit_contacts(thud_world *w) {
     }
 }
 
-/* After the solver: removes motion of touching shapes into each other (gaps.c), with that of pairs
- * that arrive (arrivals.c), and sets the paths of bodies in free flight. */
+/* After the solver: corrects motions of touching shapes into each other, together with those of
+ * arrivals (gaps.c, arrivals.c), and sets the paths of bodies in free flight. */
 static void run_before_moving(thud_world *w) {
     w->scratch.arrivals.count = 0;
     visit_contacts(w);

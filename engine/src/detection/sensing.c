@@ -2,9 +2,9 @@
  *
  * The path of a body in the step is a chain of legs, each straight or a parabola: impacts.c and
  * continuous.c append a leg for each body whose path they change, where there are sensors. A body
- * without legs moved straight. Two shapes are tested on each interval in which neither changes its
- * leg: forward in time for when they begin to overlap, and backward for when they end to, by time
- * of impact (geometry/toi.c). */
+ * without legs moved straight. Two shapes are tested in each interval in which both stay on one
+ * leg, by time of impact (geometry/toi.c): forward in time for the begin of an overlap, and
+ * backward in time for its end. */
 #include "detection/sensing.h"
 
 #include "base/rotation.h"
@@ -22,8 +22,8 @@ static int first_leg(const thud_world *w, td_awake_slot slot) {
     return slot.at > 0 && slot.at < first->count ? td_int_at(first, slot.at) : TD_NONE;
 }
 
-/* The leg on which the body is at `time` and from then on; null where its path has no legs, or it
- * remains where its last leg ended. */
+/* The leg on which the body is from `time` on; null if its path has no legs, or if it has reached
+ * the end of its last leg and stays there. */
 static const td_leg *leg_at(const thud_world *w, td_awake_slot slot, double time) {
     int i = first_leg(w, slot);
     while (i != TD_NONE && TD_AT(td_leg, &w->scratch.legs, i)->end <= time) {
@@ -32,8 +32,8 @@ static const td_leg *leg_at(const thud_world *w, td_awake_slot slot, double time
     return i == TD_NONE ? NULL : TD_AT(td_leg, &w->scratch.legs, i);
 }
 
-/* The trajectory on which the body is at `time`: of its leg, at rest after the last one, or
- * straight through the step. */
+/* The trajectory on which the body is at `time`: that of its leg; at rest after its last leg; or
+ * straight through the step if it has no legs. */
 static td_trajectory trajectory_at(const thud_world *w, td_body_index body, double time) {
     td_awake_slot slot = td_body_at(w, body)->awake;
     const td_leg *leg = leg_at(w, slot, time);
@@ -59,10 +59,11 @@ static double leg_end_at(const thud_world *w, td_body_index body, double time) {
     return leg ? leg->end : 1.0;
 }
 
-/* A shape and its motion on a part of a leg; backward in time where that ends before it begins. */
+/* A shape and its motion between two times on one leg. The second time may be earlier than the
+ * first; the motion is then that backward in time. */
 typedef struct moving_shape {
     thud_geometry at;   /* at the first time */
-    thud_motion motion; /* to the second time */
+    thud_motion motion; /* motion from the first time to the second */
 } moving_shape;
 
 /* A shape from time `from` to time `to`, relative to `origin`. */
@@ -86,7 +87,7 @@ typedef struct shape_pair {
     td_position origin;
 } shape_pair;
 
-/* The pair with a terrain, if it is one, as the first shape. */
+/* The pair of two shapes, in the order in which a terrain comes first. */
 static shape_pair shape_pair_of(const thud_world *w, int a, int b) {
     bool second = td_kind_is_line(td_shape_at(w, b)->kind);
     shape_pair c = {.a = second ? b : a, .b = second ? a : b};
@@ -95,8 +96,8 @@ static shape_pair shape_pair_of(const thud_world *w, int a, int b) {
     return c;
 }
 
-/* Whether the pair comes to overlap from time `from` to time `to`, in which no leg ends; *time is
- * the share, in [0, 1], of that interval. */
+/* Whether the pair overlaps at some time between `from` and `to`, between which no leg ends. *time:
+ * when it first does so, as a share in [0, 1] of the interval. */
 static bool first_overlap(const thud_world *w, const shape_pair *c, double from, double to,
                           double *time) {
     bool hit = false;
@@ -205,8 +206,8 @@ static double path_reach(const thud_world *w, td_awake_slot slot) {
     return distance_max / w->to_fixed + (double)td_row(&w->reach, slot)[1];
 }
 
-/* Tests a pair with a shape of the set of resting ones. Its body may have been woken by the
- * narrowphase since that set was made, and is then left to sensing_awake.c. */
+/* Tests a pair with a shape of the set of resting shapes. If the narrowphase has woken the shape's
+ * body since the set was built, the pair is left to sensing_awake.c. */
 static void test_resting(thud_world *w, int shape, int other) {
     if (other != TD_NONE && td_body_at(w, td_shape_at(w, other)->body)->awake.at <= 0) {
         td_sensing_test_pair(w, shape, other);
@@ -247,8 +248,8 @@ static void test_all_resting(thud_world *w, td_awake_slot slot) {
 }
 
 /* Links the legs of each body, which were appended in the order of time. If continuous.c held a
- * body and impacts.c then moved it on the path that was left, both made legs of the same times,
- * and those of impacts.c count. */
+ * body, and impacts.c then moved it along the path that was left, both made legs for the same
+ * times; those of impacts.c count. */
 static void link_legs(thud_world *w) {
     td_array *first = &w->scratch.first_legs;
     first->count = w->body_of.count;
@@ -266,7 +267,8 @@ static void link_legs(thud_world *w) {
     }
 }
 
-/* A query reserves room as if each shape of the ranges that it scans were found. */
+/* scratch.ahead gets room for the hits of a query, which reserves room as if every shape of the
+ * ranges that it scans were a hit. */
 bool td_sensing_reserve(thud_world *w) {
     return td_array_reserve(&w->memory, &w->scratch.first_legs, w->body_of.count) &&
            td_array_reserve(&w->memory, &w->scratch.legs, w->body_of.count) &&

@@ -8,14 +8,13 @@
 
 /* Reserves memory for a step; false: out of memory. */
 bool td_sensing_reserve(thud_world *w);
-/* Appends a leg to the path of each body that continuous.c held: at the velocity that it had, from
- * the start of the step to the time at which it stopped, as all holds of the body together leave
- * it. */
+/* Appends a leg to the path of each body that continuous.c held: from the start of the step to the
+ * time at which the body stopped after all its holds, at the velocity that it had. */
 void td_sensing_note_held(thud_world *w);
-/* Reports pairs that began and ended to overlap within the step, of fast bodies. */
+/* Reports pairs of fast bodies and sensors whose overlap began and ended within the step. */
 void td_sensing_find_passed(thud_world *w);
-/* The time in the step, in [0, 1], at which the shapes began to overlap, or ended to; 1 where the
- * detection of the pair does not test its paths. */
+/* The time in the step, in [0, 1], at which the overlap of the shapes began (`begins`) or ended; 1
+ * if the detection of the pair does not test its paths. */
 float td_sensing_time(const thud_world *w, int shape_a, int shape_b, bool begins);
 /* sensing_awake.c: reports the pairs of a fast body with awake bodies. */
 void td_sensing_test_awake(thud_world *w, td_awake_slot slot);

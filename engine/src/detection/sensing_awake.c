@@ -5,8 +5,8 @@
 #include "state/body.h"
 #include "state/shape.h"
 
-/* Whether two bodies with straight paths are too far apart to have met in the step; bodies with
- * several legs are not told apart. */
+/* Whether two bodies with straight paths are too far apart to have met in the step. False for
+ * bodies with several legs. */
 static bool are_apart(const thud_world *w, td_awake_slot a, td_awake_slot b) {
     if (!td_sensing_is_straight(w, a) || !td_sensing_is_straight(w, b)) {
         return false;
@@ -22,8 +22,8 @@ static bool are_apart(const thud_world *w, td_awake_slot a, td_awake_slot b) {
     return x * x + y * y > reach * reach;
 }
 
-/* Tests all shapes of two bodies. Of two fast bodies only the call with `slot` the lower one does.
- */
+/* Tests all pairs of shapes of two bodies. If both are fast, the function is called for both
+ * orders, and only the call with the lower slot first tests them. */
 static void test_bodies(thud_world *w, td_awake_slot slot, td_awake_slot other) {
     if (other.at == slot.at || (other.at < slot.at && td_sensing_is_fast(w, other)) ||
         are_apart(w, slot, other)) {

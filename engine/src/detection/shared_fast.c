@@ -1,7 +1,8 @@
-/* shared_fast.c: the search for what fast bodies may meet, by workers, each of which takes
- * TD_SHARE_FAST bodies at a time. Most bodies meet nothing. The others are swept by the calling
- * thread, in their order, since a body that is stopped changes others that joints tie to it. Such a
- * change only shortens motions, so that what meets nothing without it meets nothing with it. */
+/* shared_fast.c: the search for shapes near the paths of fast bodies, by workers, each of which
+ * takes TD_SHARE_FAST bodies at a time. Most fast bodies have no shape near. The bodies that have
+ * one are swept by the calling thread in order, since stopping a body also stops the bodies that
+ * joints tie to it. Stops only shorten motions, so that a body without a shape near its path needs
+ * no second search. */
 #include "detection/detection.h"
 #include "state/jobs.h"
 #include "state/shared_stages.h"
@@ -10,10 +11,11 @@
  * woken. Chosen; not tuned. */
 enum { SHARED_FAST_MIN = 1024 };
 
-/* Shapes that a query of one body may find: as many ints of a worker's stack. Chosen. */
+/* Room for the hits of a query on a worker's stack, ints. A body with more hits counts as having a
+ * shape near. Chosen. */
 enum { HITS_OF_BODY = 256 };
 
-/* What the workers share. */
+/* The argument of all workers. */
 typedef struct sifting {
     thud_world *w;
     td_job job;
@@ -27,7 +29,7 @@ static td_fast_share *share_at(const thud_world *w, int index) {
     return &TD_AT(td_share, &w->scratch.shares, index)->fast;
 }
 
-/* Looks at one share of the bodies (a td_chunk_fn). */
+/* Searches for one share of the bodies (a td_chunk_fn). */
 static void sift_share(void *work, int index) {
     thud_world *w = ((const sifting *)work)->w;
     td_fast_share *share = share_at(w, index);
@@ -52,7 +54,8 @@ static void sift_as_worker(void *argument) {
     td_worker_walk(&worker, share_count(s->w), sift_share, s);
 }
 
-/* Without memory for what is found all bodies stay listed. */
+/* Removes the bodies without a shape near from scratch.fast. If memory for the results is short,
+ * all bodies stay in the list. */
 void td_shared_sift_fast(thud_world *w) {
     int shares = share_count(w);
     if (w->def.job_system.workers <= 1 || w->scratch.fast.count < SHARED_FAST_MIN ||

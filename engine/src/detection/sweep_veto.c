@@ -31,9 +31,9 @@ static thud_contact contact_view(const thud_world *w, const td_swept *swept, int
                               c.distance);
 }
 
-/* For pairs that touched at the start of the step the prologue has been called already; the flag of
- * their contacts tells. A callback may create bodies and make queries, so that pointers into arrays
- * of the world are invalid afterwards. */
+/* For a pair that touched at the start of the step the prologue has been called already, and
+ * td_contact.vetoed has its answer. A callback may create bodies and make queries, so that pointers
+ * into arrays of the world are invalid afterwards. */
 bool td_sweep_is_vetoed(thud_world *w, const td_swept *swept, int shape, int other, double time) {
     bool asked = false, vetoed = true;
     td_body_index body = td_shape_at(w, shape)->body;

@@ -1,5 +1,6 @@
-/* toi_candidates.c: see toi_candidates.h. Pairs whose bounds overlapped at the start of the step
- * have a contact already; a pair is added if its bounds did not, while those of the path do. */
+/* toi_candidates.c: see toi_candidates.h. A pair whose fat bounds overlapped at the start of the
+ * step has a contact, and is a candidate already. An extra candidate is added if these bounds did
+ * not overlap, but the bounds of the escaped shape's path overlap those of the other shape. */
 #include "detection/toi_candidates.h"
 
 #include "contact/contact.h"
@@ -7,7 +8,7 @@
 #include "state/body.h"
 #include "state/shape.h"
 
-/* Whether the pair is an extra candidate already: of two escaped shapes each may find the other. */
+/* Whether the pair is an extra candidate already: two escaped shapes may find each other. */
 static bool is_listed(const thud_world *w, int shape_a, int shape_b) {
     td_awake_slot slot = td_body_at(w, td_shape_at(w, shape_b)->body)->awake;
     int e = slot.at > 0 ? td_trajectory_at(w, slot)->extras : TD_NONE;
@@ -80,8 +81,8 @@ static bool contains(const td_far_bounds *outer, const td_far_bounds *inner) {
            outer->min_y <= inner->min_y && inner->max_y <= outer->max_y;
 }
 
-/* Whether a query of the broadphase works with the bounds: 2^30 quanta, and those of any shape,
- * are less than half the period of 2^32. */
+/* Whether the bounds are small enough for a query of the broadphase: 2^30 quanta plus the bounds of
+ * any shape are less than half of 2^32, after which bounds wrap around. */
 static bool fits(const td_far_bounds *b) {
     return td_max_double(b->max_x - b->min_x, b->max_y - b->min_y) < 0x1p30;
 }
@@ -176,9 +177,9 @@ static bool add_found(thud_world *w, const td_escaped_shape *s) {
     return true;
 }
 
-/* Adds candidates for the escaped shapes of other bodies, which the broadphase has at their old
- * places. One body of the pair at least finds times of impact by its own detection. */
-static bool add_strays(thud_world *w, const td_escaped_shape *s) {
+/* Adds candidates with the escaped shapes of other bodies, which the broadphase only knows at their
+ * old places. At least one body of the pair must have a detection that finds times of impact. */
+static bool add_escaped_pairs(thud_world *w, const td_escaped_shape *s) {
     const td_array *escaped = &w->scratch.escaped;
     for (int i = 0; i < escaped->count; i++) {
         const td_escaped_shape *other = TD_AT(td_escaped_shape, escaped, i);
@@ -193,7 +194,7 @@ static bool add_strays(thud_world *w, const td_escaped_shape *s) {
 
 /* Adds an escaped shape to scratch.escaped and to its body, or updates the path of one that is
  * there. False when memory is short. */
-static bool add_stray_record(thud_world *w, td_trajectory *f, const td_escaped_shape *s) {
+static bool record_escaped_shape(thud_world *w, td_trajectory *f, const td_escaped_shape *s) {
     td_array *escaped = &w->scratch.escaped;
     int i = f->escaped;
     while (i != TD_NONE && TD_AT(td_escaped_shape, escaped, i)->shape != s->shape) {
@@ -222,7 +223,7 @@ bool td_toi_candidates_find(thud_world *w, td_trajectory *f) {
         w->scratch.found_shapes.count = 0;
         if (!append_overlapping(w, &w->awake_shapes, &s.ahead, f->place) ||
             !append_overlapping(w, &w->rest_shapes, &s.ahead, f->place) || !add_found(w, &s) ||
-            !add_strays(w, &s) || !add_stray_record(w, f, &s)) {
+            !add_escaped_pairs(w, &s) || !record_escaped_shape(w, f, &s)) {
             return false;
         }
     }

@@ -9,9 +9,9 @@
 
 /* Adds a candidate for each terrain that the whole path of the body may come down to. */
 bool td_toi_candidates_find_terrain(thud_world *w, const td_trajectory *trajectory);
-/* Queries the broadphase for each shape of the body that leaves its bounds on the rest of its
- * path, and adds candidates with what it may meet there, escaped shapes of other bodies among them.
- */
+/* For each shape of the body that leaves its fat bounds on the rest of its path: queries the
+ * broadphase, and adds candidates with the shapes that it may meet there, including escaped shapes
+ * of other bodies. */
 bool td_toi_candidates_find(thud_world *w, td_trajectory *trajectory);
 /* Whether the solver's motion may have taken one of the body's shapes out of its fat bounds. */
 bool td_trajectory_leaves_bounds(const thud_world *w, const td_trajectory *trajectory);

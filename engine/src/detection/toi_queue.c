@@ -16,10 +16,10 @@
 #define TOUCHING_DISTANCE 0.01
 #define CLOSING_MIN 0.01
 
-/* Ghosts of a pair in one test; a pair that meets more of them is not queued. Chosen: each face
- * that separates two boxes, of which they have 8, is one ghost; turning boxes take more, since the
- * time at which they pass a face is only bounded from below. The scene platformer is the same with
- * 4. */
+/* Maximum number of ghosts (ghosts.h) that are skipped in one test of a pair; a pair that meets
+ * more is not queued. Chosen: two boxes have 8 faces, each of which can give one ghost; rotating
+ * boxes may give more, since the time at which they pass a face is only bounded from below. With 4
+ * the scene platformer runs the same. */
 enum { GHOSTS_MAX = 16 };
 
 /* The later of two times. */
@@ -28,8 +28,8 @@ static double max_time(double a, double b) {
 }
 
 /* Whether joints tie one of the bodies to others, so that the pair is left to the solver once it
- * touches, as in td_gap_is_left_to_solver: if a body of a vehicle were held where it touches, the
- * vehicle would stand still as long as a wheel does. */
+ * touches, as in td_gap_is_left_to_solver. If such a body were held at its contact, all bodies tied
+ * to it would be held: a vehicle would stop whenever a wheel touches the ground. */
 static bool is_tied(const thud_world *w, const td_toi_candidate *e) {
     return td_is_tied(w, td_body_at(w, e->body[0])->awake) ||
            td_is_tied(w, td_body_at(w, e->body[1])->awake);
@@ -65,8 +65,8 @@ static bool next_check(thud_world *w, const td_toi_candidate *e, const thud_dete
     if (now >= 1.0 || !td_toi_candidate_approach(w, e, now, 1.0, &approach)) {
         return false;
     }
-    /* Where the error of the straight path may exceed half the present distance, only a part of
-     * the path is tested, in which it does not: it grows with the square of the time. */
+    /* If the error of the straight path may exceed half the present distance, only a first part of
+     * the path is tested, in which it does not; the error grows with the square of the time. */
     double until = 1.0, apart = max_time(approach.distance, TOUCHING_DISTANCE * unit);
     if (approach.path_error > 0.5 * apart) {
         until = now + (1.0 - now) * __builtin_sqrt(0.5 * apart / approach.path_error);
@@ -75,13 +75,14 @@ static bool next_check(thud_world *w, const td_toi_candidate *e, const thud_dete
             return true;
         }
     }
-    /* A tenth of the target. Chosen: turning shapes may stop so early, which saves advancement
-     * steps. */
+    /* A tenth of the target. Chosen: with this tolerance, conservative advancement of rotating
+     * shapes ends after fewer iterations. */
     approach.tolerance = 0.1 * approach.target;
     if (approach.target <= TOUCHING_DISTANCE * unit) {
-        /* The shapes touch. On a terrain they meet now if they close. Two shapes meet where they
-         * are nearer by a margin: what load may do, where they overlapped before any impact of the
-         * step, else CLOSING_MIN. */
+        /* The shapes touch. A shape on a terrain meets it now if the two close. Two other shapes
+         * meet when they are nearer than now by a margin: TD_LOAD_CLOSING_MAX if they overlap and
+         * had no impact in this step, since a load may press them together that far; else
+         * CLOSING_MIN. */
         if (approach.on_ground) {
             *hit = !is_tied(w, e) && closes(w, e, now);
             *time = *hit ? now : until;
@@ -99,9 +100,9 @@ static bool next_check(thud_world *w, const td_toi_candidate *e, const thud_dete
     return *hit || until < 1.0;
 }
 
-/* Whether the second body of a candidate, whose first shape is a terrain, touches something, and no
- * point of it goes further in what is left of the step than load may press it: its contacts hold
- * it, as in td_gap_is_left_to_solver. */
+/* For a candidate with a terrain: whether its body touches something, and none of its points moves
+ * further in the rest of the step than a load may press it (TD_LOAD_CLOSING_MAX). Its contacts are
+ * then left to the solver, as in td_gap_is_left_to_solver. */
 static bool stays_on_ground(const thud_world *w, const td_toi_candidate *e) {
     const td_body *body = td_body_at(w, e->body[1]);
     if (td_shape_at(w, e->shape[0])->kind != THUD_SHAPE_TERRAIN || body->awake.at <= 0) {
@@ -132,8 +133,8 @@ bool td_toi_queue_meeting_time(thud_world *w, const td_toi_candidate *e, double 
     return false;
 }
 
-/* Whether it is a touching contact whose gap surely stays open, or which is left to the solver, so
- * that it is not queued. */
+/* Whether the candidate is a touching contact that needs no time of impact: its gap provably stays
+ * open, or it is left to the solver. */
 static bool contact_stays_open(const thud_world *w, int number) {
     if (number >= w->constraints.count || td_contact_at(w, number)->state != TD_TOUCHING) {
         return false;

@@ -22,7 +22,7 @@ void td_trajectory_begin(thud_world *w, td_awake_slot slot, bool moved) {
     const td_pose *pose = td_pose_at(w, index);
     const float *delta = td_row(&w->delta, slot);
     td_trajectory f = *td_trajectory_at(w, slot);
-    /* A body was quarantined since, and this one was moved into its slot. */
+    /* The slot had another body, which was quarantined; this body was moved into it. */
     if (!td_same_body(f.body, index)) {
         f = (td_trajectory){.body = index};
     }
@@ -281,8 +281,8 @@ bool td_toi_candidate_has_internal_edges(const thud_world *w, const td_toi_candi
            td_shape_at(w, e->shape[1])->internal_edges;
 }
 
-/* Whether the pair stays apart along the present normal c->n: the relative motion along it, and at
- * most the arcs of the furthest corners, leave more than the target. */
+/* Whether the pair stays apart along the present normal (c->nx, c->ny): the distance, less the
+ * relative motion along the normal and the arcs of the furthest corners, is above the target. */
 static bool normal_separates(const td_approach *p, const thud_closest *c) {
     double x = p->motion_b.dx - p->motion_a.dx, y = p->motion_b.dy - p->motion_a.dy;
     double turn =
@@ -290,8 +290,8 @@ static bool normal_separates(const td_approach *p, const thud_closest *c) {
     return c->distance + td_min_double(c->nx * x + c->ny * y, 0.0) - turn > p->target;
 }
 
-/* The distance of both shapes, and their closest points. Where they overlap along a normal that an
- * internal edge forbids (a ghost), the overlap along an allowed normal counts. */
+/* The distance of both shapes, and their closest points. If they overlap and the normal belongs to
+ * an internal edge (a ghost), the overlap along an allowed normal is returned. */
 static double allowed_distance(thud_world *w, const td_toi_candidate *e, const td_approach *p,
                                thud_closest *closest) {
     td_internal_edge_contact contact;
@@ -343,7 +343,8 @@ bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double 
         }
         w->stats.motion_circles++;
         w->stats.motion_boxes++;
-        /* Beyond twice the target the exact distance does not matter: any greater one will do. */
+        /* Contacts are searched only within twice the target. If there is none, p->distance is set
+         * to a greater value: callers only use it to see that it is above the target. */
         thud_contacts near;
         thud_terrain_contacts(&p->ground, &p->a, 2.0 * target, &near);
         p->path_error = target - (double)(TD_IMPACT_DISTANCE * w->length_scale);
@@ -383,9 +384,9 @@ static void move_ghost_contacts(thud_world *w, const td_toi_candidate *e, const 
     }
 }
 
-/* Sine of an angle, and share of the extent: normals and places that differ by less from those of
- * the ground are the same. Chosen, above single precision (6e-8) and the same as in
- * internal_edges.c. */
+/* Tolerance of normals (sine of an angle) and of places (share of the extent): smaller differences
+ * from the ground's count as none. Chosen, above the rounding of single precision (6e-8), and equal
+ * to FACE_SINE_MAX of internal_edges.c. */
 #define NORMAL_TOLERANCE 1e-5
 
 bool td_is_at_sealed_end(const thud_world *w, int line, const thud_terrain *ground,

@@ -15,10 +15,10 @@
 #include "state/world.h"
 
 /* In multiples of TD_IMPACT_DISTANCE: how much nearer to each other touching shapes may come in a
- * step before it is a collision. The contact solver is soft, so that a load presses shapes
- * together; up to this much it is left to that solver. Chosen: at half and twice of it the times of
- * impact in the scene smash change by 3 %. thud_detection.h promises at most 0.00035 length scales
- * a step from all causes (tests/guarantees/passing.c). */
+ * step before it is a collision. The soft solver lets a load press shapes together; a closing of up
+ * to this much is left to it. Chosen: at half and twice of it the times of impact in the scene
+ * smash change by 3 %. thud_detection.h promises at most 0.00035 length scales a step from all
+ * causes (tests/guarantees/passing.c). */
 #define TD_LOAD_CLOSING_MAX 0.15
 
 /* The path of an awake body from `since` to the end of the step. */
@@ -35,12 +35,14 @@ typedef struct td_trajectory {
     double fall[2];   /* change of `motion` by gravity and forces in a whole step, lengths; 0 unless
                          in free flight */
     bool free;      /* only gravity and forces acted on the body: its motion follows its velocity */
-    bool deflected; /* the body was stopped by one that keeps its motion (collide.c) */
+    bool deflected; /* it has taken the change of motion for both bodies of an impact
+                       (remove_remaining_gain, collide.c) */
     int32_t contact_count; /* touching contacts of the body at the start of the step */
     bool borne;            /* contacts carry the body: solver/bounces.c */
     bool changed;          /* its path differs from the one that td_finalize took */
     bool held;             /* it stays at its place until the end of the step */
-    bool ring_held;        /* so do all bodies that joints tie to it: constraint/tied_bodies.h */
+    bool ring_held;        /* all bodies that joints tie to it are held as well
+                              (constraint/tied_bodies.h) */
     int32_t escaped;       /* first of its shapes in scratch.escaped, or TD_NONE */
 } td_trajectory;
 
@@ -79,15 +81,16 @@ typedef struct td_toi_candidate {
     bool vetoed;     /* the prologue refused the pair in this step */
 } td_toi_candidate;
 
-/* The extra candidate of an edge. */
+/* The index in scratch.extra_candidates of the extra candidate that an edge belongs to; edges are
+ * numbered candidate * 2 + side. */
 static inline int td_edge_candidate(int edge) {
     return edge / 2;
 }
 
 /* Upper bound of the turn of a body in a step, radians. With the bound of its motion,
  * THUD_PLACE_MAX length scales, it keeps places in the range of 64 bits and angles in that of
- * td_round64. Impulses of spinning or unbounded drives may give any speed. Not-a-number stays what
- * it is. */
+ * td_round64. Without the bound, impulses of motors and springs without a maximum force could give
+ * any speed. Not-a-number is not changed. */
 #define TD_MOTION_TURN_MAX 1e9
 
 /* Clamps a motion in a step: x and y (axes 0, 1) in lengths, the angle (axis 2) in radians. */
@@ -112,8 +115,8 @@ static inline double td_gain_clamped(const thud_world *w, int axis, double gain)
 }
 
 /* The velocity of a body that is held at its place without what gravity and forces gave it in the
- * rest of the step. It may be at the bound already, where an impulse acted against that gain, and
- * is clamped again. */
+ * rest of the step. The velocity may be at its bound already because an impulse acted against that
+ * gain, so that the result is clamped again. */
 static inline float td_velocity_without_gain(const thud_world *w, int axis, float velocity,
                                              double gain) {
     double max = td_speed_max(w, axis);
@@ -137,14 +140,14 @@ const thud_detection *td_detection_of(const thud_world *w, td_body_index body_a,
                                       td_body_index body_b);
 
 /* Sets a trajectory to the motion of the step that the solver gave the body, from the start of the
- * step. `moved`: the pose is that of the end already. Of the one before, `before`, `fall`, `free`
- * and `contact_count` are kept. */
+ * step. `moved`: the pose is that of the end already. The fields `before`, `fall`, `free` and
+ * `contact_count` keep their values. */
 void td_trajectory_begin(thud_world *w, td_awake_slot slot, bool moved);
 /* A copy of the trajectory of any body. A body that is not awake has a trajectory without motion.
  */
 td_trajectory td_trajectory_of(const thud_world *w, td_body_index body);
 /* Appends the piece of a path from its `since` to `end` to scratch.legs, if the world has sensors.
- * Where memory is short it is not kept, and sensors take the path as straight. */
+ * If memory is short, the piece is lost, and sensors take the path as straight. */
 void td_leg_note(thud_world *w, const td_trajectory *trajectory, double end);
 
 /* The pose of an awake body at the start of the step, from that at the end and the motion. */
@@ -189,7 +192,7 @@ bool td_toi_candidate_is_far(thud_world *w, const td_toi_candidate *e);
 bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double now, double until,
                                td_approach *approach);
 
-/* Only the shapes at `now` and their motions until `until`. */
+/* Sets only the shapes of the approach at `now`, and their motions until `until`. */
 void td_toi_candidate_motions(const thud_world *w, const td_toi_candidate *e, double now,
                               double until, td_approach *approach);
 /* Whether one of the shapes has internal edges, so that contacts may be ghosts: see

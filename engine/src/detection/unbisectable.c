@@ -7,9 +7,9 @@
 #include "state/shape.h"
 
 /* The greatest distance from the centre of mass of a point that moves as the body turns; a circle
- * about it does not move. 0 if that is at most min_extent plus half of `thickness`, that of the
- * thinnest shape: as in thud_geometry_is_bisectable, such a turn takes no corner through the middle
- * of another shape. */
+ * about it does not move. 0 if that distance is at most min_extent plus half of `thickness`, the
+ * thickness of the thinnest shape: then no rotation takes a corner through the middle of another
+ * shape, as in thud_geometry_is_bisectable. */
 static double turning_reach(const thud_world *w, const td_body *body, double thickness) {
     double reach = 0.0;
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {

@@ -5,9 +5,9 @@
 
 #include "state/world.h"
 
-/* Whether an awake body moved further than the thinnest shape of the world is thick, so that it
- * may have passed through a shape without overlap at the end of the step. Only in a world with
- * bisected bodies, and not of dynamic bodies with a detection above it. */
+/* Whether an awake body moved further than the thinnest shape of the world is thick, so that it may
+ * have passed through a shape without overlap at the end of the step. False in a world without
+ * bisected bodies, and for dynamic bodies whose detection is finer than `bisect`. */
 bool td_is_unbisectable(thud_world *w, td_awake_slot slot);
 
 #endif

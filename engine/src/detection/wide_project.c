@@ -27,9 +27,9 @@ TD_INLINE void apply_sums(float (*records)[4], const td_block *block, int points
 }
 
 /* The changes of the impulses of a block's points, and their new sums in `applied`, which stay >=
- * 0. `shortfall` is what the points lack, a length or speed. The second point is corrected after
- * the first, with `coupled` what a unit of impulse at the first changes there. Lanes that are not
- * `active` do not change. */
+ * 0. `shortfall` is the length or speed that is missing at each point. The second point is
+ * corrected after the first; `coupled` is the change there by a unit of impulse at the first point.
+ * Lanes that are not `active` do not change. */
 TD_INLINE void point_changes(const td_block *block, int points, float over_relaxation, f8 coupled,
                              const f8 *shortfall, const i8 *active, f8 *applied, f8 *change) {
     for (int k = 0; k < points; k++) {
@@ -57,7 +57,8 @@ TD_INLINE i8 both_rest(const sides *d, bool a_static, float most) {
     return a_static ? rest : rest & (d->a.x * d->a.x + d->a.y * d->a.y < square);
 }
 
-/* td_project_fn for a number of points and a kind of side a that are known when compiling. */
+/* td_project_fn, specialised at compile time for a number of points and for side a static or not.
+ */
 TD_INLINE int project(td_block *const *blocks, td_pushes *pushes, int count, int points,
                       bool a_static, const td_project_context *c) {
     f8 zero = f8_all(0.0f), skin = f8_all(c->skin), target_distance = f8_all(c->target_distance);
@@ -131,8 +132,8 @@ TD_INLINE f8 edge_slope(const td_block *block) {
 }
 
 /* See td_find_open_fn. `slack` bounds the error of the rows, as row_error and slide in gaps.c. A
- * point that is not there has a gap of at least `margin` at the start of the step, less what the
- * motion along the normal and the turns take of it. */
+ * missing point had a gap of at least `margin` at the start of the step; the motion along the
+ * normal and the rotations may have reduced it. */
 td_find_open_fn TD_WIDE(td_find_open_points);
 void TD_WIDE(td_find_open_points)(td_block *const *blocks, int count, int points, bool turns,
                                   const td_project_context *c) {

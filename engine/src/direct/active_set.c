@@ -25,7 +25,7 @@
 #define PENALTY 1e5
 #define PENALTY_MAX 1e9
 
-/* Hysteresis of the active set, in tolerances of speed. Chosen. */
+/* Hysteresis of the active set, as a share of the tolerance of speeds. Chosen. */
 #define HYSTERESIS 0.1
 
 /* A friction bound that is wrong by less than this factor is not recomputed: normal impulses of a
@@ -45,7 +45,8 @@
 enum {
     FACTORINGS_MAX = 6,    /* factorisations before the method gives up; at rest it takes one */
     UPDATES_MAX = 12,      /* maximum number of updates of multipliers and friction bounds */
-    UPDATES_AGAIN = 4,     /* the same in td_direct_solve_same_active_set, which does not factor */
+    UPDATES_AGAIN = 4,     /* UPDATES_MAX for td_direct_solve_same_active_set, which does not factor
+                            */
     CHANGED_PART = 6,      /* if more than one in CHANGED_PART rows changes its activity in a Newton
                               step, ... */
     CHANGED_ROWS_MIN = 100 /* ... in a problem of at least CHANGED_ROWS_MIN rows, the method gives
@@ -119,11 +120,11 @@ static bool has_no_impulses(const td_direct *d) {
     return true;
 }
 
-/* Warm-starts the active set: unilateral rows that had an impulse in the last step, and those whose
- * speed is below the target speed. The soft solver's impulses are not converged: an island that
- * starts from them, or from none, has all rows active that do not separate, and with the soft
- * solver's impulses friction rows that slide slower than g h are unbounded until the first normal
- * impulses are known. Returns the number of rows. */
+/* Warm-starts the active set. Active are the unilateral rows that had an impulse in the last step,
+ * and those whose speed is below the target speed. If the impulses are the soft solver's, which are
+ * not converged, or are all 0, every unilateral row that does not separate is active. With the soft
+ * solver's impulses, friction rows that slide slower than g h also have no bound until the first
+ * solve has given normal impulses. Returns the number of rows. */
 static int warm_start(td_direct *d, double hysteresis) {
     int rows = 0;
     double margin = d->soft_warm_start || has_no_impulses(d) ? hysteresis : -hysteresis;
@@ -150,8 +151,8 @@ static int warm_start(td_direct *d, double hysteresis) {
     return rows;
 }
 
-/* Whether a friction row keeps sliding although its bound has grown a little since: its impulse is
- * near the bound, and the surfaces slide against it. */
+/* Whether a friction row keeps sliding although its bound has grown a little since the last update:
+ * its impulse is near the bound, and the surfaces slide against the impulse. */
 static bool keeps_sliding(const td_direct_row *r, double hysteresis) {
     double slip = r->impulse < 0.0 ? r->speed - r->target_speed : r->target_speed - r->speed;
     return slip > hysteresis && magnitude(r->impulse) > SLIDING_SHARE * r->max_impulse;
@@ -192,8 +193,8 @@ static bool update_multipliers(td_direct *d, double hysteresis, multiplier_updat
 }
 
 /* Updates impulses and activities from the penalties, and returns how many rows changed their
- * activity. With `keeps` the active set does not change: the activity of such rows is restored, and
- * the impulse of an inactive one is its multiplier. */
+ * activity. With `keeps` the active set does not change: a row that would change its activity keeps
+ * it, and if that row is inactive, its impulse is its multiplier. */
 static int update_active_set(td_direct *d, double hysteresis, bool keeps) {
     int changed = 0;
     for (int i = 0; i < d->constraint_count; i++) {
@@ -250,7 +251,7 @@ static double friction_error(const td_direct *d) {
 
 /* The error of complementarity: the greatest speed above the target speed of a unilateral row that
  * has an impulse. The warm-start impulse of an impact in the last step is far too large for this
- * step, and the penalty alone would leave it to another step to remove it. */
+ * step; without this test the solve would end before the impulse is reduced. */
 static double complementarity_error(const td_direct *d) {
     double worst = 0.0;
     for (int i = 0; i < d->constraint_count; i++) {

@@ -16,7 +16,8 @@ static void motion_of(const td_island_work *work, td_awake_slot slot, bool soft,
     }
 }
 
-/* Whether one of the contact's points ends deeper than it may. */
+/* Whether one of the contact's points ends the step deeper than td_island_sinks allows. `slack` is
+ * a length. */
 static bool sinks_in(const td_island_work *work, td_lane at, int points, double slack) {
     const td_block *block = at.block;
     double x = (double)block->nx[at.lane], y = (double)block->ny[at.lane];

@@ -23,7 +23,8 @@
 
 enum { TANGENT = TD_DIRECT_TANGENT };
 
-/* The target speed of a point, see above, length/s; `gap` is its separation beyond the skin. */
+/* The target speed of a point, length/s, by the formulas at the head of this file; `gap` is s, its
+ * separation beyond the skin. */
 static double target_speed_of(const thud_world *w, double gap, double blur) {
     double push_max = (double)(w->def.push_speed * w->length_scale), time = w->def.time_step;
     if (gap > blur) {

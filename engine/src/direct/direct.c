@@ -2,7 +2,7 @@
  * that does not converge. */
 #include "direct/direct.h"
 
-/* J M^-1 J' of one body. */
+/* The part of one body in J M^-1 J', the inverse effective mass of a row. */
 static double inverse_share(const double *j, const td_direct_body *b) {
     return (j[0] * j[0] + j[1] * j[1]) * b->inverse_mass + j[2] * j[2] * b->inverse_inertia;
 }

@@ -185,7 +185,7 @@ static inline double td_direct_load(const td_direct_constraint *c) {
 }
 /* The bound of a constraint's friction row, from its present normal impulses and sliding speed. */
 double td_direct_friction_bound(const td_direct_constraint *c);
-/* Sets the bounds of all friction rows to that. */
+/* Sets the bounds of all friction rows by td_direct_friction_bound. */
 void td_direct_update_friction(td_direct *d);
 /* Restores the impulses of the warm start after a method has failed, and recomputes friction bounds
  * from them and speeds from the present velocities, which stay. */

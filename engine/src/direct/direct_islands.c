@@ -66,7 +66,7 @@ static bool reserve_lists(thud_world *w) {
            td_sparse_reserve(&w->memory, &s->matrix, bodies);
 }
 
-/* ---- which ---- */
+/* ---- which islands are direct ---- */
 
 /* Values of td_islands.local of bodies that are in no listed island; a further one is
  * TD_ISLAND_COOLING. */
@@ -76,8 +76,9 @@ enum {
     SOFT = -4      /* its island has joints, and none of its bodies is marked */
 };
 
-/* Whether every island without joints is direct: under `bisect` and `swept` (quality.c). */
-static bool holds_stacks(const thud_world *w) {
+/* Whether every island without joints is direct: so under `bisect` and `swept`, whose contacts must
+ * not give way under a load (take_island_solver, solver/quality.c). */
+static bool contact_islands_are_direct(const thud_world *w) {
     return w->quality.detection->islands != NULL;
 }
 
@@ -86,7 +87,8 @@ static bool holds_stacks(const thud_world *w) {
 static bool is_seed(const thud_world *w, td_awake_slot slot) {
     int direct_steps = *td_direct_steps_at(w, slot);
     return direct_steps <= TD_DIRECT_COOLDOWN &&
-           (direct_steps > 0 || w->quality.overlap_limit == 0.0f || holds_stacks(w)) &&
+           (direct_steps > 0 || w->quality.overlap_limit == 0.0f ||
+            contact_islands_are_direct(w)) &&
            *td_island_local_at(w, slot) == 0 && td_inv_mass_of(w, slot) > 0.0f;
 }
 
@@ -104,7 +106,7 @@ enum {
 }; /* cooldowns after which the time no longer doubles: 2^4 times TD_COOLDOWN_STEPS, half a minute
       at 60 steps a second. Chosen. */
 
-/* Begins the cooldown of a body; it is number `times` in succession. */
+/* Begins the cooldown of a body, which is its `times`th cooldown in succession. */
 static void cool_down(thud_world *w, td_awake_slot slot, int steps, int times) {
     *td_direct_steps_at(w, slot) = (uint8_t)(TD_DIRECT_COOLDOWN + steps);
     *td_slow_steps_at(w, slot) = (uint16_t)(td_min_int(times, COOLDOWNS_MAX) * TD_SLOW_ONCE);
@@ -243,7 +245,8 @@ void td_islands_list_from(thud_world *w, td_awake_slot seed) {
 /* Sets `local` of bodies in soft islands back to 0, so that a joint that becomes overloaded in this
  * step can still make their island direct (overloaded_joints.c). */
 static void forget_soft(thud_world *w) {
-    for (td_awake_slot slot = {1}; slot.at < w->islands.local.count && holds_stacks(w); slot.at++) {
+    for (td_awake_slot slot = {1};
+         slot.at < w->islands.local.count && contact_islands_are_direct(w); slot.at++) {
         int *local = td_island_local_at(w, slot);
         *local = *local == SOFT ? 0 : *local;
     }
@@ -254,7 +257,7 @@ bool td_islands_find(thud_world *w) {
     int slots = w->body_of.count;
     s->island.count = s->slots.count = s->constraints.count = 0;
     s->local.count = 0;
-    bool everywhere = w->quality.overlap_limit == 0.0f || holds_stacks(w);
+    bool everywhere = w->quality.overlap_limit == 0.0f || contact_islands_are_direct(w);
     if (!everywhere && !any_direct(w) && !w->joints.live) {
         return true;
     }
@@ -284,7 +287,8 @@ enum {
                         threshold */
 };
 
-/* Marks the body of a lane's side as direct, unless it is static or in its cooldown. */
+/* Marks a body as direct, unless it is not dynamic or is in its cooldown. `record`: td_block.a or
+ * .b of a lane. */
 static void mark_direct(thud_world *w, uint32_t record) {
     td_awake_slot slot = td_slot_of_side(record);
     uint8_t *direct_steps = td_direct_steps_at(w, slot);
@@ -296,8 +300,9 @@ static void mark_direct(thud_world *w, uint32_t record) {
 /* The soft contact is a spring of angular frequency omega = 2 pi f, so that under a given impulse
  * in each substep of length h it sinks in by s = (impulse / mass / h) / omega^2. contact_stiffness
  * is f h, and h is time_step / substeps, so that impulse / mass = s (2 pi contact_stiffness)^2
- * substeps / time_step; overlap_limit holds for the quality's own number of substeps, and max_error
- * for the present one; s is proportional to h^2. */
+ * substeps / time_step. The number of substeps may be below the quality's own. overlap_limit is a
+ * depth s at the quality's own number, max_error at the present one; since s is proportional to
+ * h^2, the code scales both by the square of that number. */
 float td_islands_load_max(const thud_world *w, float size) {
     float steps = (float)w->substeps, own = td_max_float(steps, (float)w->quality.substeps);
     float depth = w->quality.overlap_limit * size * (own * own);
@@ -324,9 +329,10 @@ static bool is_nearly_at_rest(const thud_world *w, td_awake_slot a, td_awake_slo
     return x * x + y * y < max * max;
 }
 
-/* Checks the lanes of one block, and marks bodies as direct. A lane's `loaded` counts the checks in
- * succession in which its load was above the threshold; the flag TD_DIRECT in the same byte says
- * that its impulses are the direct solver's. True if a joint is marked. */
+/* Checks the loads of the lanes of one block, and marks the bodies of overloaded ones as direct. A
+ * lane's `loaded` counts the checks in succession in which its load was above the threshold; the
+ * flag TD_DIRECT in the same byte says that its impulses are the direct solver's. True if a joint
+ * is marked. */
 static bool watch_block(thud_world *w, td_block *block, int kind) {
     float deep = w->def.max_error > 0.0 ? (float)w->def.max_error : 3.0e38f;
     int points = td_form_points(w->kinds[kind]->form);

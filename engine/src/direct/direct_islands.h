@@ -27,7 +27,7 @@ typedef struct td_island {
     int first_body, bodies, first_constraint, constraints;
     td_system system;
     td_tree_outcome tree;
-    int parts; /* of the step of a tree that is to be solved; else 0 */
+    int parts; /* the number of parts of its step, if it is to be solved as a tree; else 0 */
 } td_island;
 
 typedef struct td_islands {
@@ -40,18 +40,19 @@ typedef struct td_islands {
                                        as they were before the soft solver */
     td_array impulses; /* float[4], parallel to `constraints`: warm-start impulses of two points and
                           the tangent, then 1 if they are the soft solver's, else 0 */
-    td_array rows; /* td_direct_constraint: rows of the island that is being solved, as are the next
-                      three */
+    td_array rows; /* td_direct_constraint: rows of the island that is being solved. The next three
+                      arrays are also of that island alone */
     td_array bodies;     /* td_direct_body */
     td_array step, work; /* double[4] */
-    td_array tree;       /* td_tree_body of joint_tree.c, in worlds with joints */
-    td_array locks;      /* td_lock_body of direct/lock_tree.h, likewise */
-    td_array listed;     /* td_listed_body of direct/lock_tree.h, likewise */
-    td_array results;    /* td_lock_result of direct/lock_tree.h, parallel to `slots`, likewise */
-    bool passes_over; /* islands were solved as trees before the soft solver, which passes over the
-                         blocks that have no other joints (td_block.solved) */
-    float trees_residual; /* of the islands that were solved as trees: the greatest speed that a
-                             joint has after the step, length/s */
+    td_array tree;       /* td_tree_body of joint_tree.c. This array and the next three are used
+                            only in worlds with joints */
+    td_array locks;      /* td_lock_body of direct/lock_tree.h */
+    td_array listed;     /* td_listed_body of direct/lock_tree.h */
+    td_array results;    /* td_lock_result of direct/lock_tree.h, parallel to `slots` */
+    bool passes_over; /* islands were solved as trees before the soft solver, which skips the blocks
+                         all of whose joints are solved so (td_block.solved) */
+    float trees_residual; /* residual of the islands that were solved as trees: the maximum speed
+                             along a locked direction of a joint after the step, length/s */
     td_array topology,
         topology_before;     /* int: the graph of all islands, which determines their elimination
                                 orders, and the graph for which the present orders were found */
@@ -77,14 +78,15 @@ struct thud_island_solver {
     void (*end)(struct thud_world *w);
 };
 
-/* The value of td_islands.local of the bodies of an island that is in the cooldown. A few of them
- * may be marked: a machine that has just touched a heap. */
+/* The value of td_islands.local of the bodies of an island that is in its cooldown. A few of its
+ * bodies may still be marked as direct, as those of a machine that has just touched a heap in
+ * cooldown. */
 enum { TD_ISLAND_COOLING = -3 };
 
 void td_islands_init(td_islands *islands, bool wide);
 void td_islands_free(td_memory *memory, td_islands *islands);
 
-/* Lists the islands. False when memory is short. */
+/* Lists the islands that are solved directly in this step. False when memory is short. */
 bool td_islands_find(struct thud_world *w);
 /* Counts thud_world.direct_steps down, and begins the cooldown of islands with too many bodies. It
  * is called when the step can no longer fail, so that a step that fails and is repeated counts
@@ -112,8 +114,8 @@ float td_calm_speed(const struct thud_world *w);
  * has its maximum at once. */
 void td_islands_begin_cooldown(struct thud_world *w, const td_island *island, int steps,
                                bool for_long);
-/* The cost of a factorisation of the island, with what comes before and after it, in operations on
- * 3 x 3 blocks: the unit of thud_quality.island_work. */
+/* The cost of a factorisation of the island, including the setup of its matrix and the solution, in
+ * operations on 3 x 3 blocks: the unit of thud_quality.island_work. */
 int64_t td_island_cost(const td_island *island);
 
 /* Hysteresis: an island stays direct for TD_DIRECT_STEPS after a constraint of it last had a load

@@ -50,7 +50,7 @@ static bool list_topology(thud_world *w) {
     return true;
 }
 
-/* Whether the topology is the same as in the last step that had direct islands. */
+/* Whether the graphs of all islands are the same as when the present orders were found. */
 static bool is_same_topology(const td_islands *s) {
     return s->topology.count == s->topology_before.count && s->topology.count &&
            memcmp(s->topology.data, s->topology_before.data,

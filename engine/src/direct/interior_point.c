@@ -22,11 +22,11 @@
  * converge alike. */
 #include "direct/direct.h"
 
-/* A step goes this share of the way to the boundary, where the first number would be zero. Chosen;
- * 0.9 to 0.995 is usual. */
+/* A step goes this share of the way to the boundary, the point at which the first slack, impulse or
+ * distance to a bound would be zero. Chosen; 0.9 to 0.995 is usual. */
 #define BOUNDARY_SHARE 0.98
-/* The iteration ends where the square root of the mean product per mass, a speed, is below this
- * share of the tolerance. Chosen. */
+/* The iteration ends when the square root of the mean product per effective mass
+ * (complementarity_gap), which is a speed, is below this share of the tolerance. Chosen. */
 #define DUALITY_GAP_SHARE 0.1
 
 /* The penalty weight of an equality, in effective masses. After an iteration the row misses its
@@ -52,8 +52,8 @@ static double compliance(const td_direct_row *r) {
     return r->kind == TD_ROW_SOFT ? 1.0 / r->soft_weight : 0.0;
 }
 
-/* J v - target of a friction row, and J v - target + y / weight of a spring: the difference of
- * their slacks. */
+/* The difference between the slacks of a row's two bounds: J v - target for a friction row, J v -
+ * target + y / weight for a spring. */
 static double slack_difference(const td_direct_row *r) {
     return r->speed - r->target_speed + compliance(r) * r->impulse;
 }
@@ -117,7 +117,8 @@ static void start(td_direct *d) {
     }
 }
 
-/* The mean of the products per mass (speed squared), after a part of the step. */
+/* The mean, over all conditions, of the product of impulse and slack divided by the effective mass
+ * (a speed squared), after a part of the step. */
 static double complementarity_gap(const td_direct *d, double part) {
     double sum = 0.0;
     int products = 0;

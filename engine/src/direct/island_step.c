@@ -114,7 +114,7 @@ static void set_end_targets(td_island_work *work, int i) {
     }
 }
 
-/* Whether row k is of a contact point that is apart in the soft solver's result. */
+/* Whether row k belongs to a contact point that does not touch in the soft solver's result. */
 static bool is_apart(const td_direct_row *r, td_lane at, int k) {
     return r->kind == TD_ROW_UNILATERAL && at.block->point[k].separation[at.lane] > 0.0f;
 }
@@ -302,7 +302,8 @@ bool td_island_load_stays(const thud_world *w, td_lane at, double impulse) {
            TD_DIRECT_LEAVE * (double)td_islands_load_max(w, size);
 }
 
-/* The same for a constraint of the problem. */
+/* td_island_load_stays for constraint i of the problem, with the impulses of its unilateral and
+ * equality rows. */
 static bool is_loaded(const td_island_work *work, int i) {
     const td_direct_constraint *c = &work->problem.constraints[i];
     double impulse = td_direct_load(c);
@@ -378,7 +379,7 @@ void td_island_keep_direct(thud_world *w, const td_island *island, bool loaded) 
     }
 }
 
-/* Writes the whole result. */
+/* Writes the result of the island to the world, and keeps the island direct while it is loaded. */
 static void write_result(const td_island_work *work) {
     bool loaded = false;
     for (int i = 0; i < work->island->constraints; i++) {
@@ -394,10 +395,10 @@ static void write_result(const td_island_work *work) {
  * apart. Chosen; the same as TD_RESOLVE_BODIES_MAX. */
 enum { SMALL_ISLAND_BODIES_MAX = 128 };
 
-/* Begins the cooldown of an island whose result was refused, at qualities with island_slow_steps;
- * with `always`, at any quality. An island for which EASY_FACTORINGS_MAX factorisations cost more
- * than the quality's island_work has the longest cooldown at once. `joints`: the cooldown is short.
- */
+/* Begins the cooldown of an island whose result was refused, at qualities with island_slow_steps
+ * above 0; with `always`, at any quality. The cooldown is short with `joints`. Otherwise an island
+ * for which EASY_FACTORINGS_MAX factorisations cost more than the quality's island_work has the
+ * longest cooldown at once. */
 static void begin_cooldown(thud_world *w, const td_island *island, bool joints, bool always) {
     if (w->quality.island_slow_steps > 0 || always) {
         bool dear = EASY_FACTORINGS_MAX * td_island_cost(island) > w->quality.island_work;

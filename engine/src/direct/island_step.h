@@ -7,7 +7,7 @@
 #include "constraint/joint_hooks.h"
 #include "direct/rows.h"
 
-/* One island. */
+/* The direct solution of one island, or linkage, while it is computed. */
 typedef struct td_island_work {
     thud_world *w;
     const td_island *island;
@@ -21,7 +21,8 @@ typedef struct td_island_work {
     double correction_speed; /* maximum speed at which a row corrects an overlap or a gap, length/s;
                                 infinite: the result's motions and impulses are not checked */
     int joints;              /* number of constraints that are no contacts */
-    bool closed;             /* a part of the step has closed gaps of joints */
+    bool closed;             /* set if a part of the step has closed gaps of joints (closes_gaps,
+                                island_step_joints.c) */
     double unbalanced;       /* greatest unbalanced_speed of island_step_joints.c, length/s */
     double turn_max; /* greatest rotation in the step for which the contacts' lever arms of the
                         start of the step are accurate enough, rad */
@@ -48,8 +49,8 @@ td_island_work td_island_set_up(thud_world *w, const td_island *island);
 /* island_step.c: solves an island directly and writes the result. False if the soft solver's result
  * is kept. */
 bool td_island_solve(thud_world *w, const td_island *island);
-/* The same for a problem that is set up already: computes the result and checks it, but writes
- * nothing. False if the soft solver's result has to be kept. */
+/* Computes the result of a problem that td_island_set_up has made, and checks it, but writes
+ * nothing to the world. False if the soft solver's result has to be kept. */
 bool td_island_compute(td_island_work *work);
 /* The speed that gravity gives a body in a step, g h, length/s. */
 double td_gravity_speed(const thud_world *w);
@@ -89,13 +90,15 @@ double td_island_solve_joints(td_island_work *work, double tolerance);
 
 /* joints/lock_tree_step.c, linked only with joints: solves the step of an island whose constraints
  * are hinges and welds that form a tree, before the soft solver or after it. `known`: null, or the
- * island's bodies, whose free velocities have the impulses of contacts that are no constraints of
- * the island. Nothing but td_islands.results, .trees_residual and the statistics is written. */
+ * island's bodies with free velocities that already include the impulses of contacts; these
+ * contacts are not among the constraints of the island (joint_subsystems.c). Writes only
+ * td_islands.results, .trees_residual and the statistics. */
 td_tree_outcome td_lock_tree_step(thud_world *w, const td_island *island,
                                   const td_direct_body *known);
-/* The same for all islands that are listed, those of the same shape side by side. */
+/* Calls td_lock_tree_step's solver for all listed islands. Islands whose trees have the same graph
+ * are solved side by side in the lanes of vectors. */
 void td_lock_trees_step(thud_world *w);
-/* Writes the result of an island that was solved so to the world. */
+/* Writes the result of an island that was solved as such a tree to the world. */
 void td_lock_tree_write(thud_world *w, const td_island *island);
 
 /* The lane of constraint i of the island. */

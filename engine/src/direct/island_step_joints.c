@@ -130,7 +130,7 @@ static void remove_geometric_stiffness(td_island_work *work) {
     }
 }
 
-/* Newton's residual, in tolerances. */
+/* The residual below which Newton's method ends, in multiples of the tolerance. */
 static double newton_residual(const td_island_work *work) {
     bool everywhere = work->w->quality.overlap_limit == 0.0f;
     return everywhere && td_island_is_joints(work) ? TD_RESIDUAL_EXACT : 1.0;
@@ -198,9 +198,9 @@ static double solve_mean_velocity(td_island_work *work, double start, double tol
     return td_max_double(missing, td_direct_residual(d));
 }
 
-/* Prepares motors and springs for the second problem, whose impulses act over the whole part (those
- * of the mean velocity over half of it): bounds are doubled, and a spring keeps the mean force that
- * it had in the part. */
+/* Prepares motors and springs for the second problem. Its impulses change the velocity over the
+ * whole part, those of the mean velocity over half of it. So bounds are doubled, and a spring gets
+ * the target speed at which it keeps the mean force that it had in the part. */
 static void set_end_drives(td_direct_constraint *c) {
     c->bound *= 2.0;
     c->row[TD_DIRECT_TANGENT].max_impulse +=
@@ -371,8 +371,9 @@ static void scale_impulses(td_island_work *work, double by) {
     }
 }
 
-/* Twice the kinetic energy; with `free`, the larger of the kinetic energies before the part and
- * without constraints, component by component. */
+/* Twice the kinetic energy of the island. With `free`, an upper bound of what it may be: each
+ * component of a body's velocity counts as the larger of its value before the part and its value
+ * without constraints. */
 static double energy_of(const td_island_work *work, bool free) {
     double sum = 0.0;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -402,8 +403,9 @@ static double energy_of_drives(const td_island_work *work) {
     return sum;
 }
 
-/* The mass of the island times the square of the speed at which gaps and overlaps may close, for
- * each of its bodies. */
+/* Twice the energy that closing gaps and overlaps may add: the mass of the island times the square
+ * of the maximum closing speed, times the number of its bodies, since corrections add up along a
+ * chain. */
 static double energy_of_closing(const td_island_work *work) {
     double mass = 0.0, pushed = work->correction_speed + work->problem.unit_speed;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -449,9 +451,11 @@ static bool is_held(const td_island_work *work) {
     return held;
 }
 
-/* Takes from the velocities the energy that closing gaps has added: td_share_after_closing.
- * `allowed` is twice the kinetic energy that the island may have. */
-static void pay_for_closing(td_island_work *work, double allowed) {
+/* Scales down the velocities, so that closing gaps adds no energy (td_share_after_closing). In an
+ * island that is joined to nothing outside, only velocities relative to its centre of mass are
+ * scaled, which keeps its momentum. `allowed` is twice the kinetic energy that the island may have.
+ */
+static void remove_closing_energy(td_island_work *work, double allowed) {
     td_direct *d = &work->problem;
     double mass = 0.0, mean[2] = {0.0, 0.0};
     bool held = is_held(work);
@@ -508,7 +512,7 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
     work->w->islands.effort = work->problem.effort;
     energy.work = work_of_forces(work, work->time);
     if (work->closed && td_finite(missing) && !is_driven(work)) {
-        pay_for_closing(work, energy.start + energy.work);
+        remove_closing_energy(work, energy.start + energy.work);
     }
     energy.now = energy_of(work, false);
     if (td_gains_out_of_balance(&energy, work->unbalanced, tolerance)) {

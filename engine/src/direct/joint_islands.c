@@ -37,8 +37,8 @@ static bool reserve_tree(thud_world *w) {
            td_islands_reserve(w, &w->islands.listed, td_max_int(bodies, w->islands.slots.count));
 }
 
-/* thud_island_solver.find: lists the islands of 1., and reserves memory for one island of 2. and 3.
- * False when memory is short. */
+/* thud_island_solver.find: lists the islands of 1., and reserves memory for the largest island
+ * that 2. or 3. may solve. False when memory is short. */
 static bool find(thud_world *w) {
     td_islands *s = &w->islands;
     return td_islands_find(w) &&
@@ -61,9 +61,10 @@ static bool find(thud_world *w) {
  * solver at half that time, twice as much allows a frame of 60 ms. */
 enum { EFFORT_OF_BODY = 4000, EFFORT_BODIES_MIN = 1000 };
 
-/* The work that is reserved for the islands that are not solved yet, EFFORT_OF_BODY for each of
- * their bodies: an island may spend its own share, and what the islands before it have left over.
- * Without it, a heap that spent the whole budget sent all later islands to the soft solver. */
+/* The part of the budget that is reserved for the islands that are not solved yet: EFFORT_OF_BODY
+ * for each of their bodies. So an island may spend its own share, and what the islands before it
+ * have left over. Without this reserve, a heap that spent the whole budget would send all later
+ * islands to the soft solver. */
 static int64_t reserved_effort(const thud_world *w) {
     int64_t reserved = 0;
     for (int i = 0; i < w->islands.island.count; i++) {
@@ -94,8 +95,8 @@ static void mark_solved_lanes(thud_world *w) {
     }
 }
 
-/* Solves the islands that are trees of locks (direct/lock_tree.h). They need nothing of the soft
- * solver, which passes over their joints. */
+/* Solves the islands whose joints are hinges and welds that form a tree (direct/lock_tree.h). They
+ * need no result of the soft solver, which then skips their joints. */
 static void solve_trees(thud_world *w) {
     td_islands *s = &w->islands;
     s->passes_over = false;
@@ -120,10 +121,10 @@ static void begin(thud_world *w) {
     solve_trees(w);
 }
 
-/* ---- after it ---- */
+/* ---- after the soft solver ---- */
 
-/* Solves the islands of 1. that are no trees, and writes the results of all. Returns the last
- * system, after which further ones are appended. */
+/* Solves the islands of 1. that are no trees, and writes the results of all islands, trees
+ * included. Returns the last system of td_islands.matrix, behind which 2. and 3. append theirs. */
 static td_system solve_found(thud_world *w) {
     td_islands *s = &w->islands;
     td_system last = {0};
@@ -154,7 +155,7 @@ static void end(thud_world *w) {
     if (w->stats.direct_islands > w->stats.soft_islands) {
         td_errors_recount(w);
     }
-    if (s->passes_over) { /* their lanes are left out of the count (joints/lock.c) */
+    if (s->passes_over) { /* joints/lock.c leaves the lanes of trees out of the residual */
         w->errors.residual = td_max_float(s->trees_residual, w->errors.residual);
     }
     s->passes_over = false;

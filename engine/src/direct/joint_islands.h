@@ -1,8 +1,8 @@
 /* joint_islands.h: the island solver of a world with joints.
  *
- * Before the soft solver it solves islands whose constraints are hinges and welds that form a tree
- * (lock_tree.h): they need nothing of the soft solver, which passes over their joints. After it, it
- * writes their results, and solves directly (sparse.h), in this order,
+ * Before the soft solver runs, this solver solves the islands whose constraints are hinges and
+ * welds that form a tree (lock_tree.h); the soft solver then skips their joints. After the soft
+ * solver it writes their results, and solves directly (sparse.h), in this order,
  *   1. the other islands that td_islands_find listed before it (direct_islands.c);
  *   2. islands with an overloaded joint: its load in this step exceeded the threshold of
  *      td_islands_load_max, or its gap exceeded max_error (overloaded_joints.c);

@@ -14,9 +14,9 @@ typedef struct td_island_energy {
     double pushed;     /* what closing gaps and overlaps may add */
 } td_island_energy;
 
-/* A result is refused if its kinetic energy is more than this many times what the island had, or
- * could get from gravity, motors and springs. Chosen: an unstable result exceeds any factor, while
- * a whip of light bodies may have a few times the mean energy. */
+/* A result is refused if its kinetic energy is more than this many times the energy that the island
+ * had or could get from gravity, motors and springs. Chosen: an unstable result exceeds any factor,
+ * while a whip of light bodies may have a few times the mean energy. */
 #define TD_ENERGY_RATIO_MAX 16.0
 /* Factor of the budget of factorisations for islands without contacts: Newton's method needs
  * several factorisations where an island without joints needs one, and if the budget runs out the
@@ -27,26 +27,30 @@ enum { TD_NEWTON_ITERATIONS_MAX = 12 };
 /* Minimum of the geometric stiffness, in multiples of the moment of inertia: a negative one makes
  * the body turn more easily, and at -1 the matrix would not be positive definite. Chosen. */
 #define TD_STIFFNESS_MIN (-0.5)
-/* Newton's method ends when the residual is below this many tolerances of speed at qualities that
- * solve every island directly, and below one at others: gaps then stay open by some micrometres.
- * With contacts, whose active set may change in every iteration, one is enough at any quality.
- * Chosen; measured on twenty chains of 50 links that swing at default: at 0.05 in place of 1 the
- * step takes a third more iterations, and gaps are no smaller, since the budget ends sooner. */
+/* Newton's method ends when the residual is below this share of the tolerance of speeds, at
+ * qualities that solve every island directly. At other qualities, and in islands with contacts,
+ * whose active set may change in every iteration, it ends below the tolerance itself; gaps then
+ * stay open by some micrometres. Chosen; measured on twenty chains of 50 links that swing at
+ * default: with a share of 0.05 in place of 1 a step takes a third more iterations, and gaps are no
+ * smaller, since the budget ends sooner. */
 #define TD_RESIDUAL_EXACT 1e-3
-/* Newton's iteration goes on while moments miss their balance by more than TD_BALANCE_ENOUGH
- * tolerances of speed (unbalanced_speed). A result is refused where they miss it by more than
- * TD_BALANCE_MAX, which is g h, and the island gains more than TD_GAIN_MAX of the energy that it
- * had and got. Measured on 800 random mechanisms (test_joints_random.c) without gaps or overlaps at
- * the start: 10 gained over 5 % of energy without these rules, up to 16 times, and 4 do with them,
- * up to 0.9; at TD_BALANCE_ENOUGH 1 it is 3, for half as many factorisations again in ragdolls at
- * default. */
+/* Rules on unbalanced moments, measured as a speed (unbalanced_speed, island_step_joints.c).
+ * Newton's iteration goes on while that speed is above TD_BALANCE_ENOUGH times the tolerance. A
+ * result is refused if the speed is above TD_BALANCE_MAX times the tolerance, which is g h, and the
+ * island gains more than TD_GAIN_MAX of the energy that it had and got. Measured on 800 random
+ * mechanisms (test_joints_random.c) without gaps or overlaps at the start. Without these rules 10
+ * gained more than 5 % of energy, up to 16 times their own; with them 4 do, up to 0.9 times.
+ * TD_BALANCE_ENOUGH 1 would leave 3 of these, but takes half as many factorisations again in
+ * ragdolls at default. */
 #define TD_BALANCE_ENOUGH 100.0
 #define TD_BALANCE_MAX 1000.0
 #define TD_GAIN_MAX 0.1
 /* Velocities at the end of a part that violate the joints' rows by less than this many times g h
  * are left as they are, since correcting them would take energy out of every swing. Chosen. */
 #define TD_END_ERROR_MAX 4.0
-/* Share of the bodies' speed above which the closing of a gap is not negligible. Chosen. */
+/* A gap that closes at more than this share of the fastest body's speed is not negligible: the
+ * closing speed must then be taken out of the velocities at the end (closes_gaps,
+ * island_step_joints.c). Chosen. */
 #define TD_CLOSING_SHARE 1e-3
 
 /* Whether the result has more than TD_ENERGY_RATIO_MAX times the energy that it may have. A motor
@@ -55,21 +59,22 @@ static inline bool td_gains_energy(const td_island_energy *e) {
     return !(e->now <= TD_ENERGY_RATIO_MAX * (e->free + e->pushed));
 }
 
-/* Whether the moments of the step miss their balance by much, and its energy has grown.
- * `unbalanced`: the speed by which they miss it (unbalanced_speed), length/s. */
+/* Whether a result is refused by TD_BALANCE_MAX and TD_GAIN_MAX: its moments are far from balance,
+ * and its energy has grown. `unbalanced`: unbalanced_speed, length/s. */
 static inline bool td_gains_out_of_balance(const td_island_energy *e, double unbalanced,
                                            double tolerance) {
     return unbalanced > TD_BALANCE_MAX * tolerance &&
            e->now > e->start + e->work + TD_GAIN_MAX * (e->start + td_abs(e->work));
 }
 
-/* Closing gaps moves bodies without giving them velocity. Where it lifts them against gravity, it
- * adds potential energy, and what is lifted again and again, as a bridge whose joints give way in
- * the steps that the soft solver solves, would swing higher and higher. So after a step that has
- * closed gaps, velocities are scaled until the kinetic energy is no larger than that before the
- * step and the work of gravity and forces together, or zero. (Locks do no work themselves, contacts
- * and limits take energy out.) This is the factor, from twice these energies; of an island that is
- * joined to nothing outside, for velocities and energies relative to its centre of mass. */
+/* The factor by which velocities are scaled after a step that has closed gaps. Closing a gap moves
+ * bodies without giving them velocity. Where it lifts them against gravity, it adds potential
+ * energy: a bridge whose joints open in the steps that the soft solver solves, and are closed again
+ * in others, would swing higher and higher. So velocities are scaled down until the kinetic energy
+ * is at most that before the step plus the work of gravity and forces, or zero. (Locks do no work
+ * themselves, contacts and limits take energy out.) `kinetic` and `allowed` are twice these
+ * energies. For an island that is joined to nothing outside, velocities and energies are relative
+ * to its centre of mass. */
 static inline double td_share_after_closing(double kinetic, double allowed) {
     return kinetic <= allowed ? 1.0 : allowed > 0.0 ? __builtin_sqrt(allowed / kinetic) : 0.0;
 }

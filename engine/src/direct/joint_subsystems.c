@@ -6,8 +6,9 @@
  * solver found, as known forces; and each contact is also a unilateral row that keeps its gap from
  * closing further than in the soft solver's result; bodies outside of the linkage move as in that
  * result. So a body on a bridge does not sink into it while the gaps of the bridge's joints close.
- * Where no velocities are found that satisfy both, the joints are solved alone if they are a tree
- * of locks, with the known forces; otherwise the soft solver's result is kept.
+ * Where no velocities are found that satisfy both joints and contacts, the joints are solved alone
+ * with the known forces, if they are hinges and welds that form a tree; otherwise the soft solver's
+ * result is kept.
  *
  * This is for machines beside or on a heap. A linkage with more contacts than bodies stays with the
  * soft solver: there the contacts, whose impulses are taken as known, determine the motion. */
@@ -28,11 +29,12 @@ enum { BACKOFF_MAX = 5 };
  * ragdolls the solves would cost much and improve little. Chosen. */
 enum { OVERLOADED_MAX = 64 };
 /* A linkage is solved if at least one in OVERLOADED_PART of its joints is overloaded: the soft
- * solver corrects a few overloaded joints by itself. Of hinges and welds alone, such as a chain,
- * one in OVERLOADED_PART_OF_LOCKS is enough. Chosen. Measured on the wrecking ball with 30 to 100
- * bricks, at default: with 4 the widest gap of its chain is three quarters of that with 2
- * (geometric mean). Machines with limits and motors slide on their feet where they are solved as
- * early, since the friction of known contacts is known as well (the walker's, on rock). */
+ * solver corrects a few overloaded joints by itself. In a linkage of hinges and welds alone, such
+ * as a chain, one in OVERLOADED_PART_OF_LOCKS is enough. Chosen. Measured on the wrecking ball with
+ * 30 to 100 bricks, at default: with 4 the widest gap of its chain is three quarters of that with 2
+ * (geometric mean). Machines with limits and motors need the higher share: while such a machine is
+ * solved directly, the friction of its contacts is taken as known, and its feet slide (seen in the
+ * walker, on rock). */
 enum { OVERLOADED_PART = 2, OVERLOADED_PART_OF_LOCKS = 4 };
 /* The value of td_islands.local of bodies whose linkage cannot be solved in this step. */
 enum { UNFIT = -5 };
@@ -47,10 +49,11 @@ bool td_joint_subsystems_expected(const thud_world *w) {
     return any != 0;
 }
 
-/* ---- which ---- */
+/* ---- which linkages are solved ---- */
 
-/* Whether the body's linkage is not tried in this step, after failures. The number of failures is
- * in slow_steps, which is otherwise unused while an island is in its cooldown. */
+/* Whether the body's linkage is skipped in this step, because it has failed in earlier ones
+ * (BACKOFF_MAX). The number of failures is in slow_steps, which is otherwise unused while an island
+ * is in its cooldown. */
 static bool backs_off(const thud_world *w, td_awake_slot slot) {
     int failures = *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN
                        ? *td_slow_steps_at(w, slot) % TD_SLOW_ONCE
@@ -58,7 +61,8 @@ static bool backs_off(const thud_world *w, td_awake_slot slot) {
     return w->steps % (1ull << td_min_int(failures, BACKOFF_MAX)) != 0;
 }
 
-/* Counts a failure, or sets the count to 0. */
+/* Counts a failure of the linkage in slow_steps of its bodies, or sets the count to 0 if it was
+ * solved. */
 static void note_outcome(thud_world *w, const td_island *linkage, bool solved) {
     for (int i = 0; i < linkage->bodies; i++) {
         td_awake_slot slot = td_slot_in(&w->islands.slots, i);
@@ -86,8 +90,8 @@ static bool is_overloaded(const thud_world *w, const td_block *block, int lane, 
     return load > td_islands_load_max(w, size);
 }
 
-/* What add_joints_of counts: contacts with moving bodies, joints that are overloaded, and those
- * that are locks (of hinges and welds). */
+/* The counts of add_joints_of: contacts with moving bodies, overloaded constraints of joints, and
+ * constraints of kind TD_CONSTRAINT_LOCK, the only kind that hinges and welds have. */
 typedef struct linkage_counts {
     int contacts, overloaded, locks;
 } linkage_counts;
@@ -233,7 +237,7 @@ static void add_contacts(td_island_work *work) {
     }
 }
 
-/* ---- how ---- */
+/* ---- the solution ---- */
 
 static double energy_of(const td_direct_body *b, const double v[3]) {
     double turning = b->own_inverse_inertia > 0.0 ? v[2] * v[2] / b->own_inverse_inertia : 0.0;
@@ -285,8 +289,9 @@ static bool solve_as_tree(td_island_work *work, const td_island *joints, double 
  * the soft solver's, since they are its warm start in the next step. */
 static void solve_one(thud_world *w, td_awake_slot seed) {
     td_island linkage;
-    bool counted = *td_island_local_at(w, seed) ==
-                   TD_ISLAND_REFUSED; /* it counts in the statistics of failed islands */
+    bool counted =
+        *td_island_local_at(w, seed) == TD_ISLAND_REFUSED; /* the bodies of a refused island are in
+                                                              stats.direct_bodies already */
     if (!collect(w, seed, &linkage)) {
         return;
     }

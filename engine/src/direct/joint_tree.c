@@ -4,9 +4,10 @@
 /* A pivot below this share of its element before elimination means that a row follows from the rows
  * before it, up to rounding. Chosen. */
 #define PIVOT_MIN 1e-10
-/* A limit stays as it is within this share of the tolerance, a speed. Chosen. */
+/* Hysteresis of limits, as a share of the tolerance: a limit becomes active only if it is violated
+ * by a higher speed than this. Chosen. */
 #define HYSTERESIS 0.1
-/* Sets of pushing limits that are tried. Chosen. */
+/* Maximum number of active sets of limits that are tried, each with one factorisation. Chosen. */
 enum { FACTORINGS_MAX = 6 };
 
 /* A problem while it is solved. */
@@ -14,7 +15,7 @@ typedef struct td_tree {
     td_direct *d;
     td_tree_body *bodies; /* by place */
     int count;            /* bodies */
-    int limits;           /* rows that may push or not */
+    int limits;           /* number of unilateral rows, which may be active or not */
     int held; /* the place of the body that is joined to bodies outside of the problem; TD_NONE:
                  there is none */
 } td_tree;
@@ -54,12 +55,13 @@ static void solve(const double m[6], const double *b, double *x) {
 
 /* ---- rows ---- */
 
-/* Whether a row acts in the present solve: every lock and spring, and a limit that pushes. */
+/* Whether a row acts in the present solve: every lock and spring does, and a limit that is active.
+ */
 static bool acts(const td_direct_row *r) {
     return r->used && (r->kind != TD_ROW_UNILATERAL || r->active);
 }
 
-/* The speed that the bodies of the problem shall give the row. */
+/* The target speed of a row, less the part that bodies outside of the problem give it. */
 static double wanted(const td_direct_row *r) {
     return r->target_speed - r->known_speed;
 }
@@ -68,9 +70,10 @@ static int place_of(const td_tree *tree, int body) {
     return body == TD_NONE ? TD_NONE : td_sparse_place(tree->d->matrix, body);
 }
 
-/* Sets which limits push at first: those that did, or that are exceeded. Counts them, and finds the
- * body that is joined to bodies outside of the problem. False where a row has friction or a motor,
- * or where two bodies are joined to the outside, which closes a loop. */
+/* Warm-starts the active set of limits: active are those that had an impulse in the last step, and
+ * those whose speed is below the target. Counts the limits, and finds the body that is joined to
+ * bodies outside of the problem. False where a row has friction or a motor, or where two bodies are
+ * joined to the outside, which closes a loop. */
 static bool begin_rows(td_tree *tree) {
     bool solvable = true;
     for (int i = 0; i < tree->d->constraint_count; i++) {
@@ -109,8 +112,8 @@ static bool find_parents(const td_tree *tree) {
     return forest;
 }
 
-/* Makes the held body the root of its tree: the bodies from it to the old root are turned over, so
- * that each hangs from the one that hung from it, and are eliminated after all others. */
+/* Makes the held body the root of its tree: reverses the parent links on the path from it to the
+ * old root, and eliminates the bodies of that path after all others. */
 static void set_order(const td_tree *tree) {
     td_tree_body *bodies = tree->bodies;
     int before = TD_NONE, n = 0;
@@ -179,7 +182,7 @@ static bool take_joints(const td_tree *tree) {
  * repeat each other. */
 static bool respond(td_tree_body *t) {
     double *s = t->compliance;
-    s[0] = s[2] = s[5] = 1.0; /* of rows that the joint does not have */
+    s[0] = s[2] = s[5] = 1.0; /* for rows that the joint does not have */
     s[1] = s[3] = s[4] = 0.0;
     for (int k = 0; k < t->rows; k++) {
         const td_direct_row *r = t->row[k];
@@ -193,7 +196,8 @@ static bool respond(td_tree_body *t) {
     return factor(s);
 }
 
-/* Adds to the parent's equation what hangs from it by the joint of a body. */
+/* Adds the contribution of a body and its joint to the parent's equation of motion: A_p and g_p of
+ * joint_tree.h. */
 static void add_to_parent(td_tree_body *t, td_tree_body *parent) {
     for (int i = 0; i < 3; i++) {
         double column[3] = {0.0, 0.0, 0.0};
@@ -271,7 +275,8 @@ static bool substitute(const td_tree *tree) {
 
 /* ---- the solution ---- */
 
-/* The speed of a limit that does not push. */
+/* The speed along a limit's row for the new velocities; rows that are not active get none from
+ * substitute. */
 static double free_speed(const td_tree *tree, const td_direct_constraint *c,
                          const td_direct_row *r) {
     int a = place_of(tree, c->a), b = place_of(tree, c->b);
@@ -279,7 +284,8 @@ static double free_speed(const td_tree *tree, const td_direct_constraint *c,
            (b == TD_NONE ? 0.0 : dot(r->b, tree->bodies[b].push));
 }
 
-/* Lets go of limits that pull, and adds those that are exceeded. Returns how many. */
+/* Updates the active set: removes limits whose impulse is negative, and adds those that are
+ * violated. Returns how many rows have changed. */
 static int change_limits(const td_tree *tree, double tolerance) {
     int changed = 0;
     for (int i = 0; i < tree->d->constraint_count && tree->limits; i++) {
@@ -327,7 +333,7 @@ static double write_solution(const td_tree *tree) {
     return worst;
 }
 
-/* Solves with the limits that push now. */
+/* Solves the problem for the present active set of limits. */
 static bool solve_rows(const td_tree *tree) {
     td_direct *d = tree->d;
     if (!td_direct_take_effort(d, d->matrix->current.work)) {
@@ -344,7 +350,7 @@ bool td_joint_tree_solve(td_direct *d, td_tree_body *bodies, double tolerance, d
         return false;
     }
     set_order(&tree);
-    d->measured = false; /* the rows' speeds become those of what is tried */
+    d->measured = false; /* the rows' speeds are overwritten by those of each try */
     int changed = 1;
     for (int n = 0; changed && n < FACTORINGS_MAX && d->factorings < d->factoring_budget; n++) {
         if (!solve_rows(&tree)) {

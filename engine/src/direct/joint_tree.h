@@ -6,8 +6,9 @@
  *
  *     J_i v_i + J_p v_p = t.
  *
- * Its equation of motion, A_i v_i = g_i + J_i' y, has in it already all that hangs from it. So the
- * impulses y of the rows, with S = J_i A_i^-1 J_i', and what the parent's equation gets, are
+ * Its equation of motion, A_i v_i = g_i + J_i' y, already includes all bodies below it in the tree.
+ * So the impulses y of the rows, with S = J_i A_i^-1 J_i', and the sums that are added to the
+ * parent's equation, are
  *
  *     y = S^-1 (t - J_i A_i^-1 g_i - J_p v_p),
  *     A_p += J_p' S^-1 J_p,
@@ -39,7 +40,8 @@ typedef struct td_tree_body {
     const double *own[3], *parents[3];
     int rows;         /* of the joint */
     int parent;       /* place of p; TD_NONE: the body is the root of a tree */
-    bool turned_over; /* p is eliminated earlier in the matrix's order */
+    bool turned_over; /* the link to p was reversed (set_order): in the matrix's order p comes
+                         earlier */
     int order;        /* of element n: the place of the body that is eliminated as number n */
 } td_tree_body;
 

@@ -30,7 +30,7 @@ TD_INLINE_SMALL td_reals td_reals_abs(td_reals x) {
     return (td_reals)((td_choice)x & (magnitude + INT64_MAX));
 }
 
-/* b where either is not-a-number, as td_max_double. */
+/* The greater of a and b; b where either is not-a-number, as in td_max_double. */
 TD_INLINE_SMALL td_reals td_reals_max(td_reals a, td_reals b) {
     return td_reals_pick((td_choice)(a > b), a, b);
 }

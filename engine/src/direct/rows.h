@@ -12,7 +12,7 @@
  * afterwards. True if the soft solver lets the contact bounce in this step. */
 td_take_rows_fn td_contact_take_rows;
 
-/* The function of a kind of constraint. */
+/* The td_take_rows_fn of a kind of constraint. */
 static inline td_take_rows_fn *td_take_rows_of(const thud_world *w, int kind) {
     const td_lane_ops *lanes = w->kinds[kind]->lanes;
     return lanes ? lanes->take_rows : td_contact_take_rows;

@@ -1,5 +1,5 @@
-/* step_parts.c: chooses the number of parts by rotation, by the phase of springs and by substeps.
- */
+/* step_parts.c: chooses the number of parts of a step from the rotation of bodies, the phase of
+ * springs and the number of substeps. */
 #include "direct/step_parts.h"
 
 /* Greatest rotation of a lever arm or rod in a part, rad. Newton's method converges well up to that

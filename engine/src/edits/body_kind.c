@@ -124,7 +124,8 @@ thud_result thud_body_set_kind(thud_world *w, thud_body_id id, thud_body_kind ki
     if (body->kind == kind) {
         return THUD_OK;
     }
-    /* Both calls may run out of memory; the second changes something, so that it comes last. */
+    /* Either call may run out of memory, after which nothing must have changed. The second call
+     * changes the world when it succeeds, so that it has to be the last one. */
     if (!td_edit_ends_reserve(w, index, TD_NONE, true) ||
         (w->internal_edges && !w->internal_edges->lose(w, index))) {
         return td_refuse(w, THUD_ERROR_MEMORY, "set kind: out of memory");

@@ -90,8 +90,8 @@ thud_result thud_body_set_may_sleep(thud_world *w, thud_body_id id, bool may_sle
     return result;
 }
 
-/* TD_CHANGE_SHAPES makes the broadphase bounds of the shapes anew, as far as the new detection
- * wants them along the body's motion. */
+/* With TD_CHANGE_SHAPES the next step recomputes the fat bounds of the shapes, which some
+ * detections extend along the body's motion (extend_bounds in changes.c). */
 thud_result thud_body_set_detection(thud_world *w, thud_body_id id,
                                     const thud_detection *detection) {
     td_body_index index;

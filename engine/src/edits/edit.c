@@ -26,7 +26,7 @@ thud_result td_edit_shape(const thud_world *w, thud_shape_id id, int *index) {
 }
 
 /* Wakes the body on the other side of an open contact. Static bodies are left out: they never
- * sleep, and for the shapes of a static body a wake means that edited terrain is examined. */
+ * sleep, and TD_CHANGE_WAKE on a static body means that its terrain was edited. */
 static void wake_other(thud_world *w, int edge) {
     td_body_index other = td_other_body(w, edge);
     if (td_constraint_at(w, td_edge_constraint(edge))->open &&

@@ -24,7 +24,8 @@ void td_edit_wake(thud_world *w, td_body_index body, int shape);
  * allows; with `all` every one. The bodies that it touched wake. td_edit_ends_reserve has reserved
  * room for the end events. */
 void td_edit_end_contacts(thud_world *w, td_body_index body, int shape, bool all);
-/* Reserves that room. False when memory is short. */
+/* Reserves room for the end events of td_edit_end_contacts with the same arguments. False when
+ * memory is short. */
 bool td_edit_ends_reserve(thud_world *w, td_body_index body, int shape, bool all);
 
 /* Recomputes friction, restitution, surface speed and rule of all contacts of a shape, of sleeping

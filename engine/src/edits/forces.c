@@ -4,7 +4,7 @@
 #include "state/body.h"
 #include "state/handles.h"
 
-/* Whether x is a number within THUD_FORCE_MAX. */
+/* Whether |x| <= THUD_FORCE_MAX; false for NaN. */
 static bool is_push(double x) {
     return td_abs(x) <= (double)THUD_FORCE_MAX;
 }

@@ -54,7 +54,8 @@ static thud_result make_anchor(thud_world *w, td_position near, thud_body_id *id
     return result;
 }
 
-/* Which axes a lock (a joint, or TD_NONE) locks. A wheel leaves the axis of its frame free. */
+/* Sets *x and *y to whether a lock (a joint, or TD_NONE) locks these axes. A wheel leaves the axis
+ * of its frame free. */
 static void read_locks(const thud_world *w, int lock, bool *x, bool *y) {
     const td_joint *joint = lock == TD_NONE ? NULL : td_joint_at(w, lock);
     bool both = joint && joint->kind == THUD_JOINT_HINGE;

@@ -41,7 +41,8 @@ thud_result thud_body_get_velocity_at(const thud_world *w, thud_body_id id, thud
     return THUD_OK;
 }
 
-/* A float, also where a vector of the greatest floats gets longer than those by its rotation. */
+/* Converts x to the nearest finite float. A rotation can make a component of a vector of the
+ * greatest floats up to sqrt(2) times as large, which would be infinite. */
 static float finite_float(double x) {
     return (float)td_min_double(td_max_double(x, (double)-FLT_MAX), (double)FLT_MAX);
 }

@@ -55,7 +55,8 @@ thud_result thud_shape_set_sensor(thud_world *w, thud_shape_id id, bool sensor) 
     w->sensor_hooks = &td_sensor_stages;
     w->sensors += sensor ? 1 : -1;
     w->mobile_sensors += kind == THUD_BODY_DYNAMIC ? (sensor ? 1 : -1) : 0;
-    if (kind != THUD_BODY_STATIC) { /* those of the body's other shapes follow with the change */
+    if (kind !=
+        THUD_BODY_STATIC) { /* TD_CHANGE_SHAPES recomputes those of the body's other shapes */
         shape->internal_edges = shape->hidden = 0;
     }
     *td_marks_at(w, index) |= TD_MARK_FRESH;

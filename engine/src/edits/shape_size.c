@@ -30,8 +30,8 @@ thud_result thud_shape_set_density(thud_world *w, thud_shape_id id, float densit
     return THUD_OK;
 }
 
-/* Sets the size. Fat bounds are only made anew once the shape leaves them, so that a shape which
- * shrinks would keep its old ones: they become a point, which the shape leaves in any case. */
+/* Sets the size. Fat bounds are only recomputed when the shape leaves them, which a shape that
+ * shrinks does not. So they are set to a point, which the shape leaves in any case. */
 static void resize(thud_world *w, int index, float half_x, float half_y) {
     td_shape *shape = td_shape_at(w, index);
     shape->half_x = half_x;

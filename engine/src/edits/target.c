@@ -13,7 +13,7 @@
 #include "state/body.h"
 #include "state/handles.h"
 
-/* T of the head of this file, s. */
+/* T as defined at the head of this file, s. */
 static double damped_time(const thud_world *w, float damping) {
     float h = (float)w->def.time_step / (float)w->substeps;
     double kept = 1.0 - (double)td_damping_of(h * damping).lost, share = 1.0, sum = 0.0;

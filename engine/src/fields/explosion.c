@@ -110,7 +110,8 @@ static void push_from_within(const blast *b, td_body_index body, const thud_geom
     push_at(b, body, (thud_pos){x, y}, impulse * dx, impulse * dy);
 }
 
-/* Pushes one shape. Parts that are further across than the reach get no segment. */
+/* Pushes one shape. The parts of its side whose distance from the centre, measured across, is
+ * beyond the reach get no segment. */
 static void push_shape(const blast *b, int index) {
     const thud_world *w = b->world;
     td_body_index body = td_shape_at(w, index)->body;

@@ -66,8 +66,8 @@ thud_geometry td_field_shape(const thud_world *w, const td_field_body *a, const 
     return at;
 }
 
-/* The share p of a force, in [0, 1], that removes the most energy from the motion relative to the
- * flow. */
+/* Scales the force by the share p in [0, 1] by which it removes the most energy from the motion
+ * relative to the flow. */
 td_push td_push_dissipative(const thud_world *w, const td_field_body *a, td_push force) {
     const td_body *body = td_body_at(w, a->index);
     double inv_mass = (double)body->inv_mass, inv_inertia = (double)body->inv_inertia;

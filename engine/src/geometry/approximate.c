@@ -31,9 +31,11 @@ enum {
 /* Weight of area outside, by search. Chosen: the largest keeps shapes within about a thousandth of
  * the polygon's extent, and the middle one is best for about four shapes. */
 static const double OUTSIDE[SEARCHES] = {1.0, 6.0, 48.0};
-/* Weight of area that is already covered: small, to choose among shapes that add equal areas. */
+/* Weight of area that is already covered by other shapes. Small: it only decides between shapes
+ * that add equal areas. */
 static const double AGAIN = 1.0 / 64.0;
-/* Step widths of a search: at its start, at which it compares shapes, and at its end. */
+/* Step widths of a search: at its start; at the end of the coarse search, after which shapes are
+ * compared; and at the end of the fine search of the best one. */
 static const double STEP_FIRST = 0.25, STEP_COMPARED = 1.0 / 32.0, STEP_LAST = 1.0 / 4096.0;
 /* The minimum half extent of a shape, and the minimum score of a shape, as a share of the polygon's
  * area. Chosen. */
@@ -109,7 +111,8 @@ static bool improve_circle(const work *w, const search *s, candidate *best, doub
     return better;
 }
 
-/* The box with one of its sides, 0 to 3, at the coordinate `to` of its own frame. */
+/* The box after one of its sides, 0 to 3, has been moved to the coordinate `to` of its own frame;
+ * the opposite side stays. */
 static thud_geometry with_side(const thud_geometry *box, int side, double to) {
     thud_geometry moved = *box;
     double u = box->c * box->x + box->s * box->y, v = box->c * box->y - box->s * box->x;

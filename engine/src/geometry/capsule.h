@@ -14,8 +14,8 @@ static inline bool td_motion_straight(thud_motion motion) {
     return td_motion_valid(motion) && motion.turn == 0.0;
 }
 
-/* Turns the closest points of two segments or shapes into those of the same shapes grown by a
- * radius on all sides. */
+/* Converts the closest points of two shapes into those of the same shapes grown by a radius each. A
+ * capsule is its segment, grown by its radius. */
 static inline void td_closest_grow(thud_closest *c, double radius_a, double radius_b) {
     c->distance -= radius_a + radius_b;
     c->ax += radius_a * c->nx;

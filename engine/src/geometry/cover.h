@@ -8,7 +8,7 @@
 
 /* ---- areas ---- */
 
-/* An interval of a line. */
+/* The part of a horizontal line between two values of x. */
 typedef struct td_interval {
     double from, to;
 } td_interval;
@@ -85,8 +85,9 @@ typedef struct td_cover_piece {
 
 /* An upper bound of the distance of the points of `from` from the union of `to`. `points`: the
  * outline of that union if it is a polygon, by which pieces deep inside are recognised at once;
- * otherwise null. `stack` has room for TD_PIECE_STACK pieces. `known`: the caller takes the maximum
- * of the result and `known`, so that a result below it need not be precise. */
+ * otherwise null. `stack` has room for TD_PIECE_STACK pieces. `known`: a lower bound that the
+ * caller has; it takes the maximum of this and the result, so a result below it need not be
+ * precise. */
 double td_cover_distance(const td_convex *from, const td_convex *to, int count,
                          const thud_pos *points, int point_count, double known,
                          td_cover_piece *stack);

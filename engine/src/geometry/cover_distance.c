@@ -157,8 +157,9 @@ static bool is_deep(const td_cover_piece *piece, const thud_pos *points, int cou
     return depth_in(points, count, centre) + reach <= 0.0;
 }
 
-/* Sets piece->nearest to the set that gives the upper bound. Sets that are too far away to change
- * either bound are skipped; the nearest set of the piece before it was cut is tried first. */
+/* The bounds of one piece. Sets piece->nearest to the set that gives the upper one. Sets that are
+ * too far away to change either bound are skipped; the nearest set of the piece before it was cut
+ * is tried first. */
 static bounds bounds_of(td_cover_piece *piece, const td_convex *to, int count) {
     int corners = piece->count > 0 ? piece->count : 3;
     double nearest[TD_PIECE_CORNERS], reach = 0.0;
@@ -212,7 +213,8 @@ static void cut_along(const td_cover_piece *piece, thud_pos at, double nx, doubl
     }
 }
 
-/* Cuts from corner 0 to the opposite corner, which adds no corners. */
+/* Cuts a piece along the line from corner 0 to the opposite corner, so that no new corners are
+ * needed. */
 static void cut_across(const td_cover_piece *piece, td_cover_piece out[2]) {
     int half = piece->count / 2;
     out[0].count = out[1].count = 0;

@@ -220,7 +220,8 @@ enum { STRIPS = 256 };
  * sqrt(12). */
 static const double GAUSS = 0.28867513459481287;
 
-/* Adds the lengths on one line. */
+/* Adds the lengths on the line at `y`, times `weight`, the height for which the line stands, to the
+ * areas. */
 static void measure_line(const thud_pos *points, int count, const thud_geometry *shapes,
                          int shape_count, double y, double weight, td_interval *intervals,
                          td_cover_areas *sum) {

@@ -39,7 +39,8 @@ static void set_segments(thud_minkowski *sum, int count, const thud_pos *axes,
     }
 }
 
-/* The same for one box with its first axis along e, without loops, since it is used for rays. */
+/* Sets the sum of the two segments of one box, whose first axis is e. Without loops, since casts of
+ * rays call it often. */
 static void set_box(thud_minkowski *sum, thud_pos e, double hx, double hy) {
     double ux = hx * e.x, uy = hx * e.y, vx = -hy * e.y, vy = hy * e.x;
     sum->count = 4;

@@ -21,11 +21,11 @@ static inline thud_pos td_volume_direction(double x, double y) {
 /* The OBB of a span along the unit vector (c, s). */
 thud_volume td_volume_of_span(thud_pos origin, double c, double s, td_volume_span span);
 
-/* Replaces *best by that box if its area is smaller. */
+/* Replaces *best by the OBB of the span if that has a smaller area. */
 void td_volume_keep_smaller(thud_volume *best, thud_pos origin, double c, double s,
                             td_volume_span span);
 
-/* Grows the volume by the bound of its rounding errors and stores it as one of that kind.
+/* Grows the volume by a bound of its rounding errors, and stores it in *out with this kind.
  * THUD_ERROR_INVALID, with *out unchanged, if it is out of range. */
 thud_result td_volume_store(thud_shape_kind kind, thud_volume volume, thud_volume *out);
 

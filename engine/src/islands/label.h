@@ -6,8 +6,9 @@
 
 #include "state/world.h"
 
-/* The root of a slot in a forest where each slot has a parent and a root is its own parent. Halves
- * the path to the root (path halving). */
+/* The root of a slot in a forest where each slot has a parent and a root is its own parent. On the
+ * way it links every other slot to its grandparent (path halving), so that later calls take fewer
+ * steps. */
 static inline td_awake_slot td_root_of(td_awake_slot *parents, td_awake_slot i) {
     while (parents[i.at].at != i.at) {
         parents[i.at] = parents[parents[i.at].at];

@@ -16,8 +16,8 @@
 
 #include <string.h>
 
-/* Puts the bodies in scratch.bodies, which are whole islands, to sleep. Memory has been
- * reserved. */
+/* Puts the bodies in scratch.bodies, which are whole islands, to sleep. The caller has reserved the
+ * memory. */
 static void put_to_sleep(thud_world *w) {
     td_array *bodies = &w->scratch.bodies, *constraints = &w->scratch.constraints;
     constraints->count = 0;
@@ -53,8 +53,9 @@ static void put_to_sleep(thud_world *w) {
     }
     w->rest_epoch++;
     for (int i = 0; i < bodies->count; i++) {
-        /* If the broadphase was too crowded to list all pairs, an older epoch makes the body query
-         * for them when it wakes. */
+        /* A body whose epoch is older than the world's searches for new pairs when it wakes
+         * (wake.c). If the broadphase was too crowded in this step to list all pairs, the body gets
+         * such an epoch at once. */
         td_body_at(w, td_body_in(bodies, i))->rest_epoch =
             w->rest_epoch - (w->scratch.crowded.count > 0);
     }

@@ -11,8 +11,9 @@ bool td_wake_reserve(thud_world *w) {
            td_array_reserve(&w->memory, &w->scratch.constraints, w->constraints.count);
 }
 
-/* Marks the shapes of a body for the broadphase, which does not look for pairs of two sleeping
- * bodies: it now finds pairs with bodies that fell asleep nearby in the meantime. */
+/* Marks the shapes of a body that wakes, so that the broadphase searches for their pairs. It does
+ * not search for pairs of two sleeping bodies, so that those with bodies that fell asleep later
+ * than this one are still missing. */
 static void find_new_pairs(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
     if (body->rest_epoch == w->rest_epoch) {

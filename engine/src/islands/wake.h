@@ -9,7 +9,8 @@
  * scratch.constraints. False when memory is short. */
 bool td_wake_reserve(thud_world *w);
 
-/* td_sleep_hooks.wake. */
+/* Wakes a body and its whole island (td_sleep_hooks.wake). False when memory is short; nothing has
+ * changed then. */
 bool td_wake_island(thud_world *w, td_body_index body);
 
 #endif

@@ -33,13 +33,15 @@ static void set_anchors(const thud_world *w, const td_joint *joint, td_anchor_ro
     rows->turn[lane] = (int32_t)joint->turn;
 }
 
-/* -1 where the joint's sides are swapped. */
+/* The factor of coordinates of turn: -1 where the joint's sides are swapped, so that they are those
+ * of the caller's order (joint.h); else 1. */
 static float sign_of(const td_joint *joint) {
     return joint->swapped ? -1.0f : 1.0f;
 }
 
-/* A lane of locked directions. rows->frame_turns is 0 where both along and across are locked: the
- * frame then has the world's axes, so that impulses that carry a weight keep their direction. */
+/* Sets a lane of locked directions. rows->frame_turns is 0 where both along and across are locked:
+ * the frame then has the world's axes. An impulse that carries a weight then keeps its direction
+ * from step to step, and is a good warm start. */
 static void set_lock(const thud_world *w, td_block *block, int lane, const td_joint *joint) {
     td_lock_rows *rows = td_lock_rows_of(block);
     float sign = sign_of(joint);
@@ -51,7 +53,7 @@ static void set_lock(const thud_world *w, td_block *block, int lane, const td_jo
         joint->locked >> THUD_DIRECTION_TURN & 1u ? sign : 0.0f;
 }
 
-/* A lane of a locked distance. */
+/* Sets a lane of a locked distance. */
 static void set_rod(const thud_world *w, td_block *block, int lane, const td_joint *joint) {
     td_lock_rows *rows = td_lock_rows_of(block);
     set_anchors(w, joint, &rows->anchor, lane);
@@ -67,7 +69,7 @@ static int direction_of(const td_joint *joint, int constraint) {
     return direction;
 }
 
-/* A lane of a driven direction. */
+/* Sets a lane of a driven direction. */
 static void set_drive(const thud_world *w, td_block *block, int lane, const td_joint *joint) {
     td_drive_rows *rows = td_drive_rows_of(block);
     int direction = direction_of(joint, block->constraint[lane]);

@@ -75,7 +75,8 @@ void td_gear_set_rest(const thud_world *w, td_joint *gear) {
     g->rest = td_gear_gap(w, gear);
 }
 
-/* Adds the rotation since the last step. A body turns by less than half a turn in a step. */
+/* Adds the rotation since the last step. The count is right as long as a body turns by less than
+ * half a turn in a step. */
 static void count_turns(const thud_world *w, td_joint *gear) {
     for (int i = 0; i < 2; i++) {
         gear->gear.turned[i] = counted_rotation(w, gear, i);
@@ -104,8 +105,9 @@ static void coordinate_gradient(const thud_world *w, const td_joint *joint, floa
     out[2] = td_cross(place.arm[1], x, y);
 }
 
-/* Sets and returns td_gear.apart: whether one of the joints is disabled, so that the gear does not
- * act. When both are enabled again, it sets `rest` by the coordinates that they have then. */
+/* Sets and returns td_gear.apart: whether one of the gear's joints is disabled, so that the gear
+ * does not act. When both are enabled again, sets `rest` from their present coordinates, so that
+ * the gear does not jump back to the old ones. */
 static bool update_apart(const thud_world *w, td_joint *gear) {
     bool apart = member(w, gear, 0)->disabled || member(w, gear, 1)->disabled;
     if (!apart && gear->gear.apart) {
@@ -115,7 +117,7 @@ static bool update_apart(const thud_world *w, td_joint *gear) {
     return apart;
 }
 
-/* Computes the row of a gear's lane; its mass is 0 if the gear does not act. */
+/* Computes the row of a gear's lane. The row's effective mass is 0 if the gear does not act. */
 static void prepare_lane(const thud_world *w, td_block *block, int lane) {
     td_joint *gear = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));
     td_point *p = &block->point[0];
@@ -208,8 +210,8 @@ static void update_rows(const thud_world *w, const td_block *block, int lane, co
     row->closing = s->time > 0.0 ? td_abs(row->target_speed) : row->closing;
 }
 
-/* td_constraint_ops.collide_world: computes the rows from the present poses. No lane is given
- * back. */
+/* td_constraint_ops.collide_world: computes the rows from the present poses. All lanes stay in use,
+ * unlike those of contacts that part. */
 static void prepare(thud_world *w, td_block *const *blocks, int count,
                     const td_collide_context *context) {
     (void)context;
@@ -222,7 +224,7 @@ static void prepare(thud_world *w, td_block *const *blocks, int count,
     }
 }
 
-/* It is compiled once for all instruction sets. */
+/* `prepare` is compiled only once: both instruction sets use the same function. */
 #define prepare_base prepare
 #define prepare_avx2 prepare
 

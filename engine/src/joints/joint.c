@@ -14,8 +14,8 @@ enum {
 
 _Static_assert((int)THUD_DIRECTION_COUNT == (int)TD_JOINT_DIRECTIONS, "a drive for each direction");
 
-/* By kind of joint: the directions that are locked, those of them that are free while they have a
- * drive (`unless_driven`), and those that may be driven. */
+/* For each kind of joint: the directions that it locks, those of them that it locks only while they
+ * have no drive (`unless_driven`), and those that may have a drive. */
 static const struct {
     unsigned locked, unless_driven, drivable;
 } of_kind[] = {[THUD_JOINT_DISTANCE] = {ALONG, ALONG, ALONG},
@@ -101,9 +101,9 @@ double td_joint_closing_speed(double gap, double unit, double time) {
 
 /* ---- in motion ---- */
 
-/* Rotations within a part of a step are small, rad. Up to this angle the Taylor series below have
- * errors below 2^-52 of their values: the terms left out are x^10 / 11! of the sine, x^12 / 12! of
- * the cosine. */
+/* Rotations within a part of a step are small. Up to TD_SERIES_ANGLE_MAX (rad) the Taylor series of
+ * td_joint_sincos have errors below 2^-52 of their values: the terms left out are x^10 / 11! of the
+ * sine, x^12 / 12! of the cosine. */
 
 void td_joint_sincos(double angle, double *s, double *c) {
     if (!(td_abs(angle) <= TD_SERIES_ANGLE_MAX)) {
@@ -124,7 +124,8 @@ void td_joint_rotate_arm(double angle, double *u, double *v) {
     *v = c * y + s * x;
 }
 
-/* The same anchors in a frame that is rotated by the angle of (c, s). */
+/* The frame f rotated by the angle with cosine c and sine s: its anchors and its gap are the same
+ * vectors, in the coordinates of the new axes. */
 static td_joint_frame rotate_frame(td_joint_frame f, double c, double s) {
     return (td_joint_frame){.x = c * f.x - s * f.y,
                             .y = c * f.y + s * f.x,

@@ -69,7 +69,8 @@ td_joint td_joint_of_def(const thud_world *w, const thud_joint_def *d, td_body_i
 /* Sets the joint's frame in body[side]. */
 void td_joint_set_place(td_joint *joint, int side, const thud_joint_frame *f);
 
-/* Whether the joint is one that edits/locks.c made to keep x or y of this body. */
+/* Whether edits/locks.c made this joint to lock x or y of a body that a program has axis-locked
+ * (thud_locks.h). */
 static inline bool td_joint_is_lock(const thud_world *w, const td_joint *joint,
                                     td_body_index body) {
     return td_same_body(joint->body[1], body) &&
@@ -160,7 +161,8 @@ td_joint_place td_joint_place_of(const thud_world *w, const td_joint *joint);
  * (0, 1) if they coincide. */
 float td_joint_line(const td_joint_place *place, float *x, float *y);
 
-/* The unit of constants that bound a gap: a length scale for lengths, 1 (rad) for angles. */
+/* The factor that turns a constant in length scales or radians into a bound of a gap: the length
+ * scale for lengths, 1 for angles. */
 static inline double td_gap_unit(const thud_world *w, bool is_angle) {
     return is_angle ? 1.0 : (double)w->length_scale;
 }
@@ -175,8 +177,9 @@ double td_joint_closing_speed(double gap, double unit, double time);
  * 1 - x^2 / 6, here within 2e-13 of 1. Avoids 0 / 0. */
 #define TD_CHORD_IS_ARC 1e-12
 
-/* joint_rows.c. The speed at which a gap closes in a part of the step of length `time`: by a share
- * of it, and a small width on top, at TD_JOINT_CLOSING_SPEED at most. */
+/* joint_rows.c. The speed at which a gap closes in a part of the step that lasts `time` (s): the
+ * part closes a share of the gap, and a small width on top, but at no more than
+ * TD_JOINT_CLOSING_SPEED. */
 double td_joint_part_closing(const thud_world *w, double gap, double unit, double time);
 
 /* arm x (x, y) */
@@ -219,7 +222,7 @@ float td_joint_speed(const thud_world *w, const td_block *block, int lane, doubl
 float td_joint_inverse_mass(const thud_world *w, const td_block *block, int lane, float linear,
                             float cross_a, float cross_b);
 /* td_lane_ops of all joints (anchors.c): a new or changed lane copies its joint in the next step; a
- * lane that is given back needs no work. */
+ * lane that a joint leaves needs no work. */
 void td_joint_fill_lane(thud_world *w, td_block *block, int lane, int index);
 void td_joint_renew_lane(thud_world *w, td_block *block, int lane, int index);
 void td_joint_clear_lane(thud_world *w, td_block *block, int lane, int index);
@@ -229,7 +232,7 @@ void td_joint_clear_lane(thud_world *w, td_block *block, int lane, int index);
 void td_joint_update_anchors(const thud_world *w, td_block *block);
 
 /* wide_place.c: td_constraint_ops.collide_world of rods, locks and drives: computes their rows from
- * the present poses. No lane is given back. */
+ * the present poses. All lanes stay in use. */
 typedef void td_place_fn(thud_world *w, td_block *const *blocks, int count,
                          const td_collide_context *context);
 TD_DECLARE_WIDE(td_place_fn, td_place_joints);
@@ -261,8 +264,8 @@ static inline float td_joint_abs(float x) {
         .solve_centered = &(solve_ops)                                                            \
     }
 
-/* Defines, below those, the operations ops_base and ops_avx2 of a kind, for TD_PICK_WIDE; `solve`
- * names its td_solve_ops, `prepare` its collide_world. */
+/* Defines the operations ops_base and ops_avx2 of a kind, from which TD_PICK_WIDE chooses; used
+ * below TD_DEFINE_JOINT_LANES. `solve` names its td_solve_ops, `prepare` its collide_world. */
 #if defined(TD_HAS_AVX2)
 #define TD_DEFINE_JOINT_OPS(ops, form, prepare, solve)                    \
     static const td_constraint_ops ops##_base =                           \
@@ -280,7 +283,7 @@ const td_constraint_ops *td_rod_ops(const thud_world *w);
 const td_constraint_ops *td_lock_ops(const thud_world *w);
 const td_constraint_ops *td_drive_ops(const thud_world *w, int kind);
 
-/* joint_rows.c: their rows for the direct solver. */
+/* joint_rows.c: the rows of these kinds for the direct solver. */
 td_take_rows_fn td_rod_take_rows, td_lock_take_rows, td_drive_take_rows;
 td_update_rows_fn td_rod_update_rows, td_lock_update_rows, td_drive_update_rows;
 

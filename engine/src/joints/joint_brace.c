@@ -1,7 +1,8 @@
 /* joint_brace.c: bracing: an energy bound on the impulses that locks and rods apply in a substep,
- * in steps that begin with a torn joint: its gap is too wide to close in a substep at
- * TD_JOINT_CLOSING_SPEED (flag_torn, wide_joint.h). Other steps do no bracing. A lock is wide open
- * (is_wide_open) if its gap is still wider.
+ * in steps that begin with a torn joint. A joint is torn if its gap is too wide to close in a
+ * substep at TD_JOINT_CLOSING_SPEED (flag_torn, wide_joint.h). Steps without a torn joint do no
+ * bracing. A lock is wide open if its gap is so wide that its bias is at its maximum
+ * (is_wide_open).
  *
  * The soft solver begins a substep with the impulses of the one before (warm start). Each row
  * divides its correction by its diagonal entry of K = J M^-1 J', so that one Gauss-Seidel pass
@@ -18,13 +19,14 @@
  *     E(1) = p.(u + u') / 2
  * E has its minimum at s = -p.u / p.(u' - u), and is 0 again at twice that share.
  *
- * Warm start: where E(1) > 0, the group keeps the share of least energy, clamped to 0 .. 1.
+ * After the warm start, p are the impulses of the substep before. Where E(1) > 0, the group keeps
+ * the share at which E has its minimum, clamped to 0 .. 1.
  *
- * After the relax pass: p is all that the locks applied in the substep. A group with a lock that is
- * wide open and E(1) > 0 keeps the share with E = 0; a second relax pass over all rows, contacts
- * included, then corrects the speed errors that the removed impulses leave. In groups without such
- * a lock the impulses may add energy after the relax pass: there a gap acts as a spring, which
- * returns the energy that opened it.
+ * After the relax pass, p are all impulses that the locks applied in the substep. A group with a
+ * lock that is wide open and E(1) > 0 keeps the share with E = 0; a second relax pass over all
+ * rows, contacts included, then corrects the speed errors that the removed impulses leave. In
+ * groups without such a lock the impulses keep the energy that they add: there a gap acts as a
+ * spring, which returns the energy that opened it.
  *
  * Gaps of a group that lost a share close at no more than TD_JOINT_CLOSING_SPEED for the rest of
  * the step (td_lock_rows.closing_factor is 1), since the bias of many rows that hardly move could

@@ -41,14 +41,14 @@ static double cap_of(const td_drive *d, bool motor) {
     return (double)(motor ? d->motor_force : d->frequency > 0.0f ? d->spring_force : 0.0f);
 }
 
-/* The lanes' bounds of the force. */
+/* The row of the lane's block that bounds the force of its motor or spring. */
 static f8 *bounds_of(td_lane at, bool motor) {
     td_drive_rows *r = td_drive_rows_of(at.block);
     return motor ? &r->max_motor_force : &r->max_spring_force;
 }
 
-/* Sets the bounds of both directions of a joint's springs or motors. Bounds stay the caps
- * themselves where one direction has none of them, or the greater cap is unlimited. */
+/* Sets the bounds of both directions of a joint's springs or motors. Bounds stay equal to the caps
+ * where one direction has no spring (or motor), or where the greater cap is unlimited. */
 static void share_cap(const thud_world *w, const td_joint *joint, td_lane along, td_lane across,
                       bool motor) {
     double cap_u = cap_of(&joint->drive[THUD_DIRECTION_ALONG], motor);

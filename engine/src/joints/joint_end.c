@@ -1,4 +1,4 @@
-/* joint_end.c: joints are destroyed, and their bodies wake. */
+/* joint_end.c: destroys joints, and wakes their bodies. */
 #include "joints/joint.h"
 #include "state/body.h"
 #include "state/handles.h"

@@ -1,7 +1,8 @@
 /* joint_engage.c: when the constraints of joints take lanes and give them back; see joint_hooks.h.
  *
- * A constraint waits until both bodies are in the world and enabled; as a step begins it then takes
- * a lane, wakes the bodies, and ends contacts between them, unless the joint lets them collide. */
+ * The constraint of a joint waits until both bodies are in the world and enabled. As the next step
+ * begins, it takes a lane, its bodies are woken, and contacts between them are ended, unless the
+ * joint lets them collide. */
 #include "constraint/joint_hooks.h"
 
 #include "joints/gear.h"
@@ -63,7 +64,8 @@ static bool prepare_bodies(thud_world *w, int index) {
     return true;
 }
 
-/* Removes filters from a list of constraints: they need no lane. */
+/* Removes the constraints of filter joints (THUD_JOINT_FILTER) from a list: they only exclude
+ * contacts, and need no lane. */
 static void remove_filters(const thud_world *w, td_array *list) {
     int kept_count = 0;
     for (int i = 0; i < list->count; i++) {
@@ -98,8 +100,8 @@ static bool engage_kind(thud_world *w, int kind) {
         td_constraint_rest(w, td_int_at(list, i));
     }
     remove_filters(w, list);
-    /* If memory is short, they wait again in the same order as before, so that the next attempt
-     * gives them the same lanes. */
+    /* If memory is short, the constraints wait again in the same order as before, so that the next
+     * attempt gives them the same lanes. */
     if (!td_lanes_place(w, list->data, list->count)) {
         for (int i = 0; i < list->count; i++) {
             td_constraint_wait(w, td_int_at(list, i));

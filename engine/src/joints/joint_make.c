@@ -7,8 +7,8 @@
 /* Whether a joint needs a part, by the directions that it locks and drives. */
 static bool has_part(const td_joint *joint, int part) {
     unsigned driven = joint->driven;
-    /* A joint that locks and drives nothing also has this part, so that it is in its bodies' lists
-     * of constraints. */
+    /* A joint that locks and drives nothing, such as a filter, has this part all the same, so that
+     * it is in its bodies' lists of constraints. */
     return part == TD_JOINT_LOCK ? joint->locked || !driven : driven >> part & 1u;
 }
 
@@ -108,7 +108,7 @@ static thud_result find_dynamic_body(const thud_world *w, thud_joint_id id, td_b
     return THUD_OK;
 }
 
-/* The bodies of a def. */
+/* Finds the bodies of a joint's def. */
 static thud_result find_sides(const thud_world *w, const thud_joint_def *def, td_body_index *a,
                               td_body_index *b) {
     if (def->kind == THUD_JOINT_GEAR) {

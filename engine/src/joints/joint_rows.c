@@ -83,8 +83,9 @@ double td_joint_part_closing(const thud_world *w, double gap, double unit, doubl
     return gap > 0.0 ? -change / time : change / time;
 }
 
-/* The same for a row whose gap is `before` wide at the start of the part. Sets row->closing, its
- * size. At h = 0 row->closing is kept, and the result is 0: the gap is not closed. */
+/* td_joint_part_closing for a row whose gap is `before` at the start of the part. Sets row->closing
+ * to the magnitude of that speed. At h = 0 row->closing is kept, and the result is 0: the gap is
+ * not closed. */
 static double closing_of(const thud_world *w, td_direct_row *row, const td_span *s, double before,
                          double unit) {
     if (s->time == 0.0) {
@@ -129,7 +130,7 @@ static td_joint_frame average_frame(const td_block *block, int lane, double gap_
     return f;
 }
 
-/* The frame in the middle of the part, which turns with body a. */
+/* The joint's frame at the middle of the time span. Its axes turn with body a. */
 static td_joint_frame middle_frame(const td_block *block, int lane, double gap_u, double gap_v,
                                    const td_span *s) {
     double a[3], b[3];
@@ -220,7 +221,7 @@ static void set_lock_directions(td_direct_constraint *c, const td_joint_frame *f
     set_geometric_stiffness(c, f, s, c->row[0].impulse, c->row[1].impulse);
 }
 
-/* Locked directions of a frame that turns with body a. */
+/* td_update_rows_fn of locked directions whose frame turns with body a. */
 static void update_turning_lock(const thud_world *w, const td_block *block, int lane,
                                 const td_span *s, td_direct_constraint *c, double unit) {
     double u = (double)block->point[0].start_separation[lane],
@@ -259,8 +260,8 @@ void td_lock_update_rows(const thud_world *w, const td_block *block, int lane, c
     }
 }
 
-/* td_take_rows_fn of locked directions: the same rows. Rows of directions that are not locked have
- * an effective mass of 0, and are not used. */
+/* td_take_rows_fn of locked directions: rows 0 along, 1 across, 2 turn, as in td_lock_update_rows.
+ * Rows of directions that are not locked have an effective mass of 0, and are not used. */
 bool td_lock_take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
                        td_direct_constraint *c) {
     const td_lock_rows *rows = td_lock_rows_of(block);
@@ -283,11 +284,11 @@ bool td_lock_take_rows(const thud_world *w, td_block *block, int lane, const flo
 
 /* ---- driven directions ---- */
 
-/* Chooses the limit of a step: the one that is nearer at the start of the step, or the other one if
- * the soft solver has chosen it and ended nearer to it than the start of the step was to the first
- * one. Sets limit_side (1 lower, -1 upper, 0 no limits), limit, and the separation from it at the
- * start of the step. Returns whether it is the nearer one: only then the impulse of the last step
- * is a warm start. */
+/* Chooses the limit (lower or upper) for which a step is solved: the one that is nearer at the
+ * start of the step. The other one is chosen if the soft solver has chosen it, and its result is
+ * nearer to that limit than the start of the step is to the nearer one. Sets limit_side (1 lower,
+ * -1 upper, 0 no limits), limit, and the separation from it at the start of the step. Returns
+ * whether the nearer one was chosen: only then the impulse of the last step is a warm start. */
 static bool choose_limit(td_block *block, int lane) {
     td_drive_rows *r = td_drive_rows_of(block);
     td_point *p = &block->point[0];

@@ -16,9 +16,9 @@ static void join_groups(thud_world *w, td_awake_slot a, td_awake_slot b) {
     }
 }
 
-/* Whether a joint with a static or kinematic body locks so many directions that it would come apart
- * if detection stopped the dynamic body within the step. A rod locks one direction and does not
- * count; neither do locks of single axes (edits/locks.c). */
+/* Whether a joint to a static or kinematic body locks so many directions that it would come apart
+ * if detection stopped the dynamic body within the step. Rods do not count, since they lock one
+ * direction, nor do the joints by which edits/locks.c locks single axes. */
 static bool fixes_body(const thud_world *w, const td_joint *joint) {
     return joint->kind != THUD_JOINT_DISTANCE && !td_joint_is_lock(w, joint, joint->body[1]);
 }
@@ -37,8 +37,8 @@ static td_awake_slot moving_slot(const thud_world *w, td_body_index body) {
     return b->kind == THUD_BODY_DYNAMIC && b->awake.at > 0 ? b->awake : (td_awake_slot){0};
 }
 
-/* Only joints with locked directions tie their bodies: springs and motors may be displaced.
- * td_joints_engage has reserved the memory. */
+/* Only joints with locked directions tie their bodies: a body on a spring or motor may be stopped
+ * without its partner. td_joints_engage has reserved the memory. */
 void td_joints_tie(thud_world *w) {
     if (w->scratch.next_tied.count > 0) {
         return;

@@ -64,8 +64,8 @@ enum {
      * at half of them the hinge of motor_stalls_at_a_wall_and_its_hinge_stays_closed opens by more
      * than 0.002; twice as many change no test. */
     GROUP_PASSES = 24,
-    /* Passes over contacts alone after them. Chosen, with a margin: with 1 the tests of yielding
-     * joints pass as well (test_joints_held.c, test_distances.c). */
+    /* Passes over contacts alone, after the GROUP_PASSES. Chosen, with a margin: with 1 the tests
+       of yielding joints pass as well (test_joints_held.c, test_distances.c). */
     CONTACT_PASSES = 8
 };
 
@@ -170,8 +170,8 @@ static row_direction contact_normal(const td_lane *at, int k) {
 }
 
 /* The least separation that a contact point may have at the end of the step, a length: -share times
- * the extent; if the step began below that, the separation at its start plus the recovery of one
- * step. */
+ * the extent (DEPTH_SHARE_MAX). If the step began below that, it is the separation at the start of
+ * the step plus the distance that RECOVERY_SHARE of push_speed gives in a step. */
 static double min_separation(const thud_world *w, const td_lane *at, int k, float share) {
     const td_block *block = at->block;
     float min_half_extent = td_row(&w->reach, td_slot_of_side(block->b[at->lane]))[0];
@@ -184,7 +184,8 @@ static double min_separation(const thud_world *w, const td_lane *at, int k, floa
     return td_min_double(limit, (double)block->point[k].start_separation[at->lane] + recovery);
 }
 
-/* Whether a contact point overlaps more than at the start of the step, and more than it may. */
+/* Whether a contact point overlaps more than at the start of the step, and more than min_separation
+ * allows. */
 static bool sank_too_deep(const thud_world *w, const td_lane *at, int k, float share) {
     const td_point *p = &at->block->point[k];
     double now = (double)p->separation[at->lane];
@@ -220,8 +221,9 @@ static void correct_contact(const tied_group *g, const td_constraint *constraint
 
 /* ---- locked directions ---- */
 
-/* The part of a gap `now` that has to be closed, with its sign. A gap that was open `before` the
- * step may stay as wide as TD_JOINT_CLOSING_SPEED leaves it in a step. `unit`: td_gap_unit. */
+/* The part of the gap `now` that has to be closed, with its sign. A gap that was `before` wide as
+ * the step began closes at TD_JOINT_CLOSING_SPEED at most, and may stay as wide as that leaves it.
+ * `unit`: td_gap_unit. */
 static double excess_gap(const thud_world *w, double before, double now, double unit) {
     double closed = (double)TD_JOINT_CLOSING_SPEED * unit * w->def.time_step;
     double left = td_max_double(td_abs(before) - closed, 0.0);
@@ -246,7 +248,7 @@ static void correct_rod(const tied_group *g, const td_lane *at) {
                 td_gap_unit(g->w, false));
 }
 
-/* The frame of a lock lane after the motion of the step, as it is now. */
+/* The frame of a lock's lane after the motion of the step, as far as it is corrected by now. */
 static td_joint_frame frame_of(const tied_group *g, const td_lane *at) {
     double a[3], b[3];
     const td_point *p = at->block->point;
@@ -296,8 +298,9 @@ static bool is_drive(int kind) {
     return kind >= TD_CONSTRAINT_DRIVE_LINE && kind <= TD_CONSTRAINT_DRIVE_TURN;
 }
 
-/* The row of a drive's direction, as it was at the start of the step. An axis turns with body a,
- * whose lever arm then ends at b's anchor. */
+/* The row of a drive's direction, as it was at the start of the step. The direction of an axis
+ * drive turns with body a, so that a's rotation moves the axis at b's anchor: a's lever arm reaches
+ * to that anchor, not to its own. */
 static row_direction drive_direction(const td_lane *at, int kind) {
     const td_block *block = at->block;
     const td_point *p = &block->point[0];
@@ -319,9 +322,9 @@ static bool motor_below_max_force(const thud_world *w, const td_lane *at) {
            max_force * (float)(w->def.time_step / w->substeps);
 }
 
-/* A motor below its maximum force keeps its direction from moving against its target speed: such a
- * motion or velocity becomes 0. Locks and contacts, which are corrected after it, may still move it
- * back. */
+/* Corrects a motor whose force is below its maximum: a motion or velocity against its target speed
+ * becomes 0. Locks and contacts, which are corrected after it, may still move its bodies that way.
+ */
 static void correct_motor(const tied_group *g, const td_constraint *constraint) {
     if (!is_drive(constraint->kind)) {
         return;
@@ -357,8 +360,8 @@ static void clear_impulses(const thud_world *w, const td_constraint *constraint)
     at.block->tangent_impulse[at.lane] = 0.0f;
 }
 
-/* Marks the lane of a joint's constraint as yielded. Its impulses are kept until the next step, for
- * reports of forces and for joints that break. */
+/* Marks the lane of a joint's constraint as yielded. Its impulses are kept until the next step,
+ * since reports of forces and joint_break.c read them. */
 static void mark_yielded(const tied_group *g, const td_constraint *constraint) {
     if (!td_is_contact(constraint)) {
         td_lane at = td_lane_of(g->w, constraint);
@@ -379,8 +382,9 @@ static void clear_static_contacts(const thud_world *w, td_body_index body) {
     }
 }
 
-/* Clears the impulses of the lanes that yielded in the last step, and ages the marks: yielded in
- * the last solve (TD_LANE_LOST) becomes yielded in the one before (TD_LANE_WAS_LOST). */
+/* Clears the impulses of the lanes that yielded in the last step, and updates their marks:
+ * TD_LANE_LOST (yielded in the step that has just ended) becomes TD_LANE_WAS_LOST (yielded in the
+ * step before the one that now begins). */
 static void clear_yielded_lanes(const thud_world *w, td_block *block) {
     for (int lane = 0; lane < block->used; lane++) {
         bool yielded = block->mark[lane].rule & TD_LANE_LOST;
@@ -408,8 +412,8 @@ void td_joints_clear_yielded(thud_world *w) {
     }
 }
 
-/* All passes over a group, for the motions or for the velocities. Motions follow motors in the
- * first half only, so that locks close again in the second. */
+/* All passes over a group, for the motions or for the velocities. Motions are corrected for motors
+ * only in the first half of the passes, so that locks can close again in the second half. */
 static void run_passes(const tied_group *g) {
     for (int pass = 0; pass < GROUP_PASSES; pass++) {
         if (g->on_velocities || pass < GROUP_PASSES / 2) {
@@ -460,8 +464,8 @@ static void limit_energy(const tied_group *g) {
     } while (slot.at != g->first.at);
 }
 
-/* Limits the group's motions to what poses can represent (td_motion_held): corrections at long
- * lever arms may exceed it. */
+/* Clamps the group's motions to the range that poses can represent (td_motion_held): corrections at
+ * long lever arms may exceed it. */
 static void clamp_motions(const tied_group *g) {
     td_awake_slot slot = g->first;
     do {
@@ -474,7 +478,7 @@ static void clamp_motions(const tied_group *g) {
 }
 
 /* Corrects the motions and velocities of the group of `slot`, and marks its joints as yielded. */
-static void put_group_back(thud_world *w, td_awake_slot slot) {
+static void correct_group(thud_world *w, td_awake_slot slot) {
     tied_group g = {.w = w, .first = slot};
     run_passes(&g);
     clamp_motions(&g);
@@ -513,7 +517,8 @@ static bool limit_far_exceeded(const thud_world *w, const td_lane *at, int kind)
            rows->frequency[at->lane] == 0.0f;
 }
 
-/* Whether a joint acts on a body. *yielded: whether one of them yielded in the step before. */
+/* Whether a joint acts on a body. *yielded: whether one of the body's joints yielded in the step
+ * before. */
 static bool has_joints(const thud_world *w, td_awake_slot slot, bool *yielded) {
     bool any = false;
     *yielded = false;
@@ -529,8 +534,8 @@ static bool has_joints(const thud_world *w, td_awake_slot slot, bool *yielded) {
     return any;
 }
 
-/* A motor that misses its target speed by no more than this share of it has reached it. Chosen;
- * half and double change no test of yielding joints. */
+/* A motor that misses its target speed by no more than this share of it counts as not stalled.
+ * Chosen; half and double change no test of yielding joints. */
 #define STALL_SHARE 0.05f
 
 /* Whether a drive lane has a motor that misses its target speed below its maximum force. */
@@ -583,13 +588,13 @@ static bool mark_bodies(thud_world *w) {
     return any;
 }
 
-/* Results of inspecting the constraints of a group: touches_static: a contact with a static shape
- * has an impulse or overlaps; locks_open: a lock's gap is wider than depth_share of the group's
- * smallest half extent, and wider
- *     than at the start of the step;
- * deep: a contact with a static shape is below its least separation. */
+/* Results of inspecting the constraints of a group. */
 typedef struct finding {
-    bool touches_static, locks_open, deep;
+    bool touches_static; /* a contact with a static shape has an impulse or overlaps */
+    /* A lock's gap is wider than depth_share of the group's smallest half extent, and wider than at
+     * the start of the step. */
+    bool locks_open;
+    bool deep; /* a contact with a static shape is below its least separation */
 } finding;
 
 /* Whether a gap is wider than `tolerance`, and than before. */
@@ -597,7 +602,7 @@ static bool opened_wider(float now, float before, float tolerance) {
     return td_joint_abs(now) > td_max_float(tolerance, td_joint_abs(before));
 }
 
-/* Adds the result of one constraint to the group's finding. */
+/* Sets the members of the group's finding that one constraint makes true. */
 static void inspect_constraint(const tied_group *g, const td_constraint *constraint) {
     finding *found = g->found;
     td_lane at = td_lane_of(g->w, constraint);
@@ -657,7 +662,7 @@ void td_joints_yield(thud_world *w) {
         }
         if (group_must_yield(w, slot)) {
             any = true;
-            put_group_back(w, slot);
+            correct_group(w, slot);
         }
         td_awake_slot i = slot;
         do {

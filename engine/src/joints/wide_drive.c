@@ -11,7 +11,8 @@
  * frame, or the rotation. */
 typedef enum drive_kind { LINE, AXIS, TURN } drive_kind;
 
-/* The driven direction in the present substep, its crosses, and its coordinate (length or rad). */
+/* The driven direction (x, y) in the present substep, the lever arms crossed with it, and the
+ * coordinate along it (length or rad). */
 typedef struct direction8 {
     f8 x, y, cross_a, cross_b, value;
     f8 k, mass; /* J M^-1 J', the speed that a unit of impulse causes; and its inverse */
@@ -50,8 +51,9 @@ TD_INLINE void apply_along(td_block *block, const direction8 *n, bool a_static, 
                   n->y * change, n->cross_a * change, n->cross_b * change);
 }
 
-/* Applies the sum of the last substep's impulses along the present direction, in place of the
- * direction in the last substep. */
+/* Turns the impulses of the last substep into the present direction: replaces those that the
+ * velocities contain, along the direction of the last substep, by the same sum along the present
+ * one. */
 TD_INLINE void replace_along(td_block *block, const direction8 *n, bool a_static, sides *v) {
     td_drive_rows *r = td_drive_rows_of(block);
     f8 all = block->point[1].normal_impulse + block->tangent_impulse +
@@ -84,7 +86,7 @@ TD_INLINE void solve_spring(td_block *block, const td_drive_rows *r, const td_so
     apply_along(block, n, a_static, v, now - old);
 }
 
-/* Solves motors. */
+/* Solves motors: speed = motor_speed, with an impulse of at most the maximum force times h. */
 TD_INLINE void solve_motor(td_block *block, const td_drive_rows *r, const td_solve_context *c,
                            const direction8 *n, bool a_static, sides *v) {
     f8 max = r->max_motor_force / f8_all(c->inv_h);
@@ -113,11 +115,12 @@ TD_INLINE void choose_limit(td_block *block, td_drive_rows *r, const direction8 
     p->separation = side * (n->value - r->limit);
 }
 
-/* The maximum of a limit's bias, a speed. Angles are within a few radians, so that a constant is
- * enough. A limit of length that is exceeded at the start of a step by more than closes in a
- * substep at TD_JOINT_CLOSING_SPEED (a rope that is much too short) closes at that speed, plus the
- * bias that its load needs. It must not be faster: a contact in the way turns a part of the speed
- * into another direction, where it remains after the gap has closed. */
+/* The maximum of a limit's bias, a speed. Angles exceed their limits by a few radians at most, so
+ * that a constant is enough. A limit of length may be exceeded at the start of a step by more than
+ * closes in a substep at TD_JOINT_CLOSING_SPEED, as in a rope that is much too short. It then
+ * closes at that speed, plus the bias that its load needs (LOAD_BIAS). A higher bias would do harm:
+ * a contact in the way turns a part of the closing speed into another direction, where it remains
+ * after the gap has closed. */
 TD_INLINE f8 max_limit_bias(const td_point *p, const td_solve_context *c, f8 k, drive_kind which) {
     if (which == TURN) {
         return f8_all(TD_JOINT_CLOSING_FACTOR * TD_JOINT_CLOSING_SPEED);

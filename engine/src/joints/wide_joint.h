@@ -1,5 +1,5 @@
-/* wide_joint.h: code that the soft solver's passes over joints share: the frames of eight joints in
- * a substep, their softness, and how they apply impulses.
+/* wide_joint.h: functions that the soft solver's passes over joints share: frames of eight joints
+ * in a substep, the softness of their rows, and the application of impulses.
  *
  * Soft constraints with substeps as for contacts (solver/wide_solve.h; E. Catto, "Soft
  * Constraints", 2011, and Box2D's joints): a solve pass with bias, positions, a relax pass without
@@ -116,8 +116,8 @@ TD_INLINE frame8 frame_now(const td_block *block, const sides *d, bool a_static,
     return f;
 }
 
-/* The same with u along the gap. *length: the length of the gap. gap_u, gap_v and the cross
- * products with v are not set. */
+/* frame_now for a rod or a line drive, whose axis u points along the gap. *length: the length of
+ * the gap. gap_u, gap_v and the cross products with v are not set. */
 TD_INLINE frame8 line_now(const td_block *block, const sides *d, bool a_static, f8 gap_u, f8 gap_v,
                           f8 *length) {
     f8 zero = f8_all(0.0f), one = f8_all(1.0f);
@@ -148,8 +148,8 @@ TD_INLINE f8 inverse_mass_entry(const td_block *block, const sides *v, bool a_st
     return mass * linear + coupling(block, a_static, from_a, from_b, to_a, to_b);
 }
 
-/* Applies an impulse (x, y) and its moments to the velocities of both sides, and adds it to what
- * the joint applied in this substep. */
+/* Applies an impulse (x, y) and its moments to the velocities of both sides, and adds it to the
+ * record of the joint's impulses in this substep (`applied`). */
 TD_INLINE void apply_impulse(const td_block *block, bool a_static, sides *v,
                              td_applied_impulse *applied, f8 x, f8 y, f8 moment_a, f8 moment_b) {
     applied->x += x;
@@ -194,8 +194,9 @@ TD_INLINE void clear_applied(td_applied_impulse *applied) {
 typedef void td_brace_fn(td_block *block, const td_solve_context *c, bool a_static);
 td_brace_fn TD_WIDE(td_brace_applied);
 
-/* Sets c->torn, so that the step braces its joints, if a gap (length) or an angle (rad) at the
- * start of the step is too wide to close in a substep at TD_JOINT_CLOSING_SPEED. */
+/* Sets c->torn, so that the step braces its joints (joint_brace.c), if a gap (`gap`, a length, or
+ * `turn`, rad) at the start of the step is too wide to close in a substep at
+ * TD_JOINT_CLOSING_SPEED. */
 TD_INLINE void flag_torn(const td_solve_context *c, f8 gap, f8 turn) {
     f8 rate = f8_all(TD_JOINT_GAP_SHARE * c->inv_h);
     i8 torn = (f8_abs(gap) * rate > f8_all(c->joint_closing_speed)) |

@@ -32,11 +32,11 @@ typedef struct lock_matrix {
     f8 uu, uv, vv, det;        /* K_uu - K_ut^2 / K_tt and so on, and their determinant */
 } lock_matrix;
 
-/* All rows of a lane are solved at once: Gauss-Seidel over them converges slowly where arms are
- * long, that is, where mass times arm^2 is large beside the moment of inertia. With the inverse
- * moments of inertia i_a and i_b, m the sum of inverse masses, a and b the lever arms, d = b - a,
- * and d_u = d x u as arms are crossed with directions, these formulas give the Schur complement
- * without subtractions, which would suffer cancellation in single precision:
+/* All rows of a lane are solved at once, since Gauss-Seidel over the single rows converges slowly
+ * where lever arms are long, that is, where mass times arm^2 is large beside the moment of inertia.
+ * With the inverse moments of inertia i_a and i_b, m the sum of inverse masses, a and b the lever
+ * arms, d = b - a, and d_u = d x u as arms are crossed with directions, these formulas give the
+ * Schur complement without subtractions, which would suffer cancellation in single precision:
  *     turn locked:  K_uu - K_ut^2 / K_tt = m + i_a i_b / (i_a + i_b) d_u^2
  *                   det = m^2 + m i_a i_b / (i_a + i_b) |d|^2
  *     turn free:    det = m^2 + m (i_a |a|^2 + i_b |b|^2) + i_a i_b (a x b)^2
@@ -148,9 +148,10 @@ TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_con
     }
 }
 
-/* Whether blocks whose lanes are all solved already are passed over. Steps that brace their joints
- * pass over none, since bracing reads what these passes leave in all blocks. */
-TD_INLINE bool passes_over_solved(const td_solve_context *c) {
+/* Whether the passes skip blocks whose lanes are all solved already (td_block.solved). Steps that
+ * brace their joints skip none, since bracing reads the impulses that these passes leave in all
+ * blocks. */
+TD_INLINE bool skips_solved_blocks(const td_solve_context *c) {
     return c->passes_over && !atomic_load_explicit(c->torn, memory_order_relaxed);
 }
 
@@ -160,7 +161,7 @@ TD_INLINE bool is_solved(const td_block *block) {
 
 TD_INLINE void solve(td_block *const *blocks, int count, const td_solve_context *c, bool a_static) {
     softness s = soft_of(c);
-    bool over = passes_over_solved(c);
+    bool over = skips_solved_blocks(c);
     for (int i = 0; i < count; i++) {
         if (!over || !is_solved(blocks[i])) {
             solve_lock(blocks[i], &s, c, a_static, !c->first);
@@ -170,7 +171,7 @@ TD_INLINE void solve(td_block *const *blocks, int count, const td_solve_context 
 
 TD_INLINE void relax(td_block *const *blocks, int count, const td_solve_context *c, bool a_static) {
     softness s = rigid();
-    bool over = passes_over_solved(c);
+    bool over = skips_solved_blocks(c);
     for (int i = 0; i < count; i++) {
         if (!over || !is_solved(blocks[i])) {
             solve_lock(blocks[i], &s, c, a_static, false);

@@ -54,7 +54,8 @@ TD_INLINE f8 radians_of(i8 angle) {
     return f8_flip(radians, angle == i8_all(INT32_MIN));
 }
 
-/* The places of a block's joints; zeros in lanes that are not `used`. */
+/* The anchors, axes and relative angles of a block's joints, from the present poses; zeros in lanes
+ * that are not `used`. */
 TD_INLINE place8 place_of(const thud_world *w, const td_anchor_rows *r, i8 used) {
     const td_pose *a[TD_LANES], *b[TD_LANES];
     f4 apart[4];
@@ -99,7 +100,8 @@ TD_INLINE f8 line_of(const place8 *p, i8 used, f8 *x, f8 *y) {
     return length;
 }
 
-/* Sets u = (x, y), and the crosses of the arms: with u in point[0], with v in point[1]. */
+/* Sets the axis u = (x, y) of the frames, and the lever arms crossed with the axes: with u in
+ * point[0], with v in point[1]. */
 TD_INLINE void set_frame(td_block *block, const place8 *p, f8 x, f8 y) {
     td_point *u = &block->point[0], *v = &block->point[1];
     block->nx = x;
@@ -134,8 +136,8 @@ TD_INLINE i8 is_locked(i8 locked, int direction) {
     return (locked & i8_all(1 << direction)) != i8_all(0);
 }
 
-/* The rows of locked directions. Where both along and across are locked, the frame is that of the
- * world, so that impulses that carry a weight keep their direction from step to step. */
+/* Sets the rows of locked directions. Where both along and across are locked, the frame is that of
+ * the world, so that an impulse that carries a weight keeps its direction from step to step. */
 TD_INLINE void place_lock(const thud_world *w, td_block *block) {
     td_lock_rows *rows = td_lock_rows_of(block);
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), mass = inverse_masses(w, block);
@@ -162,7 +164,7 @@ TD_INLINE void place_lock(const thud_world *w, td_block *block) {
     block->tangent_impulse = f8_keep(here, block->tangent_impulse);
 }
 
-/* The row of a locked distance; rows->rest_length is its length. */
+/* Sets the row of a locked distance; rows->rest_length is that distance. */
 TD_INLINE void place_rod(const thud_world *w, td_block *block) {
     td_lock_rows *rows = td_lock_rows_of(block);
     td_point *q = &block->point[0];
@@ -194,7 +196,7 @@ TD_INLINE void set_values(td_block *block, td_drive_rows *rows, f8 value) {
     block->tangent_impulse = f8_keep(rows->max_motor_force > zero, block->tangent_impulse);
 }
 
-/* The rows of a driven direction. */
+/* Sets the rows of a driven direction. */
 TD_INLINE void place_drive(const thud_world *w, td_block *block, int kind) {
     td_drive_rows *rows = td_drive_rows_of(block);
     i8 used = used_lanes(block);

@@ -21,8 +21,8 @@ static double twice_energy(const td_body *body, const double v[3]) {
     return (double)body->mass * (v[0] * v[0] + v[1] * v[1]) + (double)body->inertia * v[2] * v[2];
 }
 
-/* Counts the change of a body's velocity from `before` to the decided one: in the energy of the
- * step, and as the impulse that the epilogue is told, on b. */
+/* Adds the change of a body's velocity from `before` to the decided one to the step's energy
+ * change. For body b it also becomes the impulse that the epilogue gets. */
 static void count_change(thud_world *w, td_decision *d, thud_contact *seen, int side,
                          const double before[3]) {
     const td_body *body = td_body_at(w, body_of_side(w, &d->seen, side));
@@ -38,8 +38,8 @@ static void count_change(thud_world *w, td_decision *d, thud_contact *seen, int 
     seen->tangent_impulse = (float)(x * ny - y * nx);
 }
 
-/* Sets the closing speeds of the points of a body's contacts anew, by which they bounce: they meet
- * the decided velocity. */
+/* Recomputes the closing speeds of the points of a body's contacts from the decided velocity:
+ * restitution bounces by these speeds. */
 static void renew_closing_speeds(thud_world *w, td_body_index body) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *c = td_constraint_at(w, td_edge_constraint(e));
@@ -54,8 +54,8 @@ static void renew_closing_speeds(thud_world *w, td_body_index body) {
     }
 }
 
-/* td_decisions.apply. The kinetic energy before is summed up first where it is stale, so that the
- * energy change of the step has what is decided in it. */
+/* td_decisions.apply. If the kinetic energy is stale, it is summed up first, so that the energy
+ * change of the step includes the decisions. */
 static void apply(thud_world *w) {
     td_decisions *all = w->decisions;
     if (all->list.count > 0 && w->kinetic_stale) {

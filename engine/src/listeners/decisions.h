@@ -18,12 +18,12 @@ typedef struct td_decision {
 
 typedef struct td_decisions {
     td_array list;      /* td_decision: of the contacts that touch as the step begins */
-    td_decision impact; /* of the impact that the prologue was asked about last: */
-    bool has_impact;    /* it has decided that */
+    td_decision impact; /* for the impact that the prologue was asked about last */
+    bool has_impact;    /* the prologue has decided that impact */
     /* Gives the bodies of `list` their velocities, before the step is solved. */
     void (*apply)(thud_world *w);
-    /* Gives the bodies of `impact` their velocities, whose trajectories stand at the time of the
-     * impact, and sets the impulses of *resolved. */
+    /* Gives the bodies of `impact` their velocities, and sets the impulses of *resolved. The
+     * trajectories of both bodies must have been advanced to the time of the impact. */
     void (*resolve)(thud_world *w, struct td_impact *resolved);
 } td_decisions;
 

@@ -1,8 +1,8 @@
 /* epilogues.c: epilogues of single bodies and of categories of shapes (thud_listeners.h).
  *
- * Those of bodies are a dense list, and an array by body index that leads into it, so that a
- * contact finds those of its two bodies without a search. The list is pruned as a step begins: a
- * body that was destroyed has left by then. */
+ * The epilogues of bodies are in a dense list. An array by body index says where in the list a
+ * body's epilogue is, so that a contact finds those of its two bodies without a search. Epilogues
+ * of destroyed bodies are removed as a step begins. */
 #include "listeners/listeners.h"
 #include "state/handles.h"
 
@@ -18,7 +18,7 @@ typedef struct td_objects {
     td_array bodies;     /* td_object_epilogue, one for each body that has one */
     td_array by_body;    /* int, by body: its place in `bodies` plus 1; 0: none */
     td_array categories; /* td_object_epilogue, in the order in which they were first set */
-    uint32_t any;        /* all their categories */
+    uint32_t any;        /* the union of their categories */
 } td_objects;
 
 static td_objects *objects_of(const thud_world *w) {
@@ -29,7 +29,7 @@ static td_object_epilogue *epilogue_at(const td_array *list, int i) {
     return TD_AT(td_object_epilogue, list, i);
 }
 
-/* The place of a body's epilogue in `bodies` plus 1, or 0. */
+/* The place of a body's epilogue in `bodies` plus 1; 0: the body has none. */
 static int place_of(const td_objects *o, int body) {
     return body < o->by_body.count ? td_int_at(&o->by_body, body) : 0;
 }

@@ -11,9 +11,9 @@ typedef struct td_listener_hooks {
     bool (*reserve)(thud_world *w);
     /* Calls the prologue for every contact that touches, and applies its answers for this step. */
     void (*ask)(thud_world *w);
-    /* Calls the prologue for an impact that detection has found within the step, and updates its
-     * settings; those out of range are refused and stay as they were. False: it vetoes the impact.
-     */
+    /* Calls the prologue for an impact that detection has found within the step, and updates the
+     * settings of the impact by its answer; an answer out of range is refused, and the settings
+     * stay as they were. False: the prologue vetoes the impact. */
     bool (*ask_one)(thud_world *w, const thud_contact *seen, thud_contact_settings *settings);
     /* Calls the epilogue for every solved contact and every impact of the step. */
     void (*tell)(thud_world *w);

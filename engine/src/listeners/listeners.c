@@ -79,9 +79,10 @@ TD_INLINE thud_body_id body_handle(const thud_world *w, td_body_index body, uint
     return (thud_body_id){(uint32_t)body.at + 1, td_body_at(w, body)->generation + tag};
 }
 
-/* Fills in the public view of a lane's contact. Parts that listeners do without stay zero, and so
- * do the impulses before the solve: those in the lane are of an earlier step. `from_fixed` times a
- * position is exact, since to_fixed is a power of two. */
+/* Fills in the public view of a lane's contact. Fields that the listeners do not want
+ * (thud_listeners.without) stay zero. Impulses stay zero before the solve: the lane then still has
+ * those of an earlier step. `from_fixed` times a position is exact, since to_fixed is a power of
+ * two. */
 TD_INLINE void fill_contact(const thud_world *w, const lane *l, bool solved, thud_contact *c) {
     const td_block *block = l->block;
     int k = l->index, a = block->shape_a[k], b = block->shape_b[k];
@@ -173,7 +174,8 @@ TD_INLINE void tell_one(thud_world *w, const thud_contact *seen) {
     }
 }
 
-/* Whether no epilogue is called for the lane's contact: there are those of other objects only. */
+/* Whether no epilogue is called for the lane's contact: the world has none for all contacts, and
+ * neither object of the pair has one. */
 TD_INLINE bool is_unheard(const thud_world *w, const lane *l) {
     const td_listeners *listeners = w->listeners;
     return !listeners->calls.epilogue &&
@@ -190,7 +192,8 @@ typedef enum visit_purpose {
     LIST_SOLVED     /* lists the contact for epilogue_all */
 } visit_purpose;
 
-/* Does that with one lane; `number` counts the visited ones, and `seen` is memory for the view. */
+/* Does with one lane what `purpose` says. `number`: of this lane among the visited ones; `seen`:
+ * memory for the contact as listeners see it. */
 TD_INLINE void visit_lane(thud_world *w, const lane *l, int number, visit_purpose purpose,
                           thud_contact *seen) {
     td_listeners *listeners = w->listeners;
@@ -239,7 +242,8 @@ static bool is_passing(const thud_world *w, const td_block *block, int index) {
  * shapes, so that no pointer into their arrays is kept across calls. */
 TD_INLINE int visit(thud_world *w, visit_purpose purpose) {
     td_see_fn *see = &TD_PICK_WIDE(w, td_see_block);
-    /* Objects are told all parts; a decided contact is told as the prologue was given it. */
+    /* Epilogues of objects get all fields, whatever `without` says. Of a decided contact they get
+     * what the prologue was given. */
     unsigned without = w->listeners->tells_objects ? 0 : w->listeners->calls.without;
     td_seeing how = {.solved = purpose >= TELL,
                      .places = purpose != TAKE_ANSWERS && !(without & THUD_CONTACT_POINT),
@@ -259,9 +263,10 @@ TD_INLINE int visit(thud_world *w, visit_purpose purpose) {
             l.block = *TD_AT(td_block *, &w->scratch.blocks, run.first + i);
             see(l.block, l.points, &how, &seen);
             for (l.index = 0; l.index < l.block->used; l.index++) {
-                /* After the solve, a lane without points (vetoed, or passing) is not told of.
-                 * Before it, a vetoed lane is asked about again, but not one that a rule lets pass.
-                 */
+                /* After the solve, a lane without points (vetoed, or let through by a rule) is left
+                 * out: no epilogue is called for it. Before the solve, the prologue is asked again
+                 * about a lane that it vetoed in the last step, but not about one that a rule lets
+                 * through. */
                 if (seen.points[l.index] || (purpose < TELL && !is_passing(w, l.block, l.index))) {
                     visit_lane(w, &l, number++, purpose, &contact);
                 }
@@ -271,7 +276,8 @@ TD_INLINE int visit(thud_world *w, visit_purpose purpose) {
     return number;
 }
 
-/* The answers of decided contacts become a veto: what else they have is in td_decisions. */
+/* Turns the answers of decided contacts into vetoes, so that the solver leaves these contacts
+ * alone: apply in decide.c sets their velocities. */
 static void mark_decided(const thud_world *w) {
     const td_decisions *all = w->decisions;
     for (int i = 0; all && i < all->list.count; i++) {
@@ -308,8 +314,8 @@ static void tell_or_list(thud_world *w, const thud_contact *seen, int *count) {
     }
 }
 
-/* td_listener_hooks.tell: contacts first, then those whose velocities were decided, then the
- * impacts that detection has resolved. */
+/* td_listener_hooks.tell: first the contacts that were solved, then those whose velocities were
+ * decided, then the impacts that detection has resolved. */
 static void run_epilogue(thud_world *w) {
     td_listeners *l = w->listeners;
     int count = l->calls.epilogue_all ? visit(w, LIST_SOLVED) : visit(w, TELL);
@@ -327,8 +333,8 @@ static void run_epilogue(thud_world *w) {
     }
 }
 
-/* td_listener_hooks.reserve. It also drops what the step before left. Impacts are at most as many
- * as the step's detection has reserved room for. */
+/* td_listener_hooks.reserve. It also empties the lists of the step before. There are at most as
+ * many impacts as the step's detection has reserved room for. */
 static bool reserve(thud_world *w) {
     td_listeners *l = w->listeners;
     td_listeners_update(w);

@@ -1,5 +1,6 @@
-/* listeners.h: the listeners of a world: those of the world itself (listeners.c), and what only
- * programs link that use it: epilogues of single objects (epilogues.c) and decisions (decide.c). */
+/* listeners.h: the listeners of a world. listeners.c has those of the world itself. Epilogues of
+ * single objects (epilogues.c) and decisions (decide.c) are reached by tables of functions, so that
+ * only programs that use them link them. */
 #ifndef TD_LISTENERS_H
 #define TD_LISTENERS_H
 
@@ -7,8 +8,8 @@
 #include "state/world.h"
 #include "thud/thud_listeners.h"
 
-/* What a prologue is being asked about: an array of contacts, of which the first has this number
- * among all contacts of the step. */
+/* The contacts that a prologue has been called for and has not answered yet: an array. `number`: of
+ * its first contact among all contacts of the step. */
 typedef struct td_question {
     const thud_contact *contacts;
     int count; /* 0: no prologue is being called */
@@ -21,7 +22,8 @@ typedef struct td_object_hooks {
     /* Whether an object of the pair has an epilogue. */
     bool (*wants)(const thud_world *w, int shape_a, int shape_b);
     void (*tell)(thud_world *w, const thud_contact *seen);
-    /* Removes those of bodies that no longer exist. Returns whether any are left. */
+    /* Removes the epilogues of bodies that no longer exist. Returns whether any epilogue of an
+     * object is left. */
     bool (*prune)(thud_world *w);
     void (*end)(thud_world *w); /* frees them, as the world is destroyed */
 } td_object_hooks;

@@ -9,7 +9,7 @@
 typedef struct td_seeing {
     bool solved, places; /* the impulses; the contact points */
     float skin;          /* thud_world.skin, which is added to separations */
-    double to_fixed;     /* position quanta in the caller's unit */
+    double to_fixed;     /* position quanta per unit of length of the caller */
 } td_seeing;
 
 /* By lane. */

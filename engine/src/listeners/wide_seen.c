@@ -8,7 +8,7 @@ TD_INLINE l4 quanta_of(f4 length, double to_fixed) {
     return (l4)shifted - TD_ROUND_BITS;
 }
 
-/* The same for eight. */
+/* quanta_of for eight lengths, as two halves. */
 TD_INLINE void both_quanta(f8 length, double to_fixed, l4 quanta[2]) {
     quanta[0] = quanta_of(__builtin_shufflevector(length, length, 0, 1, 2, 3), to_fixed);
     quanta[1] = quanta_of(__builtin_shufflevector(length, length, 4, 5, 6, 7), to_fixed);

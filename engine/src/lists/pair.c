@@ -4,8 +4,8 @@
 
 #include "thud/thud_lists.h"
 
-/* One side; all zero if the shape has been destroyed. That is no error: a destroyed shape is a
- * common reason of an end event. */
+/* One side of the pair; all zero if the shape has been destroyed. That is no error, since many end
+ * events come from destroyed shapes. */
 static thud_pair_side side_of(const thud_world *w, thud_shape_id id) {
     if (!thud_shape_is_valid(w, id)) {
         return (thud_pair_side){0};

@@ -59,8 +59,8 @@ static void sift_up(thud_shape_id *heap, int i) {
     }
 }
 
-/* Adds a shape to the heap; where it is full, in place of the highest slot, if that is higher.
- * `kept`: the number of shapes so far. */
+/* Adds a shape to the heap. If the heap is full, the shape replaces the one with the highest slot,
+ * provided that its own slot is lower. `kept`: the number of shapes so far. */
 static void keep(thud_shape_id *heap, int capacity, int kept, thud_shape_id shape) {
     if (kept < capacity) {
         heap[kept] = shape;

@@ -3,9 +3,9 @@
 
 #include <string.h>
 
-/* Where values go, and how many came. */
+/* The list of values that is being written. */
 typedef struct values {
-    thud_call_value *out; /* null: they are counted alone */
+    thud_call_value *out; /* null: values are only counted */
     int count;
 } values;
 
@@ -30,10 +30,11 @@ static void add_elements(values *v, const td_codec *codec, const char *elements,
     }
 }
 
-/* The number of a value that is one. */
+/* The value of arithmetic type `type` at the address `at`. */
 #define NUMBER_AT(type, at) ((double)*(const type *)(const void *)(at))
 
-/* A value at `at`; what counts its elements, if anything does, is at `count_at`. */
+/* Adds the value of field `f`, which is at `at`. Of an array the number of elements is at
+ * `count_at`. */
 static void add_value(values *v, const td_codec_field *f, const char *at, const char *count_at) {
     switch ((td_code)f->code) {
     case TD_CODE_BOOL:
@@ -57,7 +58,7 @@ static void add_value(values *v, const td_codec_field *f, const char *at, const 
     case TD_CODE_DOUBLE:
         add(v, NUMBER_AT(double, at), false);
         break;
-    case TD_CODE_HANDLE: /* index1 comes first in all of them */
+    case TD_CODE_HANDLE: /* handles of all kinds have index1 as their first member */
         add(v, NUMBER_AT(uint32_t, at), true);
         break;
     case TD_CODE_STRUCT:

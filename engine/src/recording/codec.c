@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* The flag before what a pointer points to. */
+/* The byte that a pointer is recorded as: null, or followed by what it points to. */
 enum { POINTS_NOWHERE, POINTS };
 
 /* ---- single values ---- */
@@ -35,8 +35,9 @@ static const void *pointer_at(const void *at) {
     return pointer;
 }
 
-/* The generation of a handle as recordings have it, which small numbers are: without the tag of
- * the world; that of a null handle as it is. */
+/* Writes a handle. Its generation is written without the tag of the world (td_tag): it is then a
+ * small number, which takes few bytes, and is the same when another world plays the recording. A
+ * null handle has no tag. */
 static void write_handle(const thud_world *w, td_writer *to, const char *at) {
     thud_body_id id;
     memcpy(&id, at, sizeof id);
@@ -65,7 +66,7 @@ static unsigned number_of(const thud_detection *detection) {
     return number;
 }
 
-/* Which listeners there are. */
+/* The bits TD_CALLS_... of the listeners that are set. */
 static unsigned listener_bits(const thud_listeners *l) {
     return (l->prologue ? TD_CALLS_PROLOGUE : 0u) | (l->epilogue ? TD_CALLS_EPILOGUE : 0u) |
            (l->prologue_all ? TD_CALLS_PROLOGUE_ALL : 0u) |
@@ -84,7 +85,7 @@ static void write_name(td_writer *to, const char *name) {
     td_write_bytes(to, name, length);
 }
 
-/* So many elements that a pointer points to, or that it is null. */
+/* Writes `count` elements that a pointer points to, or that the pointer is null. */
 static void write_elements(const thud_world *w, td_writer *to, const td_codec *codec,
                            const char *elements, int count) {
     td_write_byte(to, elements ? POINTS : POINTS_NOWHERE);
@@ -93,7 +94,8 @@ static void write_elements(const thud_world *w, td_writer *to, const td_codec *c
     }
 }
 
-/* A value at `at`; that which counts its elements, if any, is at `count_at`. */
+/* Writes the value of field `f`, which is at `at`. Of an array the number of elements is at
+ * `count_at`. */
 static void write_value(const thud_world *w, td_writer *to, const td_codec_field *f, const char *at,
                         const char *count_at) {
     switch ((td_code)f->code) {
@@ -184,7 +186,8 @@ static void write_fields(const thud_world *w, td_writer *to, const td_codec *cod
                         count_at);
         }
     }
-    /* Arrays come last, when a reader knows what counts them. */
+    /* Arrays come after all other fields, so that a reader knows the number of their elements
+     * before it reads them. */
     for (int i = 0; i < codec->count; i++) {
         const td_codec_field *f = &codec->fields[i];
         const char *count_at = struct_at + f->count_at;
@@ -234,13 +237,14 @@ void td_codec_write_outs(const thud_world *w, td_writer *to, const td_recorded_c
 /* A block of decoded memory, with its head before it. */
 typedef struct td_decoded_block {
     struct td_decoded_block *next;
-    size_t bytes; /* with the head */
+    size_t bytes; /* of the block, this head included */
 } td_decoded_block;
 
 enum { BLOCK_HEAD = 64 }; /* bytes before a block, which keep it aligned */
 _Static_assert(sizeof(td_decoded_block) <= BLOCK_HEAD, "the head has room");
 
-/* Zeroed memory for decoded values; null when memory is short. */
+/* Returns zeroed memory for decoded values, which td_decoded_free frees; null when memory is short.
+ */
 static char *take_block(td_decoded *d, size_t bytes) {
     td_decoded_block *block = td_memory_get(d->memory, BLOCK_HEAD + bytes);
     if (!block) {
@@ -263,13 +267,15 @@ void td_decoded_free(td_decoded *d) {
 static bool read_fields(const thud_world *w, td_reader *from, const td_codec *codec,
                         char *struct_at, td_decoded *d);
 
-/* Elements of a pointer, which it returns; null where there are none. */
+/* Reads what write_elements has written, into new memory. Returns the elements; null for a null
+ * pointer, and where they cannot be read. */
 static char *read_elements(const thud_world *w, td_reader *from, const td_codec *codec,
                            int64_t count, td_decoded *d) {
     if (td_read_byte(from) != POINTS) {
         return NULL;
     }
-    /* Every element has a byte at least, which bounds the room of damaged ones. */
+    /* Every element takes at least one byte. So a count above the number of bytes left is damaged,
+     * and no memory is reserved for it. */
     if (count < 0 || (uint64_t)count > from->end - from->at) {
         from->broken = true;
         return NULL;
@@ -283,8 +289,9 @@ static char *read_elements(const thud_world *w, td_reader *from, const td_codec 
     return elements;
 }
 
-/* The name of a quality, which the world keeps: that of one of the engine's. What others were
- * called is not kept, since nothing would hold their text as long as the world. */
+/* Reads the name of a quality. A world keeps the pointer to this name, so only the names of the
+ * engine's own qualities, which are constants, are restored. Any other name becomes "recorded": the
+ * text in the recording may be freed before the world is. */
 static const char *read_name(td_reader *from) {
     static const thud_quality *const known[] = {&thud_quality_draft, &thud_quality_default,
                                                 &thud_quality_high, &thud_quality_exact};
@@ -303,8 +310,8 @@ static void put_pointer(char *at, const void *pointer) {
     memcpy(at, &pointer, sizeof pointer);
 }
 
-/* Reads a value to `at`. Arrays are read later, when what counts them is known: they are left
- * null, and their bytes are read by read_array. */
+/* Reads a value to `at`. Arrays are left null: read_array reads them after all other fields, when
+ * the number of their elements is known. */
 static void read_value(const thud_world *w, td_reader *from, const td_codec_field *f, char *at,
                        td_decoded *d) {
     switch ((td_code)f->code) {
@@ -437,7 +444,7 @@ bool td_codec_read(const thud_world *w, td_reader *from, const td_recorded_call 
         if (is_array(f)) {
             out->values[i].pointer = read_elements(w, from, f->codec, count, out);
         } else if (f->code == TD_CODE_OUT_HANDLES) {
-            /* As many as there are shapes, which were read before. */
+            /* As many handles as the call was given shapes; their number was read before. */
             out->listed = from->broken ? 0 : td_max_int(count, 0);
             out->values[i].pointer =
                 take_block(out, (size_t)out->listed * sizeof(thud_body_id) + 1);

@@ -9,7 +9,7 @@
 #include "thud/thud_mover.h"
 #include "thud/thud_recording.h"
 
-/* What a field or an argument is. */
+/* The type of a field of a struct, or of an argument of a call. */
 typedef enum td_code {
     TD_CODE_BOOL,
     TD_CODE_INT32, /* enums too */
@@ -19,7 +19,8 @@ typedef enum td_code {
     TD_CODE_FLOAT,
     TD_CODE_DOUBLE,
     TD_CODE_HANDLE, /* of a body, shape or joint; without the tag of the world (td_tag) */
-    TD_CODE_COOKIE, /* that of a def, which the call has accepted */
+    TD_CODE_COOKIE, /* the cookie of a def. Not recorded, since only calls that were accepted are:
+                       it was TD_COOKIE */
     TD_CODE_STRUCT,
     TD_CODE_POINTER,   /* to one struct, or null */
     TD_CODE_ARRAY,     /* of `count_at` elements, or null */
@@ -29,19 +30,21 @@ typedef enum td_code {
     TD_CODE_ISLANDS,   /* const thud_island_solver * */
     TD_CODE_PASS,      /* thud_mover_pass_fn *: whether there is one */
     TD_CODE_NOTHING,   /* not recorded: contexts */
-    /* Arguments alone. */
-    TD_CODE_LISTENERS,   /* const thud_listeners *: which there are */
+    /* For arguments only: */
+    TD_CODE_LISTENERS,   /* const thud_listeners *: the bits TD_CALLS_... of those that are set */
     TD_CODE_FILTER,      /* thud_filter_fn *: whether there is one */
-    TD_CODE_STEP_CALLS,  /* const thud_step_calls *: which there are */
-    TD_CODE_CONTACT,     /* const thud_contact *: its place among those asked about */
+    TD_CODE_STEP_CALLS,  /* const thud_step_calls *: the bits of those that are set */
+    TD_CODE_CONTACT,     /* const thud_contact *: its index in the array that the prologue was given
+                          */
     TD_CODE_OUT_HANDLE,  /* a handle that the call returns */
-    TD_CODE_OUT_HANDLES, /* an array of `count_at` of them */
-    TD_CODE_OUT          /* what else it returns */
+    TD_CODE_OUT_HANDLES, /* an array of `count_at` handles that the call returns */
+    TD_CODE_OUT          /* anything else that the call writes to the caller's memory; not recorded
+                          */
 } td_code;
 
 typedef struct td_codec_field td_codec_field;
 
-/* A type: its fields, or one field for a type without. */
+/* The fields of a struct; for any other type one field, which is the value itself. */
 typedef struct td_codec {
     const td_codec_field *fields;
     uint16_t count; /* of fields */
@@ -53,7 +56,7 @@ struct td_codec_field {
     uint8_t repeat;        /* elements of an array in place; else 1 */
     uint16_t at;           /* offset in the struct; the argument's index */
     uint16_t count_at;     /* offset of the int, or index of the argument, that counts elements */
-    const td_codec *codec; /* of structs, and of what is pointed to */
+    const td_codec *codec; /* for a struct its type; for a pointer the type it points to */
 };
 
 /* The size of one element of a field that is an array in place. */
@@ -68,7 +71,7 @@ typedef struct td_recorded_call {
     uint8_t count;
 } td_recorded_call;
 
-/* Which callbacks there are: bits of TD_CODE_LISTENERS, and what else a world calls. */
+/* Bits of TD_CODE_LISTENERS: the callbacks of a world that are set. */
 enum {
     TD_CALLS_PROLOGUE = 1,
     TD_CALLS_EPILOGUE = 2,
@@ -81,11 +84,11 @@ enum {
 /* Bits of TD_CODE_STEP_CALLS. */
 enum { TD_CALLS_BEFORE = 1, TD_CALLS_AFTER = 2 };
 
-/* Arguments that are passed by pointer to the variable that holds them: args[i] is the address of
- * argument i after the world. */
+/* Writes the arguments of a call: args[i] is the address of a variable that holds argument i,
+ * counted after the world. */
 void td_codec_write(const thud_world *w, td_writer *to, const td_recorded_call *call,
                     const void *const *args);
-/* What the call has returned: its handles. */
+/* Writes the handles that the call has returned. */
 void td_codec_write_outs(const thud_world *w, td_writer *to, const td_recorded_call *call,
                          const void *const *args);
 
@@ -101,20 +104,20 @@ typedef struct td_decoded {
         double number;
         uint64_t bits;
     } values[TD_ARGUMENTS_MAX];      /* arguments that are no structs */
-    struct td_decoded_block *blocks; /* structs, and what pointers point to */
-    thud_mover_pass_fn *pass;        /* what TD_CODE_PASS becomes */
+    struct td_decoded_block *blocks; /* memory of structs and of all that pointers point to */
+    thud_mover_pass_fn *pass;        /* the callback that the player passes for a TD_CODE_PASS */
     unsigned calls;                  /* bits of TD_CODE_LISTENERS, _FILTER, _STEP_CALLS */
     uint32_t without;                /* thud_listeners.without */
     int listed;                      /* handles in the array of TD_CODE_OUT_HANDLES */
     bool short_of_memory;
 } td_decoded;
 
-/* Decodes the arguments of a call. False where the bytes are no arguments of it, or memory is
- * short; td_decoded_free is due in any case. */
+/* Decodes the arguments of a call. False if the bytes cannot be arguments of this call, or memory
+ * is short. The caller must call td_decoded_free in any case. */
 bool td_codec_read(const thud_world *w, td_reader *from, const td_recorded_call *call,
                    td_decoded *out);
-/* Reads the handles that the call returned when it was recorded; whether they are those that it
- * has returned now. */
+/* Reads the handles that the call returned when it was recorded. Returns whether it has returned
+ * the same ones now. */
 bool td_codec_same_outs(const thud_world *w, td_reader *from, const td_recorded_call *call,
                         const td_decoded *decoded);
 void td_decoded_free(td_decoded *decoded);

@@ -1,5 +1,5 @@
-/* play_call.h: what a player makes calls with. The functions that it calls are chosen by number in
- * play_call.c, which tools/recorded.py makes. */
+/* play_call.h: how a player makes recorded calls. play_call.c, which tools/recorded.py generates,
+ * calls the function of a given number. */
 #ifndef TD_PLAY_CALL_H
 #define TD_PLAY_CALL_H
 
@@ -9,8 +9,8 @@
 /* A call that is being played. */
 typedef struct td_play_frame {
     struct td_play_frame *outer;
-    uint64_t callbacks; /* so many were called so far */
-    uint64_t next;      /* number of the next one that has a record; 0: none has */
+    uint64_t callbacks; /* number of callbacks of this call so far */
+    uint64_t next;      /* number of the next callback that has a record; 0: there is none */
 } td_play_frame;
 
 /* The records that are played, and the world that they change. */
@@ -19,7 +19,8 @@ typedef struct td_play {
     td_memory *memory;
     td_reader from;       /* the records of the segment under way */
     td_play_frame *frame; /* null: between calls */
-    /* Plays the record that begins with this byte, a call; callbacks call it. */
+    /* Plays the call whose record begins with the byte `record`. By this pointer callbacks play the
+     * calls that were made within them. */
     void (*record)(struct td_play *p, unsigned record);
     bool differs; /* a call has another result than was recorded */
     bool short_of_memory;
@@ -35,10 +36,11 @@ thud_result td_play_call(td_play *p, thud_world *w, int call, td_decoded *d);
 
 /* ---- play_callbacks.c ---- */
 
-/* Sets `next` of the frame: the callback whose record comes next, if one does. */
+/* Sets `next` of the frame from the record that comes next. */
 void td_play_next_callback(td_play *p, td_play_frame *frame);
-/* Sets the listeners and the filter of the world to the player's, without an effect on its state.
- * False when memory is short. */
+/* Sets the world's listeners and filter to functions of the player, without the effects that the
+ * API calls for this have (which wake bodies). `calls`: the TD_CALLS_... that the recorded world
+ * had. False when memory is short. */
 bool td_play_set_callbacks(td_play *p, unsigned calls, uint32_t without);
 
 thud_mover_pass_fn td_play_pass;

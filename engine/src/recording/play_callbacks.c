@@ -16,8 +16,8 @@ void td_play_next_callback(td_play *p, td_play_frame *frame) {
     }
 }
 
-/* Counts a callback, and plays the calls that were made within. Whether a recorded answer follows,
- * after which `leave` is due. */
+/* Counts a callback. If it has a record, plays the calls that were made within it, and returns
+ * true: the recorded answer follows, after which the caller must call `leave`. */
 static bool enter(td_play *p) {
     td_play_frame *frame = p->frame;
     if (!frame || ++frame->callbacks != frame->next || !td_play_goes_on(p)) {
@@ -37,14 +37,14 @@ static void leave(td_play *p) {
     td_play_next_callback(p, p->frame);
 }
 
-/* A callback without an answer. */
+/* Plays a callback that returns nothing. */
 static void play(td_play *p) {
     if (enter(p)) {
         leave(p);
     }
 }
 
-/* A callback that says yes or no, and what it usually says. */
+/* Plays a callback that returns yes or no. Without a record it returns `usual`. */
 static bool ask(td_play *p, bool usual) {
     bool yes = usual;
     if (enter(p)) {
@@ -61,7 +61,7 @@ static float read_float(td_reader *from) {
     return value;
 }
 
-/* The answer of a prologue about a contact. */
+/* Reads the answer of a prologue about a contact. */
 static bool read_answer(td_reader *from, thud_contact_settings *settings) {
     unsigned answer = td_read_byte(from);
     if (answer & TD_ANSWER_SETTINGS) {
@@ -143,7 +143,7 @@ bool td_play_pass(const thud_mover *mover, const thud_mover_hit *hit, thud_vec2 
     return ask(context, false);
 }
 
-/* ---- epilogues of objects: all contacts are told ---- */
+/* ---- epilogues of objects: called for all contacts ---- */
 
 static bool wants(const thud_world *w, int shape_a, int shape_b) {
     (void)w;
@@ -152,7 +152,7 @@ static bool wants(const thud_world *w, int shape_a, int shape_b) {
     return true;
 }
 
-/* The player stands in the place of the list of objects. */
+/* thud_world.listeners.objects points to the player here, not to a list of objects. */
 static void tell(thud_world *w, const thud_contact *seen) {
     (void)seen;
     play((td_play *)(void *)w->listeners->objects);

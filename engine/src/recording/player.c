@@ -7,7 +7,8 @@
 
 #include <string.h>
 
-/* A keyframe: its contents, and the steps before it. */
+/* A keyframe: the place and size of its contents in the recording, and the number of steps before
+ * it. */
 typedef struct td_keyframe {
     size_t at, count;
     uint64_t steps;
@@ -22,17 +23,17 @@ struct thud_player {
     size_t next;         /* where the next segment begins */
     td_array keyframes;  /* td_keyframe */
     td_array records;    /* uint8_t: of the segment under way */
-    uint64_t waiting;    /* steps without anything else that come next */
-    uint64_t first, end; /* steps before the first segment, and in all */
+    uint64_t waiting;    /* steps to be made before the next record */
+    uint64_t first, end; /* the step numbers with which the recording begins and ends */
     uint64_t steps;      /* made so far */
-    uint64_t same_at;    /* steps at the last hash that was the same */
-    int64_t hashes;      /* compared */
+    uint64_t same_at;    /* number of steps at the last hash that was equal */
+    int64_t hashes;      /* number of hashes that were compared */
     uint64_t differs_at; /* steps at which play.differs was set */
-    thud_body_id body;   /* that differs */
-    bool ended;          /* the end has been compared */
+    thud_body_id body;   /* the first body whose hash differed */
+    bool ended;          /* the hash at the end has been compared */
 };
 
-/* Tells the log of the options, which there is without a world. */
+/* Refuses a call, with the reason to the log of the options: there may be no world yet. */
 static thud_result refuse(const thud_player_options *o, thud_result result, const char *message) {
     if (o->log) {
         o->log(result, message, o->log_context);
@@ -73,7 +74,7 @@ static bool is_whole(const uint8_t *bytes, size_t at, const segment *s) {
 }
 
 /* Walks over all segments, lists the keyframes, and tests everything that can be tested without a
- * world. Why the bytes are refused, or null. */
+ * world. Returns the reason why the bytes are refused, or null. */
 static const char *find_segments(thud_player *p, bool *short_of_memory) {
     static const char damaged[] = "player: the recording is damaged or cut short";
     const uint8_t *bytes = p->bytes;
@@ -163,7 +164,7 @@ static thud_result go_to(thud_player *p, const td_keyframe *keyframe) {
 
 /* ---- calls ---- */
 
-/* Tells the caller of a call; `decoded` null: without arguments. */
+/* Calls options.call for a call that is played. `decoded` null: its arguments are not known. */
 static void tell_call(td_play *p, const char *name, thud_result recorded,
                       const td_recorded_call *call, const td_decoded *decoded) {
     thud_player *player = (thud_player *)p; /* its first member */
@@ -190,7 +191,8 @@ static void tell_call(td_play *p, const char *name, thud_result recorded,
     }
 }
 
-/* Makes a call, whose arguments come next. `opened`: records of its callbacks follow them. */
+/* Plays the call of this number, whose arguments come next. `opened`: they are followed by records
+ * of its callbacks. */
 static void play_call(td_play *p, uint64_t number, bool opened) {
     if (number >= TD_CALL_COUNT) {
         p->from.broken = true;
@@ -250,8 +252,9 @@ void thud_player_destroy(thud_player *p) {
     td_memory_put(&memory, p, sizeof *p);
 }
 
-/* Creates the world of the first keyframe, with everything plugged in that a snapshot may need. Of
- * what thud_default_small_world_def leaves out, the snapshot then says what the world has. */
+/* Creates the world of the first keyframe, with everything plugged in that a snapshot may need. A
+ * recorded world may lack the parts that thud_default_small_world_def leaves out; the snapshot then
+ * says which. */
 static thud_result make_world(thud_player *p) {
     const thud_player_options *o = &p->options;
     const td_keyframe *keyframe = TD_AT(td_keyframe, &p->keyframes, 0);
@@ -268,7 +271,8 @@ static thud_result make_world(thud_player *p) {
     def.clock_context = o->clock_context;
     thud_result result = thud_world_create(&def, &p->play.world);
     if (result == THUD_OK) {
-        p->play.world->def.parts = NULL; /* from its keyframe on it has what the recorded one had */
+        p->play.world->def.parts = NULL; /* the snapshot of the keyframe plugs in the parts that the
+                                            recorded world had */
     }
     result = result == THUD_OK ? thud_world_use_joints(p->play.world) : result;
     result = result == THUD_OK ? thud_world_use_rules(p->play.world) : result;
@@ -317,7 +321,7 @@ thud_result thud_player_create(thud_bytes recording, const thud_player_options *
 
 /* ---- playing ---- */
 
-/* Compares the hash of the world with the next 8 bytes. */
+/* Whether the hash of the world equals the next 8 bytes; if not, sets play.differs. */
 static bool is_same_hash(thud_player *p, td_reader *from) {
     uint64_t hash = 0;
     thud_world_get_hash(p->play.world, &hash);
@@ -330,7 +334,8 @@ static bool is_same_hash(thud_player *p, td_reader *from) {
     return true;
 }
 
-/* The hashes of bodies: finds the first that differs, if the world does. */
+/* Reads the hashes of bodies. If the world's hash differed (`same` is false), stores the first body
+ * whose hash differs. */
 static void compare_bodies(thud_player *p, td_reader *from, bool same) {
     const thud_world *w = p->play.world;
     uint64_t count = td_read_count(from);
@@ -362,7 +367,7 @@ static void play_chunk(thud_player *p, td_reader *from) {
     td_memory_put(&p->memory, text, (size_t)length + 1);
 }
 
-/* Plays a record between calls. */
+/* Plays the next record, which is not within a call. */
 static void play_record(thud_player *p) {
     td_play *play = &p->play;
     td_reader *from = &play->from;
@@ -422,7 +427,8 @@ static void begin_records(thud_player *p, const segment *s) {
     p->play.from = (td_reader){p->records.data, 0, fits ? (size_t)count : 0, !fits};
 }
 
-/* Begins the next segment. Keyframes are passed over; at the end its hash is compared. */
+/* Begins the next segment. A keyframe is skipped, since the world has that state already. In the
+ * end segment the hash is compared. */
 static void begin_segment(thud_player *p) {
     segment s;
     if (!read_segment(p->bytes, p->count, p->next, &s)) {
@@ -441,14 +447,16 @@ static void begin_segment(thud_player *p) {
     }
 }
 
-/* Whether a hash comes next, which belongs to the steps before it. */
+/* Whether a hash comes next. It belongs to the steps before it, so it is compared before playing
+ * stops there. */
 static bool is_before_hash(const thud_player *p) {
     const td_reader *from = &p->play.from;
     return p->waiting == 0 && from->at < from->end &&
            (from->bytes[from->at] == TD_RECORD_HASH || from->bytes[from->at] == TD_RECORD_BODIES);
 }
 
-/* What playing has come to. */
+/* The result of a call of the player: THUD_OK while records can be played on, else the error, with
+ * the reason in the log. */
 static thud_result result_of(thud_player *p) {
     td_play *play = &p->play;
     if (play->short_of_memory) {
@@ -489,7 +497,8 @@ thud_result thud_player_step(thud_player *p, bool *out_stepped) {
     return result_of(p);
 }
 
-/* The last keyframe at or before a step; null, which the log is told, for another step. */
+/* The last keyframe at or before a step. Null, with the reason in the log, for a step that the
+ * recording does not have. */
 static const td_keyframe *keyframe_before(const thud_player *p, int64_t step) {
     if (step < (int64_t)p->first || step > (int64_t)p->end) {
         td_refuse(p->play.world, THUD_ERROR_INVALID, "player: there is no such step");

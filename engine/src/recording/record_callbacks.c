@@ -1,6 +1,7 @@
-/* record_callbacks.c: the callbacks of a world that is recorded. The recorder's own stand in the
- * place of the caller's, call them, and write down answers that are not the usual ones, and the
- * calls that are made within. The usual answer is yes, with the settings as they were. */
+/* record_callbacks.c: the callbacks of a world that is recorded. The recorder sets functions of its
+ * own in place of the caller's. These call the caller's, and record the calls that are made within
+ * them and their answers. An answer is recorded only if it is not the usual one: yes, with
+ * unchanged settings. */
 #include "listeners/listeners.h"
 #include "recording/recorder.h"
 #include "rules/rules.h"
@@ -15,7 +16,7 @@ static void write_float(td_writer *to, float value) {
     td_write_number(to, bits, sizeof bits);
 }
 
-/* The answer of a prologue about a contact. */
+/* Writes the answer of a prologue about a contact. */
 static void write_answer(td_writer *to, bool yes, const thud_contact_settings *own,
                          const thud_contact_settings *settings) {
     bool differs = memcmp(own, settings, sizeof *own) != 0;
@@ -27,7 +28,7 @@ static void write_answer(td_writer *to, bool yes, const thud_contact_settings *o
     }
 }
 
-/* The answer of a callback that says yes or no. */
+/* Writes the answer of a callback that returns yes or no, unless it is the usual one. */
 static void write_yes(thud_recorder *r, td_record_callback callback, bool yes, bool usual) {
     td_writer *to = td_record_leave(r, callback, yes == usual);
     if (to) {
@@ -57,8 +58,9 @@ static void on_epilogue(thud_world *w, const thud_contact *contact, void *contex
     td_record_leave(r, callback, true);
 }
 
-/* The answers that differ from those before are written, each with its distance from the one
- * before. Where there is no memory for those before, all are written. */
+/* Records the answers of prologue_all that differ from the default answers, each after its distance
+ * in the list from the last one recorded. If memory for a copy of the default answers is short, the
+ * recording fails. */
 static void on_prologue_all(thud_world *w, const thud_contact *contacts,
                             thud_contact_answer *answers, int count, void *context) {
     thud_recorder *r = context;
@@ -135,10 +137,10 @@ bool td_record_pass(const thud_mover *mover, const thud_mover_hit *hit, thud_vec
     return yes;
 }
 
-/* ---- epilogues of objects: all of a contact are one callback ---- */
+/* ---- epilogues of objects: all those of a contact count as one callback ---- */
 
-/* Whether an object has an epilogue changes within a run; all contacts are told, so that a player,
- * which does not know the objects, counts the same callbacks. */
+/* Says that every pair has an epilogue. A player does not know which objects have one; so that it
+ * counts the same callbacks, the recorder's is called for all contacts. */
 static bool wants_any(const thud_world *w, int shape_a, int shape_b) {
     (void)w;
     (void)shape_a;
@@ -167,9 +169,9 @@ static const td_object_hooks OBJECT_HOOKS = {.wants = wants_any,
                                              .prune = prune_objects,
                                              .end = end_objects};
 
-/* ---- taking their place ---- */
+/* ---- replacing the caller's callbacks ---- */
 
-/* Takes the place of the caller's listeners, if others were set. */
+/* Replaces the caller's listeners by the recorder's, if the caller has set new ones. */
 static void take_listeners(thud_recorder *r, td_listeners *l) {
     thud_listeners *own = &l->calls;
     bool taken = (!own->prologue || own->prologue == on_prologue) &&

@@ -1,5 +1,5 @@
-/* record_frames.c: where the records of calls and of their callbacks are written; see recorder.h.
- */
+/* record_frames.c: begins and ends the frames of calls and callbacks, and writes their records; see
+ * recorder.h. */
 #include "recording/recorder.h"
 
 void td_record_flush_steps(thud_recorder *r) {
@@ -24,7 +24,8 @@ void td_record_place(thud_recorder *r, td_record_frame *frame) {
     }
 }
 
-/* Writes that the callback under way has records. */
+/* Writes the begin of the record of the callback under way, and before it that of its call, unless
+ * they are written already. */
 static void open_callback(thud_recorder *r, td_record_frame *frame) {
     td_writer *to = &r->records;
     if (!frame->opened) {

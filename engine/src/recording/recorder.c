@@ -1,6 +1,6 @@
 /* recorder.c: the frames of recorded calls, segments, hashes and keyframes; see recorder.h, and
- * recording.h for the format. Nothing here fails a call of the world: where memory is short the
- * recording ends, and thud_recorder_get_bytes tells so. */
+ * recording.h for the format. Nothing here fails a call of the world: if memory is short, the
+ * recording ends, and thud_recorder_get_bytes returns an error. */
 #include "recording/recorder.h"
 
 #include "recording/repeats.h"
@@ -11,11 +11,12 @@
 
 #include <string.h>
 
-/* Defaults of options: a second at 60 Hz, and a fourth of a ring. Chosen. */
+/* Defaults of options: a hash every 60 steps, which are a second at 60 Hz, and four keyframes in
+ * the length of a ring. Chosen. */
 enum { HASH_STEPS = 60, KEYFRAMES_A_RING = 4 };
 
-/* Bytes of records after which a segment ends, so that finding repeats is no long work in one step.
- * Chosen. */
+/* Bytes of records after which a segment ends, so that the search for repeats, at the end of the
+ * segment, does not delay a step for long. Chosen. */
 enum { SEGMENT_BYTES = 1 << 14 };
 
 /* ---- segments ---- */
@@ -43,7 +44,7 @@ static void write_segment(thud_recorder *r, unsigned kind, uint64_t steps, const
     r->failed |= to->broken || r->records.broken;
 }
 
-/* Gives the sink what there is. */
+/* Passes the finished segments to the sink, and drops them. */
 static void deliver(thud_recorder *r) {
     if (r->options.sink && !r->failed && r->whole.count > 0) {
         r->failed = !r->options.sink(r->whole.bytes, r->whole.count, r->options.context);
@@ -65,7 +66,8 @@ static void finish_records(thud_recorder *r) {
     r->begun = r->time;
 }
 
-/* Drops segments of a ring up to the last keyframe before which enough steps remain. */
+/* Of a ring, drops the segments before the last keyframe from which on ring_steps steps are
+ * recorded: the recording then begins with that keyframe. */
 static void drop_segments(thud_recorder *r) {
     int first = 0;
     for (int i = 1; i < r->places.count; i++) {
@@ -89,7 +91,7 @@ static void drop_segments(thud_recorder *r) {
     }
 }
 
-/* Writes the state of the world, packed, with its length. */
+/* Writes the length of a packed snapshot of the world, and the snapshot. */
 static void write_state(thud_recorder *r, td_writer *to) {
     thud_world *w = r->world;
     size_t bytes = 0, packed = 0;
@@ -121,7 +123,7 @@ static void write_keyframe(thud_recorder *r) {
     drop_segments(r);
 }
 
-/* The end: the steps and the hash of the world then. */
+/* Writes the end segment: the present number of steps, and the hash of the world. */
 static void write_end(thud_recorder *r) {
     uint64_t hash = 0;
     finish_records(r);
@@ -150,7 +152,8 @@ static void write_hash(thud_recorder *r) {
     }
 }
 
-/* What is due between calls, after steps. */
+/* After a step, between calls: writes a hash, ends the segment or writes a keyframe, where it is
+ * time for them. */
 static void take_stock(thud_recorder *r) {
     const thud_world *w = r->world;
     bool finishes = r->records.count > SEGMENT_BYTES;
@@ -176,12 +179,12 @@ static void take_stock(thud_recorder *r) {
 
 /* ---- frames ---- */
 
-/* Whether the world is between calls: its state can be taken. */
+/* Whether no call of the world is under way, so that a snapshot of it can be taken. */
 static bool is_between_calls(const thud_recorder *r) {
     return !r->frame && !r->world->locked && !r->world->advancing;
 }
 
-/* Writes the state, where it is another one than by recorded calls. */
+/* Writes a snapshot of the world if it was changed by calls that are not recorded (`stale`). */
 static void catch_up(thud_recorder *r) {
     r->stale |= r->world->steps != r->steps;
     if (r->stale) {
@@ -231,8 +234,8 @@ static void write_call(thud_recorder *r, td_record_frame *frame) {
     td_codec_write_outs(r->world, to, call, frame->args);
 }
 
-/* Writes that a call was refused. One that ran out of memory within may have changed the world, and
- * so may one whose callbacks have made calls: then the state is due. */
+/* Writes that a call was refused. A call that ran out of memory may have changed the world before,
+ * and so may calls that its callbacks made: then a snapshot is written as well (catch_up). */
 static void write_refusal(thud_recorder *r, td_record_frame *frame, thud_result result) {
     bool steps = frame->call == TD_CALL_WORLD_STEP || frame->call == TD_CALL_WORLD_ADVANCE ||
                  frame->call == TD_CALL_WORLD_ADVANCE_WITH;
@@ -343,7 +346,7 @@ thud_result thud_recorder_begin(thud_world *w, const thud_recorder_options *opti
     td_write_fixed(&r->whole, TD_RECORDING_VERSION, 4);
     w->recorder = r;
     td_record_take_callbacks(r);
-    r->records.count = 0; /* the keyframe has them */
+    r->records.count = 0; /* the keyframe, which is written next, has their effects */
     write_keyframe(r);
     deliver(r);
     if (r->failed) {
@@ -383,7 +386,7 @@ void thud_recorder_end(thud_recorder *r) {
     free_recorder(r);
 }
 
-/* Refuses calls that need a recording that goes on. */
+/* Refuses a call for a recording that has ended, and inside a callback. */
 static thud_result check(const thud_recorder *r) {
     const thud_world *w = r->world;
     if (w && (r->frame || w->locked || w->advancing)) {
@@ -418,7 +421,8 @@ thud_result thud_recorder_get_bytes(thud_recorder *r, thud_bytes *out) {
         return td_refuse(r->world, THUD_ERROR_MEMORY, "recorder: out of memory");
     }
     *out = (thud_bytes){r->whole.bytes, r->whole.count};
-    /* The end stays in the bytes until the next segment takes its place. */
+    /* The recording goes on: the next segment will overwrite the end segment, which stays in memory
+     * until then. */
     r->whole.count = count;
     r->number = number;
     return THUD_OK;

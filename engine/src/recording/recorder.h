@@ -10,22 +10,22 @@
 #include "thud/thud_recording.h"
 #include "thud/thud_rules.h"
 
-/* A call that is being made. Calls within its callbacks have frames of their own. A frame without
- * records of its callbacks is written when the call has returned; otherwise it is opened at the
- * first of them. */
+/* A call that is being made. Calls within its callbacks have frames of their own. If its callbacks
+ * make no records, the call is written as one record when it has returned. Otherwise the record is
+ * opened (TD_RECORD_OPEN) at the first callback that has one. */
 typedef struct td_record_frame {
     struct thud_recorder *recorder; /* null: the call is not recorded */
     struct td_record_frame *outer;  /* the call in one of whose callbacks it is; null: none */
-    int call;                       /* of td_call */
+    int call;                       /* number of its function, a td_call */
     const void *const *args;        /* td_codec_write */
-    size_t start;                   /* where its records begin, if it is opened */
+    size_t start;                   /* offset of its records in `records`, if it is opened */
     bool opened;                    /* TD_RECORD_OPEN is written */
     bool answering;                 /* TD_RECORD_CALLBACK of the callback under way is written */
-    bool locked;                    /* TD_RECORD_LOCKED belongs before it */
-    uint64_t callbacks;             /* so many were called so far */
-    uint64_t written;               /* number of the last one with a record */
+    bool locked;                    /* TD_RECORD_LOCKED has to be written before it */
+    uint64_t callbacks;             /* number of callbacks of this call so far */
+    uint64_t written;               /* number of the last callback with a record */
     const thud_step_calls *steps;   /* the caller's own, of thud_world_advance_with */
-    thud_mover_pass_fn *pass;       /* likewise, of thud_mover_move */
+    thud_mover_pass_fn *pass;       /* the caller's callback of thud_mover_move */
     void *pass_context;
 } td_record_frame;
 
@@ -39,23 +39,26 @@ struct thud_recorder {
     thud_world *world; /* null once it has been destroyed */
     td_memory memory;  /* the world's hooks */
     thud_recorder_options options;
-    td_writer whole;        /* the segments that are finished, or what the sink has not got yet */
+    td_writer whole;        /* the finished segments; with a sink those that it has not been given
+                               yet */
     td_writer records;      /* the contents of the segment under way */
-    td_writer shorter;      /* the same without repeats, when it is finished */
+    td_writer shorter;      /* buffer for these contents without repeats, when the segment is
+                               finished */
     td_array places;        /* td_segment_place, of the segments in `whole`; with a ring */
     uint64_t time;          /* steps that are recorded so far */
     uint64_t begun;         /* `time` as the segment under way began */
     uint32_t number;        /* of the next segment */
     td_record_frame *frame; /* the call under way; null: none */
     bool locked;            /* world.locked as the callback under way was called */
-    bool stale;             /* calls changed the world that are not recorded: its state is due */
+    bool stale;             /* calls that are not recorded have changed the world: a snapshot has to
+                               be written */
     bool failed;            /* memory was short, or the sink has failed: nothing more is recorded */
     bool changed;           /* calls were recorded since the last hash */
-    uint64_t waiting;       /* steps that were made, and are not in `records` yet */
-    uint64_t steps;         /* of the world after the last recorded call */
+    uint64_t waiting;       /* steps that are not in `records` yet */
+    uint64_t steps;         /* thud_world.steps after the last recorded call */
     uint64_t hashed_at;     /* `time` at the last hash */
-    uint64_t keyed_at;      /* at the last keyframe */
-    /* The caller's own callbacks, in whose place the recorder's are called. */
+    uint64_t keyed_at;      /* `time` at the last keyframe */
+    /* The caller's own callbacks, which the recorder's functions have replaced and call. */
     unsigned calls; /* TD_CALLS_..., as recorded last */
     uint32_t without;
     thud_listeners listeners;
@@ -64,17 +67,20 @@ struct thud_recorder {
     const struct td_object_hooks *object_hooks;
 };
 
-/* Begins a frame; `args` are those of td_codec_write. td_record_close is due in any case. */
+/* Begins the frame of a call; `args`: as for td_codec_write. The caller must call td_record_close
+ * in any case. */
 void td_record_open(td_record_frame *frame, thud_world *w, int call, const void *const *args);
-/* Ends it: the call has this result, which is returned. */
+/* Ends the frame. `result` is that of the call, and is returned. */
 thud_result td_record_close(td_record_frame *frame, thud_result result);
-/* Writes the steps that were made and are not in the records yet. */
+/* Writes the steps that are not in the records yet (`waiting`). */
 void td_record_flush_steps(thud_recorder *r);
-/* Writes where the frame is: within a callback of an outer one, or after the steps so far. */
+/* Writes what has to stand before the frame's record: the begin of the callback within which it is,
+ * or the steps so far. */
 void td_record_place(thud_recorder *r, td_record_frame *frame);
-/* The world has another state than by recorded calls. */
+/* To be called when the world gets a state that does not come from recorded calls, as by a restore.
+ */
 void td_record_restored(thud_world *w);
-/* The world is being destroyed: finishes its recording. */
+/* To be called before the world is destroyed: finishes its recording. */
 void td_record_leave_world(thud_world *w);
 
 /* The recorder's callbacks. */
@@ -82,8 +88,8 @@ thud_filter_fn td_record_filter;
 thud_step_fn td_record_before, td_record_after;
 thud_mover_pass_fn td_record_pass;
 
-/* What remains to be done in a callback: the frame whose it is, or null where nothing is recorded.
- */
+/* Returned by td_record_enter for td_record_leave. frame: the call that the callback belongs to;
+ * null: it is not recorded. */
 typedef struct td_record_callback {
     td_record_frame *frame;
     bool locked; /* thud_recorder.locked before */
@@ -93,8 +99,8 @@ td_record_callback td_record_enter(thud_recorder *r, const thud_world *w);
 /* Returns where the answer has to be written; null where it needs no record. */
 td_writer *td_record_leave(thud_recorder *r, td_record_callback callback, bool usual);
 
-/* Puts the recorder's callbacks in the place of the caller's, and writes a record where others are
- * there than before; and takes them back. */
+/* td_record_take_callbacks sets the recorder's callbacks in place of the caller's, and records
+ * which there are if that has changed. td_record_return_callbacks sets the caller's again. */
 void td_record_take_callbacks(thud_recorder *r);
 void td_record_return_callbacks(thud_recorder *r);
 

@@ -8,20 +8,20 @@
  *               the TD_SEGMENT_END
  *
  * A keyframe is the def of the world, the listeners that it has, and its snapshot, packed: nothing
- * before it is needed to play on from there. TD_SEGMENT_CALLS are, after their length, and without
- * what they repeat (repeats.h), records, each of which begins with a byte: a td_record, or
+ * before it is needed to play on from there. A TD_SEGMENT_CALLS has the length of its records and
+ * then the records, compressed (repeats.h), each of which begins with a byte: a td_record, or
  * TD_RECORD_CALL plus the number of a call (recorded_calls.h), after which its arguments and the
  * handles that it returned follow. A call within which callbacks made calls, or gave answers that
  * are not the usual ones, is
  *
  *     TD_RECORD_OPEN, number of the call, arguments
- *         TD_RECORD_CALLBACK, how many callbacks of this call after the last one that has a record
+ *         TD_RECORD_CALLBACK, how many callbacks after the last one that has a record
  *             records of the calls that it made
  *         TD_RECORD_ANSWER, the answer (callbacks.h)
  *         ...
  *     TD_RECORD_CLOSE, handles that the call returned
  *
- * so that callbacks which only look take no bytes. */
+ * so that callbacks that change nothing take no bytes. */
 #ifndef TD_RECORDING_H
 #define TD_RECORDING_H
 
@@ -41,11 +41,13 @@ enum {
 enum { TD_SEGMENT_KEYFRAME = 'K', TD_SEGMENT_CALLS = 'C', TD_SEGMENT_END = 'E' };
 
 typedef enum td_record {
-    TD_RECORD_STEPS,     /* so many steps without anything else */
+    TD_RECORD_STEPS,     /* a number of steps, with no other calls between them */
     TD_RECORD_HASH,      /* the hash of the world */
-    TD_RECORD_BODIES,    /* the same, number of body slots, 16 bits of each */
+    TD_RECORD_BODIES,    /* as TD_RECORD_HASH, then the number of body slots, and 16 bits for each
+                            (td_recording_body_hash) */
     TD_RECORD_STATE,     /* the world was restored: a snapshot, packed */
-    TD_RECORD_LISTENERS, /* TD_CALLS_..., thud_listeners.without: there are these from now on */
+    TD_RECORD_LISTENERS, /* the world has these callbacks from now on: TD_CALLS_...,
+                            thud_listeners.without */
     TD_RECORD_CHUNK,     /* name and bytes of the caller */
     TD_RECORD_REFUSED,   /* a call that was refused, and its result */
     TD_RECORD_LOCKED,    /* the call that follows was made inside a callback of a query */
@@ -62,8 +64,9 @@ enum { TD_ANSWER_YES = 1, TD_ANSWER_SETTINGS = 2 };
 
 /* A body's state in 16 bits: pose and velocity. */
 uint16_t td_recording_body_hash(const thud_world *w, td_body_index body);
-/* Writes and reads what a keyframe has of the def of a world: the fields that have no setter, on
- * which the snapshot has to agree. Reading begins with the default def. */
+/* Writes and reads the fields of a world's def that a keyframe contains: those without a setter,
+ * which snapshot and world must agree on. Reading replaces these fields in *def, which begins as
+ * the default def. */
 void td_recording_write_def(td_writer *to, const thud_world *w);
 bool td_recording_read_def(td_reader *from, thud_world_def *def);
 

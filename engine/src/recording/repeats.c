@@ -3,18 +3,18 @@
 
 #include <string.h>
 
-/* Bits of the number by which four bytes are looked up; and the shortest repeat that is worth its
- * two numbers. Chosen. */
+/* LOOKUP_BITS: bits of the hash of four bytes. REPEAT_MIN: bytes of the shortest repeat that is
+ * written as one, since its two numbers take space as well. Chosen. */
 enum { LOOKUP_BITS = 12, REPEAT_MIN = 5 };
 
-/* Where the four bytes at a place were seen last is looked up by this number. */
+/* A hash of four bytes: the index in `seen` of the place where they occurred last. */
 static uint32_t lookup_of(const uint8_t *bytes) {
     uint32_t four =
         bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
     return four * 0x9e3779b1u >> (32 - LOOKUP_BITS);
 }
 
-/* How many bytes are the same from two places on. */
+/* The number of equal bytes from two places on. */
 static size_t same_count(const uint8_t *bytes, size_t before, size_t at, size_t count) {
     size_t same = 0;
     while (at + same < count && bytes[before + same] == bytes[at + same]) {
@@ -25,7 +25,7 @@ static size_t same_count(const uint8_t *bytes, size_t before, size_t at, size_t 
 
 void td_repeats_write(td_writer *to, const uint8_t *bytes, size_t count) {
     uint32_t seen[1 << LOOKUP_BITS] = {0}; /* places plus 1 */
-    size_t plain = 0;                      /* where the bytes begin that come as they are */
+    size_t plain = 0;                      /* start of the bytes that are not part of a repeat */
     for (size_t at = 0; at + REPEAT_MIN <= count;) {
         uint32_t *place = &seen[lookup_of(bytes + at)];
         size_t before = *place, same = before ? same_count(bytes, before - 1, at, count) : 0;
@@ -61,7 +61,8 @@ bool td_repeats_read(td_reader *from, uint8_t *out, size_t count) {
         if (from->broken || same > count - at || distance == 0 || distance > at) {
             return false;
         }
-        for (uint64_t i = 0; i < same; i++, at++) { /* a repeat may overlap what it makes */
+        for (uint64_t i = 0; i < same;
+             i++, at++) { /* byte by byte, since a repeat may overlap the bytes that it copies */
             out[at] = out[at - (size_t)distance];
         }
     }

@@ -1,6 +1,6 @@
 /* stream.h: the numbers of a recording as bytes, the same on every platform: low bytes first.
- * Integers are written seven bits a byte, numbers in floating point as the bytes of their bits
- * above those that are all zero, which round values and zeros have many of. */
+ * Integers are written with seven bits a byte. Of a floating-point number the low bytes that are 0
+ * are left out, which are many in round values. */
 #ifndef TD_STREAM_H
 #define TD_STREAM_H
 
@@ -8,7 +8,7 @@
 
 #include <stddef.h>
 
-/* Bytes that grow. When memory is short `broken` is set, and what is written is lost. */
+/* Bytes that grow. When memory is short `broken` is set, and and later writes do nothing. */
 typedef struct td_writer {
     td_memory memory;
     uint8_t *bytes;
@@ -19,15 +19,15 @@ typedef struct td_writer {
 void td_write_bytes(td_writer *to, const void *bytes, size_t count);
 void td_write_byte(td_writer *to, unsigned byte);
 void td_write_count(td_writer *to, uint64_t value);
-/* Of either sign: small ones take few bytes. */
+/* An integer of either sign; one near 0 takes few bytes. */
 void td_write_integer(td_writer *to, int64_t value);
 /* `bytes` whole bytes of the value, low ones first. */
 void td_write_fixed(td_writer *to, uint64_t value, int bytes);
-/* The bits of a number of `bytes` bytes. */
+/* Writes a floating-point number, of which `bits` are the bits and `bytes` the size, 4 or 8. */
 void td_write_number(td_writer *to, uint64_t bits, int bytes);
 void td_writer_free(td_writer *to);
 
-/* Bytes that are read. Beyond their end everything is 0, and `broken` is set. */
+/* Bytes that are read. Reading beyond their end gives 0, and sets `broken`. */
 typedef struct td_reader {
     const uint8_t *bytes;
     size_t at, end;

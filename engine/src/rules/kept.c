@@ -1,11 +1,12 @@
-/* kept.c: rules in snapshots. The bytes are the rules that are set, by rising index in the table
- * and once for each pair of kinds, and then the impulse events of the last step. The caller's
- * filter is a function and not part of a snapshot: a restore does not change it. */
+/* kept.c: rules in snapshots. The bytes are first the rules that are set, in the order of their
+ * index in the table, each pair of kinds once, and then the impulse events of the last step. The
+ * caller's filter is a function and not part of a snapshot: a restore does not change it. */
 #include "rules/rules.h"
 
 #include <string.h>
 
-/* Whether the cell has a rule with its kinds in the order in which the caller set it. */
+/* Whether the cell of this rule goes into a snapshot. A rule is in two cells of the table, one for
+ * each order of its kinds; only the cell with the caller's order is stored. */
 static bool is_stored(const td_rule *rule) {
     return rule->is_set && !rule->reversed;
 }
@@ -51,8 +52,8 @@ static uint32_t column_of(td_kept_rule kept) {
     return 1u << kept.cell % TD_RULE_KINDS;
 }
 
-/* Whether the bytes hold valid rules, by rising cells. They come from the caller, and may be
- * corrupt. */
+/* Whether the bytes hold valid rules, in the order of their cells. The bytes come from the caller,
+ * and may be corrupt. */
 bool td_rules_kept(const thud_world *w, td_ruled ruled, const char *from) {
     int last = -1;
     for (int i = 0; i < ruled.rules; i++) {

@@ -13,13 +13,13 @@
 #include "state/surface.h"
 
 /* A contact is on the solid side if the cosine between its normal and the solid side's direction is
- * at least this: within 78.5 degrees. This excludes normals of the walls beside it, which rounding
- * may tilt. Chosen; not tuned. */
+ * at least this: within 78.5 degrees. This excludes the normals of walls at the ends of a plank,
+ * which rounding may tilt by a little. Chosen; not tuned. */
 #define SOLID_COSINE_MIN 0.2f
 
-/* The cosine between the solid side's direction, in world axes, and the normal that points away
- * from the one-way shape. (nx, ny) points from a to b; the one-way shape is a, or b where the rule
- * is reversed. */
+/* The cosine between the direction of the solid side, in world axes, and the contact's normal as it
+ * points away from the one-way shape. That shape is a, or b if the rule is reversed; (nx, ny)
+ * points from a to b. */
 static float solid_side_cosine(const thud_world *w, const td_rule *rule,
                                const td_body_index body[2], float nx, float ny) {
     const td_pose *pose = td_pose_at(w, body[rule->reversed]);

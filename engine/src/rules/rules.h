@@ -8,8 +8,8 @@
 enum { TD_RULE_NONE = TD_RULE_KINDS, TD_RULE_CELLS = TD_RULE_KINDS * TD_RULE_KINDS };
 
 /* Bits of td_lane_marks.rule of a contact whose rule acts within a step: it is one-way, or has an
- * event_impulse. The lower 10 bits are then the rule's index in the table; block.h has the bits
- * between. */
+ * event_impulse. The lower 10 bits are then the rule's index in the table; the bits between are
+ * TD_LANE_ALTERED and TD_LANE_REFUSED (block.h). */
 enum { TD_RULE_ONE_WAY = 1 << 15, TD_RULE_IMPULSE = 1 << 14 };
 
 /* A cell of the table, for the kinds of its row and its column. */
@@ -47,8 +47,8 @@ static inline td_rule *td_rule_at(const thud_world *w, int cell) {
     return &w->rules->table[cell / TD_RULE_KINDS][cell % TD_RULE_KINDS];
 }
 
-/* The rule of a lane that has the bit `watched` (TD_RULE_ONE_WAY or TD_RULE_IMPULSE); null: it does
- * not have it. */
+/* The rule of a lane if its marks have the bit `watched` (TD_RULE_ONE_WAY or TD_RULE_IMPULSE); else
+ * null. */
 static inline const td_rule *td_rule_of_lane(const thud_world *w, const td_block *block, int lane,
                                              int watched) {
     int mark = block->mark[lane].rule;
@@ -74,11 +74,11 @@ void td_rules_keep(const thud_world *w, char *to);
 bool td_rules_kept(const thud_world *w, td_ruled ruled, const char *from);
 bool td_rules_make_room(thud_world *w, td_ruled ruled);
 void td_rules_bring_back(thud_world *w, td_ruled ruled, const char *from);
-/* one_way.c: likewise. */
+/* one_way.c: functions of td_rule_hooks. */
 bool td_rules_hide(const thud_world *w, int shape, int other);
 bool td_rules_let_through(const thud_world *w, const thud_contact *seen);
 void td_rules_decide(thud_world *w);
-/* impulses.c: likewise. */
+/* impulses.c: functions of td_rule_hooks. */
 bool td_rules_reserve(thud_world *w);
 void td_rules_tell(thud_world *w);
 

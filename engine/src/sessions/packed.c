@@ -1,7 +1,7 @@
 /* packed.c: packs snapshots, alone or against a base (thud_packed.h). Packed bytes are, in the byte
  * order of the machine, packed_head | the head of the snapshot | its sections in the order of
  * td_packed_order. A section is packed in chunks of some hundred records. A chunk begins with a
- * byte: CHUNK_SAME, and nothing follows where it is that of the base, or CHUNK_COLUMNS, and the
+ * byte. CHUNK_SAME: the chunk is equal to the base's, and nothing follows. CHUNK_COLUMNS: the
  * columns of its records follow (packed_column.h). */
 #include "sessions/packed.h"
 #include "sessions/packed_column.h"
@@ -13,16 +13,16 @@
 
 #define MAGIC "thudpack"
 
-/* To be raised whenever the packed bytes of the same snapshots change: with the format, and with
- * what packed_known.c predicts. */
+/* To be raised whenever the same snapshot gets other packed bytes: if the format changes, or a
+ * prediction of packed_known.c. */
 enum { PACKED_VERSION = 1 };
 
 typedef struct packed_head {
     char magic[8];
     uint64_t checksum;       /* td_snapshot_checksum of all bytes after this field */
     uint64_t version;        /* PACKED_VERSION */
-    uint64_t bytes;          /* of all, with this head */
-    uint64_t snapshot_bytes; /* of what is packed */
+    uint64_t bytes;          /* size of all packed bytes, this head included */
+    uint64_t snapshot_bytes; /* size of the snapshot that is packed */
     uint64_t base_bytes;     /* of the base; 0: none */
     uint64_t base_checksum;  /* its td_snapshot_head.checksum; 0: none */
 } packed_head;
@@ -32,8 +32,8 @@ enum { SUMMED_FROM = offsetof(packed_head, checksum) + sizeof(uint64_t) };
 /* First bytes of chunks. */
 enum { CHUNK_SAME, CHUNK_COLUMNS };
 
-/* Words of a column in a chunk: so many that the records, which each column passes over once more,
- * stay in the cache. A multiple of TD_PACKED_GROUP squared. Chosen. */
+/* Words of a column in a chunk. Every column passes over all records of the chunk, so that they
+ * should stay in the cache. A multiple of TD_PACKED_GROUP squared. Chosen. */
 enum { CHUNK_WORDS = 1024 };
 
 /* More words than the longest record has, a block with the rows of a joint. */
@@ -45,7 +45,7 @@ _Static_assert(LONGEST_BLOCK <= RECORD_WORDS_MAX * sizeof(uint32_t) &&
                    sizeof(td_joint) <= RECORD_WORDS_MAX * sizeof(uint32_t),
                "no record has more words");
 
-/* Packing and unpacking: of either, `packs` says which. */
+/* One call that packs or unpacks; the code that goes through the columns is the same for both. */
 typedef struct passage {
     td_packed_stream stream;
     td_packed_pair pair;
@@ -97,14 +97,14 @@ static void pass_column(passage *p, const td_packed_column *column) {
     }
 }
 
-/* A chunk of a section: its records are the column's first to end - 1. */
+/* A chunk of a section: the records column.first to column.end - 1. */
 typedef struct chunk {
     int section;
-    td_packed_column column; /* what all of its columns have in common */
-    const uint8_t *base;     /* record 0 in the base; null: it has none */
+    td_packed_column column; /* the members that are the same for all of the chunk's columns */
+    const uint8_t *base;     /* record 0 of the section in the base; null: there is no base */
     uint8_t *words;          /* record 0 */
-    /* By word of a record: the bits in which a record differs from the base's. When packing; not
-     * valid where the base does not have all records. */
+    /* By word of a record: the bits in which any record of the chunk differs from the base's. Set
+     * only when packing, and only if the base has all records of the chunk. */
     uint32_t changed[RECORD_WORDS_MAX];
 } chunk;
 
@@ -128,7 +128,8 @@ static void find_changes(chunk *c) {
     }
 }
 
-/* Whether the column at byte `at` of the records has the base's words; found when packing. */
+/* Whether all words of the column at byte `at` of the records are equal to the base's. For packing.
+ */
 static bool is_same(const chunk *c, const td_packed_column *column, size_t at) {
     uint32_t changed = 0;
     if (!is_in_base(c)) {
@@ -143,7 +144,7 @@ static bool is_same(const chunk *c, const td_packed_column *column, size_t at) {
     return changed == 0;
 }
 
-/* The columns of one pass (td_packed_pass_of). */
+/* Packs or unpacks the columns of one pass (td_packed_pass_of). */
 static void pass_columns(passage *p, const chunk *c, int pass) {
     td_packed_column column = c->column;
     size_t each = (size_t)column.width * (size_t)column.lanes;
@@ -222,7 +223,7 @@ static void pass_section(passage *p, int k) {
     }
 }
 
-/* The head, word by word. */
+/* Packs or unpacks the snapshot's head, as a column of words. */
 static void pass_head(passage *p) {
     td_packed_column column = {.stride = 4,
                                .end = sizeof(td_snapshot_head) / 4,
@@ -244,7 +245,8 @@ static void pass_sections(passage *p) {
 
 /* ---- packing ---- */
 
-/* Checks what both calls are given; `bytes` is the snapshot or what is packed. */
+/* Checks the arguments of thud_world_pack and thud_world_unpack. `bytes`: the snapshot, or the
+ * packed bytes. */
 static thud_result check(const thud_world *w, thud_bytes base, thud_bytes bytes, const void *buffer,
                          size_t capacity, const size_t *out_bytes) {
     if (!w || !bytes.data || !out_bytes || (!buffer && capacity > 0) ||
@@ -301,7 +303,7 @@ thud_result thud_world_pack(const thud_world *w, thud_bytes base, thud_bytes sna
 
 /* ---- unpacking ---- */
 
-/* Why the bytes cannot be unpacked, or null; copies their head. */
+/* The reason why the bytes cannot be unpacked, or null. Copies their head to *head. */
 static const char *fault_of(thud_world *w, passage *p, thud_bytes base, thud_bytes packed,
                             packed_head *head) {
     const char *from = packed.data;

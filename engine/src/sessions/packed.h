@@ -1,5 +1,5 @@
-/* packed.h: what a packed snapshot is made of (packed.c), and what follows in it from the rest
- * (packed_known.c). */
+/* packed.h: the parts of a packed snapshot (packed.c), and the prediction of some of its words from
+ * others (packed_known.c). */
 #ifndef TD_PACKED_H
 #define TD_PACKED_H
 
@@ -7,7 +7,7 @@
 
 /* A snapshot, and where its sections are. */
 typedef struct td_packed_image {
-    uint8_t *bytes; /* null: there is none. Not written when packing */
+    uint8_t *bytes; /* null: no snapshot. Only read when packing */
     td_snapshot_head head;
     td_snapshot_section sections[TD_SECTION_COUNT];
     uint64_t at[TD_SECTION_COUNT]; /* offset of each section, bytes */
@@ -26,7 +26,8 @@ typedef struct td_packed_field {
     size_t at;
 } td_packed_field;
 
-/* What a packed snapshot of `bytes` bytes has at most: thud_world_pack. */
+/* The greatest size that a snapshot of `bytes` bytes has when packed, bytes: promised by
+ * thud_world_pack. */
 static inline size_t td_packed_max(size_t bytes) {
     return bytes + bytes / 8 + 2048;
 }
@@ -34,16 +35,17 @@ static inline size_t td_packed_max(size_t bytes) {
 /* Whether the bytes begin as a packed snapshot does. */
 bool td_is_packed(const void *bytes, size_t count);
 
-/* Whether the column may follow from others, which are read before it: td_packed_known. */
+/* Whether td_packed_known can predict the column from columns that are read before it. */
 bool td_packed_follows(const td_packed_field *field);
-/* Predicts words of the column, a td_known_fn: what they are where they follow from the columns
- * that were read before it. */
+/* Predicts words of the column from the columns that were read before it; a td_known_fn. `field`: a
+ * td_packed_field. */
 void td_packed_known(const void *field, size_t first, int count, uint32_t *out);
 
-/* The sections in the order in which they are packed: what others follow from comes first. */
+/* The sections in the order in which they are packed. A section comes after those from which it is
+ * predicted. */
 void td_packed_order(int order[TD_SECTION_COUNT]);
-/* The same for the rows of blocks: the pass, below TD_PACKED_PASSES, in which the row at byte `at`
- * of a block of this section is packed. */
+/* Rows of blocks are packed in several passes, each after those from which it is predicted. Returns
+ * the pass, 0 to TD_PACKED_PASSES - 1, of the row at byte `at` of a block of this section. */
 enum { TD_PACKED_PASSES = 6 };
 int td_packed_pass_of(int section, size_t at);
 

@@ -9,7 +9,7 @@
 /* First bytes of groups. */
 enum { MASKED = 64, ZEROS = 128, ZEROS_MAX = 128 };
 
-/* Groups that a guess is chosen by, spread over the column. Chosen; not tuned. */
+/* Groups of a column, spread over it, by whose size its guess is chosen. Chosen; not tuned. */
 enum { SAMPLE = 6 };
 
 void td_packed_put(td_packed_stream *t, uint8_t byte) {
@@ -37,7 +37,7 @@ typedef struct words {
     int in_base; /* words that the base has, the first ones */
 } words;
 
-/* What the words after a group are predicted by. */
+/* The words before the present one, from which it is predicted. */
 typedef struct place {
     uint32_t last, before; /* the word before the present one, and the one before that */
     uint32_t base_last;    /* the base's word at the place of `last` */
@@ -52,7 +52,8 @@ static size_t end_word(const td_packed_column *c) {
     return c->end * (size_t)c->lanes;
 }
 
-/* Loads `count` words from word `first` on, which begins a group, of the column at `from`. */
+/* Loads `count` words of the column at `from`, from word `first` on, which is the first of a group.
+ */
 static void load(const td_packed_column *c, const uint8_t *from, size_t first, int count,
                  uint32_t out[TD_PACKED_GROUP]) {
     size_t stride = c->stride;
@@ -90,7 +91,7 @@ static void store(const td_packed_column *c, size_t first, const words *w) {
     }
 }
 
-/* The group of words from `first` on, without the words themselves. */
+/* The group from word `first` on, with the base's words; `word` is not set. */
 static words base_words(const td_packed_column *c, size_t first) {
     size_t left = end_word(c) - first;
     words w;
@@ -122,13 +123,14 @@ static uint32_t guess_of(td_guess guess, const words *w, int i, const place *p) 
     return p->last;
 }
 
-/* Goes on by one word of a group. */
+/* Makes the word after word i of the group the present one. */
 static void pass_word(place *p, const words *w, int i) {
     uint32_t base = i < w->in_base ? w->base[i] : p->last;
     *p = (place){.last = w->word[i], .before = p->last, .base_last = base};
 }
 
-/* The difference of words of a width, as a number that is small where they are close. */
+/* The zigzag code of a difference of two words of `width` bytes: 0, -1, 1, -2 ... become 0, 1, 2, 3
+ * ... */
 static uint32_t to_zigzag(uint32_t difference, int width) {
     int shift = 32 - 8 * width;
     int32_t signed_difference = (int32_t)(difference << shift) >> shift;
@@ -144,12 +146,12 @@ static uint32_t from_zigzag(uint32_t number) {
 /* A group's numbers, and how they are written. */
 typedef struct group {
     uint32_t number[TD_PACKED_GROUP];
-    int bits;     /* of the greatest */
+    int bits;     /* bits of the greatest number */
     int nonzero;  /* how many are not 0 */
-    unsigned set; /* a bit for each of these */
+    unsigned set; /* a bit for each number that is not 0 */
 } group;
 
-/* Bytes of numbers of so many bits. */
+/* Bytes that `count` numbers of so many bits each take. */
 static int bytes_of(int count, int bits) {
     return (count * bits + 7) / 8;
 }
@@ -186,7 +188,7 @@ static group group_of(const uint32_t difference[TD_PACKED_GROUP], int count, int
     return g;
 }
 
-/* The numbers of the words from `first` on; *p passes over these words. */
+/* The numbers by which the group from word `first` on is written; moves *p past its words. */
 static group take_group(const td_packed_column *c, td_guess guess, size_t first, place *p) {
     words w = base_words(c, first);
     load(c, c->words, first, w.count, w.word);
@@ -250,7 +252,8 @@ static void put_zeros(td_packed_stream *t, size_t groups) {
     }
 }
 
-/* Reads the numbers of a group that begins with the byte `head`, which is no run of zeros. */
+/* Reads the numbers of a group whose first byte is `head`, and which is not a run of groups of
+ * zeros. */
 static void read_numbers(td_packed_stream *t, int head, uint32_t number[TD_PACKED_GROUP]) {
     bool masked = head >= MASKED;
     int width = head - (masked ? MASKED : 0), bits = 0;
@@ -337,7 +340,7 @@ void td_packed_write(td_packed_stream *t, const td_packed_column *c) {
     put_zeros(t, zeros);
 }
 
-/* The words of a group, by the numbers that were read. */
+/* Computes the words of a group from the numbers that were read, and stores them. */
 static void restore_group(const td_packed_column *c, td_guess guess, size_t first,
                           const uint32_t number[TD_PACKED_GROUP], place *p) {
     words w = base_words(c, first);

@@ -30,15 +30,16 @@ typedef enum td_guess {
     TD_GUESS_SAME,     /* the word of the base; no word differs from it */
     TD_GUESS_BASE,     /* the word of the base */
     TD_GUESS_PREVIOUS, /* the word before it; 0 before that of record 0 */
-    TD_GUESS_LINE,     /* on the line through the two words before it */
-    TD_GUESS_STEP,     /* the word of the base, and the change of the word before it since then */
+    TD_GUESS_LINE,     /* linear extrapolation of the two words before it */
+    TD_GUESS_STEP,     /* the word of the base, plus the difference of the word before it from the
+                          base's */
     TD_GUESS_KNOWN,    /* by td_packed_column.known */
     TD_GUESS_COUNT
 } td_guess;
 
-/* The packed bytes: where they are written to or read from. */
+/* The packed bytes, which are written or read. */
 typedef struct td_packed_stream {
-    uint8_t *to;         /* null: nothing is written, and `at` counts */
+    uint8_t *to;         /* written here; null: nothing is written, and only `at` advances */
     const uint8_t *from; /* read from here */
     size_t at, end;      /* offset of the next byte; of the end of what is read */
     bool broken;         /* the bytes that were read contradict themselves */
@@ -46,8 +47,8 @@ typedef struct td_packed_stream {
 
 typedef struct td_packed_column td_packed_column;
 
-/* Writes predictions of `count` words from word `first` on, of one group, from words that are known
- * before the column. */
+/* Writes predictions of the `count` words of one group, from word `first` on. They may use only
+ * words that are unpacked before this column. */
 typedef void td_known_fn(const void *context, size_t first, int count,
                          uint32_t out[TD_PACKED_GROUP]);
 
@@ -55,22 +56,24 @@ typedef void td_known_fn(const void *context, size_t first, int count,
 struct td_packed_column {
     const uint8_t
         *base;      /* the word of record 0 in the base; null: the base has none of the records */
-    uint8_t *words; /* that of record 0; only read when packing */
+    uint8_t *words; /* the word of record 0. Not written when packing */
     size_t stride;  /* bytes from record to record, in both */
-    size_t first, end;   /* the column is of records first to end - 1; those before are known. */
-    size_t base_records; /* those that the base has, the first ones */
+    size_t first, end;   /* the column is of the records first to end - 1; the records before are
+                            known already. */
+    size_t base_records; /* number of records that the base has, from record 0 on */
     int width;           /* bytes of a word: 4, or 1 */
     int lanes;           /* words of a record side by side: 1, or TD_PACKED_GROUP */
     bool same;           /* no word differs from the base's. Read when packing */
-    bool copied;         /* the words are the base's already. Read when unpacking */
+    bool copied;         /* the caller has already copied the base's words here. Read when unpacking
+                          */
     td_known_fn *known;  /* null: TD_GUESS_KNOWN is not possible */
     const void *context; /* of `known` */
 };
 
 void td_packed_put(td_packed_stream *t, uint8_t byte);
-uint8_t td_packed_take(td_packed_stream *t); /* 0 past the end, and the stream is broken */
+uint8_t td_packed_take(td_packed_stream *t); /* the next byte; past the end 0, and sets `broken` */
 
-/* Packs the column, with the guess that a sample of its groups says is the shortest. */
+/* Packs the column, with the guess that takes the fewest bytes for a sample of its groups. */
 void td_packed_write(td_packed_stream *t, const td_packed_column *column);
 /* Reads the column, and writes its words. */
 void td_packed_read(td_packed_stream *t, const td_packed_column *column);

@@ -1,11 +1,13 @@
 /* packed_known.c: predicts words of a snapshot from others, for packed.c. Much of a snapshot is
- * there twice, or follows from the rest: proxies from poses, fat bounds from proxies, poses from
- * the base's and the motion of the step, separations from motions. Each function here repeats what
- * the engine does, in the same operations, so that mostly the prediction is exact. Where it is not
- * (the snapshots are several steps apart, or an edit came between), the word costs some bytes more.
+ * stored twice, or follows from the rest: proxies from poses, fat bounds from proxies, poses from
+ * those of the base and the motion of the step, separations from motions. Each function here
+ * repeats what the engine does, in the same operations, so that mostly the prediction is exact.
+ * Where it is not (the snapshots are several steps apart, or an edit came between), the word costs
+ * some bytes more.
  *
- * Words are read from the snapshot as far as it was packed, and from the base. Indices may be
- * anything, since packed bytes may be forged: what is not there reads as 0. */
+ * Predictions read the words of the snapshot that were packed before, and the base. Packed bytes
+ * may be forged, so that an index in them can have any value: a record that does not exist reads as
+ * 0. */
 #include "sessions/packed.h"
 
 #include "base/rotation.h"
@@ -64,7 +66,8 @@ static int64_t long_at(const image *i, int section, int32_t record, size_t at) {
     return number;
 }
 
-/* The bits of a number. What is no number has the same ones everywhere: processors differ there. */
+/* The bits of a float; 0 for NaN, of which processors compute different bits, so that packing and
+ * unpacking would predict different words. */
 static uint32_t bits_of(float number) {
     uint32_t bits;
     if (number != number) {
@@ -74,7 +77,7 @@ static uint32_t bits_of(float number) {
     return bits;
 }
 
-/* The field of bodies, shapes and proxies. */
+/* Reads a field of a body's or shape's record. */
 #define BODY(i, body, name) int_at(i, TD_SECTION_BODIES, body, offsetof(td_body, name))
 #define BODY_FLOAT(i, body, name) float_at(i, TD_SECTION_BODIES, body, offsetof(td_body, name))
 #define SHAPE(i, shape, name) int_at(i, TD_SECTION_SHAPES, shape, offsetof(td_shape, name))
@@ -85,7 +88,7 @@ static bool shape_turns(const image *i, int32_t shape) {
 
 /* ---- motion ---- */
 
-/* The motion of the last step: x, y, angle; of a body without an awake slot 0. */
+/* The motion of a body in the last step: x, y, angle; 0 for a body without an awake slot. */
 static void motion_of(const image *i, int32_t body, float motion[3]) {
     int32_t slot = BODY(i, body, awake);
     memset(motion, 0, 3 * sizeof *motion);
@@ -94,7 +97,8 @@ static void motion_of(const image *i, int32_t body, float motion[3]) {
     }
 }
 
-/* Whole quanta, as finalize adds them; 0 for what is too large. */
+/* Rounded to whole quanta as in finalize.c; 0 for a number of 2^51 or more, which this rounding
+ * cannot represent. */
 static uint64_t quanta_of(double quanta) {
     return quanta < 0x1p51 && quanta > -0x1p51 ? (uint64_t)td_round_increment(quanta) : 0;
 }
@@ -107,8 +111,9 @@ static uint32_t angle_quanta(float radians) {
     return (uint32_t)quanta_of((double)radians * (1.0 / TD_RADIANS_A_QUANTUM));
 }
 
-/* The word of a 64-bit number whose words are a column each. Where the low word was read before,
- * the high one is that of the number nearest to the prediction with this low word. */
+/* One word of a 64-bit number, whose two words are a column each. On little-endian machines the low
+ * word is packed first, so that it is known when the high one is predicted: of all numbers with
+ * that low word, the nearest to the prediction is taken. */
 static uint32_t half_of(const field *f, int32_t record, uint64_t predicted) {
     const uint64_t one = 1;
     uint8_t first;
@@ -124,7 +129,8 @@ static uint32_t half_of(const field *f, int32_t record, uint64_t predicted) {
     return (uint32_t)(predicted >> 32);
 }
 
-/* A body's pose: the base's, and the motion of one step; cosine and sine from the angle. */
+/* Predicts a word of a body's pose: the pose of the base plus the motion of one step; cosine and
+ * sine follow from the angle. */
 static uint32_t pose_word(const field *f, int32_t body) {
     const image *now = &f->pair->now, *base = &f->pair->base;
     float motion[3], c, s;
@@ -143,7 +149,8 @@ static uint32_t pose_word(const field *f, int32_t body) {
 
 /* ---- shapes ---- */
 
-/* The tight bounds of a shape, with its margin around them: shape_place.c. */
+/* Predicts a word of a shape's fat bounds: its tight bounds grown by its margin, as shape_place.c
+ * computes them. */
 static uint32_t fat_word(const field *f, int32_t shape) {
     const image *now = &f->pair->now;
     td_shape_proxy p;
@@ -168,7 +175,7 @@ static bool has_moved(const image *i, int32_t shape) {
     return byte_at(i, PART(MARKS), shape, 0) & TD_MARK_MOVED;
 }
 
-/* A shape's proxy, from its body's pose, or as it stood to the body in the base. */
+/* Predicts a word of a shape's proxy from its body's pose, or from the shape's arm in the base. */
 static uint32_t proxy_word(const field *f, int32_t shape) {
     const image *now = &f->pair->now, *base = &f->pair->base;
     int32_t body = SHAPE(now, shape, body);
@@ -197,7 +204,8 @@ static uint32_t proxy_word(const field *f, int32_t shape) {
     return half_of(f, shape, center + (base->bytes ? arm : 0));
 }
 
-/* Fat bounds before the shape moved. */
+/* Predicts a word of previous_fat: for a moved shape its fat bounds in the base, else its present
+ * ones. */
 static uint32_t previous_fat_word(const field *f, int32_t shape) {
     const image *now = &f->pair->now, *base = &f->pair->base;
     size_t at = offsetof(td_shape_proxy, fat) + f->at;
@@ -213,7 +221,8 @@ static int32_t set_word(const field *f, int part, int32_t record) {
     return int_at(&f->pair->now, first + part, record, 0);
 }
 
-/* The copies of bounds and marks in a proxy set: wide_proxy_set.c, and store_anchors of grid.c. */
+/* Predicts a word of the arrays of a proxy set, which are copies of bounds and marks of shapes: see
+ * wide_proxy_set.c, and store_anchors of grid.c. */
 static uint32_t proxy_set_word(const field *f, int32_t record) {
     const image *now = &f->pair->now;
     int part = (f->section - PART(PROXY_SETS)) % TD_SNAPSHOT_PROXY_SET_PARTS;
@@ -226,7 +235,7 @@ static uint32_t proxy_set_word(const field *f, int32_t record) {
     if (part == TD_SNAPSHOT_PLACES_MOVED) {
         return has_moved(now, shape) ? UINT32_MAX : 0;
     }
-    /* The set was filled before the shapes moved. */
+    /* The set has the bounds that shapes had before they moved. */
     size_t at = (size_t)(part - TD_SNAPSHOT_MIN_X) * sizeof(int32_t);
     return has_moved(now, shape)
                ? word_at(now, PART(PREVIOUS_FAT), shape, at)
@@ -247,7 +256,7 @@ static uint32_t body_word(const field *f, int32_t body) {
                : (uint32_t)BODY(now, body, min_extent);
 }
 
-/* What the awake slot has of its body: awake.c. */
+/* Predicts a word of the arrays by awake slot that are copied from the body's record (awake.c). */
 static uint32_t awake_word(const field *f, int32_t slot) {
     const image *now = &f->pair->now;
     int32_t body = int_at(now, AWAKE(body_of), slot, 0);
@@ -310,7 +319,7 @@ static lanes lanes_of(const field *f, size_t first) {
     return l;
 }
 
-/* What the motion of the step was, of a side of a lane: x, y, angle. */
+/* The motion, in the last step, of the body on one side of a lane: x, y, angle. */
 static void motion_at(const lanes *l, int side, int lane, float motion[3]) {
     memset(motion, 0, 3 * sizeof *motion);
     if (l->slot[side][lane] > 0) {
@@ -318,7 +327,8 @@ static void motion_at(const lanes *l, int side, int lane, float motion[3]) {
     }
 }
 
-/* The centre of a shape, cosine and sine, when the step began and the manifold was computed. */
+/* The centre, cosine and sine of a shape at the start of the step, from which its manifold was
+ * computed. */
 typedef struct start {
     int64_t x, y;
     float c, s, half_x;
@@ -349,8 +359,7 @@ static float distance_of(const image *now, int64_t a, int64_t b) {
     return (float)(now->head.length_scale / TD_FIXED_ONE) * (float)(double)quanta;
 }
 
-/* Reads the normals of the lanes, and both bodies' crosses with them at the point at this offset.
- */
+/* Reads the normals of the lanes, and the rows cross_a and cross_b of the point at this offset. */
 static void read_normals(const lanes *l, size_t point, float nx[TD_LANES], float ny[TD_LANES],
                          float cross_a[TD_LANES], float cross_b[TD_LANES]) {
     read_row(l, offsetof(td_block, nx), nx);
@@ -359,7 +368,8 @@ static void read_normals(const lanes *l, size_t point, float nx[TD_LANES], float
     read_row(l, point + offsetof(td_point, cross_b), cross_b);
 }
 
-/* The separations of kept manifolds at point k: td_cached_lanes. */
+/* Predicts the separations at point k of manifolds that were reused from an earlier step
+ * (td_cached_lanes). */
 static void kept_separations(const lanes *l, int k, float out[TD_LANES]) {
     int points = td_form_points((td_block_form)(l->section - TD_SECTION_BLOCKS));
     size_t point = offsetof(td_block, point) + (size_t)k * sizeof(td_point);
@@ -380,7 +390,7 @@ static void kept_separations(const lanes *l, int k, float out[TD_LANES]) {
     }
 }
 
-/* Normals and start separations of circles: circle_circle. */
+/* Predicts normals and start separations of pairs of circles, as circle_circle computes them. */
 static void circle_normals(const lanes *l, size_t at, float out[TD_LANES]) {
     float skin;
     read(l->now, TD_SECTION_FIELDS, 0, td_snapshot_field_at(offsetof(thud_world, skin)), &skin,
@@ -397,7 +407,7 @@ static void circle_normals(const lanes *l, size_t at, float out[TD_LANES]) {
     }
 }
 
-/* What follows from normals and separations of circles: td_write_points. */
+/* Predicts the rows that td_write_points computes from normals and separations of circles. */
 static void circle_rows(const lanes *l, size_t at, float out[TD_LANES]) {
     const size_t point = offsetof(td_block, point);
     float nx[TD_LANES], ny[TD_LANES], separation[TD_LANES], inv_inertia[2][TD_LANES];
@@ -438,8 +448,9 @@ static void circle_rows(const lanes *l, size_t at, float out[TD_LANES]) {
     }
 }
 
-/* The speed of b's centre along the normal from a's, with that of the rotations at a point, of
- * records by awake slot: velocities, or motions. */
+/* The speed along the normal at which b moves away from a: of the centres, and if `turns` also by
+ * the rotations at a point. `section` names the records by awake slot that are read: velocities, or
+ * motions, which give a distance in place of a speed. */
 static void speeds_of(const lanes *l, const image *from, int section, size_t point, bool turns,
                       float out[TD_LANES]) {
     float nx[TD_LANES], ny[TD_LANES], cross_a[TD_LANES], cross_b[TD_LANES];
@@ -458,8 +469,9 @@ static void speeds_of(const lanes *l, const image *from, int section, size_t poi
     }
 }
 
-/* Separations after the motion of the step: relax_blocks. Normals of circles go through the centres
- * of mass. */
+/* Predicts separations at the end of the step, as relax_blocks computes them: those at its start
+ * plus the motion along the normal. In blocks with one point, of circles, rotations do not change
+ * them, since the normal goes through the centres. */
 static void moved_separations(const lanes *l, size_t point, float out[TD_LANES]) {
     float from[TD_LANES];
     read_row(l, point + offsetof(td_point, start_separation), from);
@@ -469,7 +481,7 @@ static void moved_separations(const lanes *l, size_t point, float out[TD_LANES])
     }
 }
 
-/* Rows of shapes and awake slots, by the row of constraints. */
+/* Predicts the rows of shapes and awake slots from the row of constraints. */
 static void block_indices(const lanes *l, size_t at, uint32_t *out) {
     int32_t constraint[TD_LANES];
     read_row(l, offsetof(td_block, constraint), constraint);
@@ -525,8 +537,7 @@ static void block_words(const field *f, size_t first, uint32_t *out) {
 
 /* ---- which column, and when ---- */
 
-/* Which separation of a point the row of a block has: that at the start of the step, or at its end.
- */
+/* Which separation of a point a row of a block has, if any. */
 typedef enum separation { NO_SEPARATION, AT_START, AT_END } separation;
 
 static separation separation_of(int section, size_t at) {
@@ -543,7 +554,7 @@ static separation separation_of(int section, size_t at) {
     return NO_SEPARATION;
 }
 
-/* Whether the row of a block of contacts may follow from others. */
+/* Whether a row of a block of contacts can be predicted from others. */
 static bool row_follows(int section, size_t at) {
     size_t point = offsetof(td_block, point);
     if (section > TD_SECTION_BLOCKS + TD_FORM_TWO_CACHED) {

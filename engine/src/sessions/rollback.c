@@ -10,8 +10,9 @@
 /* Values for options of 0, as the header promises; 60 steps are a second at 60 Hz. */
 enum { PLAYERS_DEFAULT = 2, DEPTH_DEFAULT = 60 };
 
-/* Each lead that is heard of moves the smoothed one by this share of the difference. Chosen: a
- * second of messages at 60 Hz outlasts what jitter does. */
+/* Each lead that arrives moves the smoothed lead by this share of the difference. Chosen: after a
+ * second of messages at 60 Hz a lead has 2 % of its weight left, so that the jitter of a network
+ * averages out. */
 static const double LEAD_SHARE = 1.0 / 16;
 
 /* The length of the ring `saved`: one more than the depth, since the prediction for the earliest
@@ -168,7 +169,8 @@ static bool is_absent(const td_player_inputs *k, int64_t step) {
     return step >= k->gone_from && step < k->back_at;
 }
 
-/* Notes that an input is known. Where the step was played with another one, it is played again. */
+/* Stores an input. If its step was played with another one, the step is marked to be played again.
+ */
 static void know(thud_rollback *r, int player, int64_t step, uint64_t input) {
     td_player_inputs *k = &r->players[player];
     int at = (int)(step % input_count(r));
@@ -184,7 +186,7 @@ static void know(thud_rollback *r, int player, int64_t step, uint64_t input) {
     }
 }
 
-/* Notes the inputs of a player for the steps at which it is absent, from this step on. */
+/* Stores the idle input of a player for the steps from this one on at which it is absent. */
 static void know_absence(thud_rollback *r, int player, int64_t step) {
     for (; step <= r->steps + r->options.depth; step++) {
         if (is_absent(&r->players[player], step)) {
@@ -244,7 +246,7 @@ thud_result thud_rollback_get_progress(const thud_rollback *r, thud_rollback_pro
     return THUD_OK;
 }
 
-/* Refuses calls that td_rollback_check refuses, and a player that is none. */
+/* Refuses calls that td_rollback_check refuses, and a number that is no player's. */
 static thud_result check_player(const thud_rollback *r, int player) {
     thud_result result = td_rollback_check(r);
     return result == THUD_OK && (player < 0 || player >= r->options.players)
@@ -276,7 +278,8 @@ thud_result thud_rollback_input(thud_rollback *r, int player, int64_t step, uint
 
 /* ---- clocks ---- */
 
-/* How many more steps were run than inputs of a player have arrived. */
+/* The number of steps that were played without an input of the player: its inputs arrive so much
+ * later than this peer plays. */
 static int64_t lead_of(const thud_rollback *r, int player) {
     return r->steps - r->players[player].told_before;
 }
@@ -390,9 +393,10 @@ thud_result td_rollback_save_step(thud_rollback *r, int64_t step) {
     return result;
 }
 
-/* Saves what is before the step, and plays it. Leaves first_wrong at the step, so that a failure
- * has it played again; the caller resets it when all steps have succeeded. Where the step cannot be
- * saved, first_wrong stays at an earlier one. If `step` fails, world and state are restored. */
+/* Saves world and state as they are before the step, and plays it. Sets first_wrong to the step, so
+ * that it is played again if it fails; the caller resets it when all steps have succeeded. Where
+ * the step cannot be saved, first_wrong stays at an earlier one. If `step` fails, world and state
+ * are restored. */
 static thud_result play_step(thud_rollback *r, int64_t step) {
     td_saved_step *m = td_rollback_saved(r, step);
     thud_result result = td_rollback_save_step(r, step);
@@ -415,7 +419,7 @@ static thud_result play_step(thud_rollback *r, int64_t step) {
     return THUD_OK;
 }
 
-/* Plays at most so many of the steps again that have to be. */
+/* Plays again the steps that were played with wrong inputs, at most `most` of them. */
 static thud_result settle(thud_rollback *r, int64_t most) {
     if (r->first_wrong == TD_NO_STEP) {
         return THUD_OK;
@@ -484,7 +488,8 @@ thud_result thud_rollback_get_state(thud_rollback *r, int64_t step, uint64_t *ou
     if (result != THUD_OK) {
         return result;
     }
-    bool now = step == r->at; /* otherwise it is stored, as it was played last */
+    bool now = step == r->at; /* otherwise the step was played: hash and state are in its place of
+                                 the ring */
     if (step < td_rollback_oldest(r) || step > r->steps) {
         return td_refuse(r->world, THUD_ERROR_INVALID, "rollback: that step is not kept");
     }

@@ -10,7 +10,7 @@
 #include "state/handles.h"
 #include "thud/thud_rollback.h"
 
-/* In place of a step: none. */
+/* The step number that means: no step. */
 #define TD_NO_STEP INT64_MAX
 
 /* The world and state before a step, and what the step was played with. */
@@ -24,11 +24,12 @@ typedef struct td_saved_step {
 /* The known inputs of a player. */
 typedef struct td_player_inputs {
     uint64_t *inputs;           /* ring of input_count */
-    bool *is_known;             /* likewise: the input of the step is known */
+    bool *is_known;             /* ring of input_count: whether the input of the step is known */
     int64_t known_before;       /* every input before this step is known */
-    int64_t told_before;        /* no input of this step or a later one has been given */
-    int64_t gone_from, back_at; /* absent from one step until before the other; TD_NO_STEP: never */
-    bool is_timed;              /* both leads have been heard of */
+    int64_t told_before;        /* inputs have been given for steps before this one only */
+    int64_t gone_from, back_at; /* absent from step gone_from to step back_at - 1; TD_NO_STEP: never
+                                   gone, or not back yet */
+    bool is_timed;              /* both leads have values */
     double lead, their_lead;    /* thud_rollback_get_lead, and the player's own, smoothed */
 } td_player_inputs;
 
@@ -40,7 +41,8 @@ struct thud_rollback {
     td_player_inputs *players; /* by player */
     int64_t first;             /* the step with which this peer began: 0, unless it has joined */
     int64_t steps;             /* made so far: the number of the next one */
-    int64_t at;                /* the step before which world and state are; -1: in the middle */
+    int64_t at;                /* world and state are those before this step; -1: a step has failed
+                                  halfway */
     int64_t replayed;          /* steps that were played again, in all */
     int64_t first_wrong;       /* the first step that has to be played again, or TD_NO_STEP */
     bool playing;              /* inside options.step */
@@ -57,7 +59,7 @@ thud_result td_rollback_settle_for(thud_rollback *r, const void *buffer, size_t 
 /* The place of a step >= -1 in the ring. */
 td_saved_step *td_rollback_saved(const thud_rollback *r, int64_t step);
 
-/* The first step of which the state before it is stored. */
+/* The earliest step that can be restored: the state before it is stored. */
 int64_t td_rollback_oldest(const thud_rollback *r);
 
 /* Restores world and state to what they were before a saved step. */
@@ -66,8 +68,8 @@ thud_result td_rollback_restore_step(thud_rollback *r, int64_t step);
 /* Saves world and state, as they are before a step, in its place in the ring. */
 thud_result td_rollback_save_step(thud_rollback *r, int64_t step);
 
-/* Begins anew with the world and state that are there, before a step: nothing is known but who is
- * absent. `inputs`: those of the step before, by player. */
+/* Begins anew with the present world and state, as those before `step`. Forgets all inputs, but not
+ * which players are absent. `inputs`: those of the step before, by player. */
 void td_rollback_begin(thud_rollback *r, int64_t step, const uint64_t *inputs);
 
 /* Writes a number, its low bytes first; returns the place after it. */
@@ -78,7 +80,7 @@ static inline uint8_t *td_put_number(uint8_t *at, uint64_t value, int bytes) {
     return at + bytes;
 }
 
-/* Reads such a number. */
+/* Reads a number that td_put_number has written. */
 static inline uint64_t td_number_at(const uint8_t *at, int bytes) {
     uint64_t value = 0;
     for (int i = 0; i < bytes; i++) {

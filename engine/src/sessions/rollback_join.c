@@ -7,8 +7,8 @@
  *     int64   the step; world and state are before this one
  *     uint64  bytes of the world's snapshot
  *     uint64  bytes of the caller's state
- *             by player: uint64, its input in the step before; int64, from which step on it is
- *             absent, and int64, at which it is back, TD_NO_STEP: never
+ *             by player: uint64, its input in the step before; int64, the step from which it is
+ *             absent; int64, the step at which it is back; TD_NO_STEP: never
  *             the world's snapshot
  *             the caller's state
  *     uint32  checksum of all before it: FNV-1a (Fowler, Noll, Vo), of 32 bits
@@ -37,7 +37,7 @@ static size_t head_bytes(const thud_rollback *r) {
     return HEAD_BYTES + PLAYER_BYTES * (size_t)r->options.players;
 }
 
-/* Bytes of a game whose world has a snapshot of so many. */
+/* Bytes of a game whose world has a snapshot of `world_bytes` bytes. */
 static size_t bytes_of(const thud_rollback *r, size_t world_bytes) {
     return head_bytes(r) + world_bytes + r->options.state_bytes + SUM_BYTES;
 }
@@ -94,7 +94,7 @@ thud_result thud_rollback_snapshot(thud_rollback *r, void *buffer, size_t capaci
     return THUD_OK;
 }
 
-/* Whether this can be a step, or TD_NO_STEP. */
+/* Whether a number that was read is a possible step, or TD_NO_STEP. */
 static bool is_step(uint64_t value) {
     return value < TD_NO_STEP / 2 || value == TD_NO_STEP;
 }

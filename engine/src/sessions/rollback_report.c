@@ -105,8 +105,8 @@ static bool has_inputs_before(const thud_rollback *r, int64_t step) {
     return step > r->first;
 }
 
-/* Takes the world back to before a step; come_back undoes it. The present is saved in the place of
- * the next step, where the oldest snapshot is not needed any more. */
+/* Restores the world as it was before a step; come_back undoes it. The present is saved in the
+ * place of the next step, where the oldest snapshot is not needed any more. */
 static thud_result go_back(thud_rollback *r, int64_t step) {
     thud_result result = THUD_OK;
     if (step < r->steps) {
@@ -116,7 +116,7 @@ static thud_result go_back(thud_rollback *r, int64_t step) {
     return result;
 }
 
-/* Where that fails, the steps since then are played again. */
+/* Undoes go_back. If the present cannot be restored, the steps since then are played again. */
 static thud_result come_back(thud_rollback *r) {
     thud_result result = r->at < r->steps ? td_rollback_restore_step(r, r->steps) : THUD_OK;
     if (result != THUD_OK) {
@@ -135,7 +135,8 @@ static int64_t count_bodies(const thud_world *w) {
     return count;
 }
 
-/* Writes what go_back has prepared. */
+/* Writes the report of the world that go_back has restored. `present`: the hash of the present
+ * world. */
 static void write_report(const thud_rollback *r, const report *p, uint64_t present, uint8_t *out) {
     uint8_t *at = td_put_number(out, MARK, 4);
     at = td_put_number(at, (uint64_t)r->options.players, 4);
@@ -212,7 +213,8 @@ static bool read_head(const thud_rollback *r, const uint8_t *from, size_t bytes,
            bytes_of(r, out) == bytes && (out->step >= 0 || (out->step == -1 && !out->bodies));
 }
 
-/* Whether the bodies are in the order of their slots, and these are numbers of slots. */
+/* Whether the bodies of a report are in the order of their slots, and the slots are in range.
+ * Reports come from other peers, and may be forged. */
 static bool is_in_order(const uint8_t *bodies, int64_t count) {
     int64_t before = -1;
     for (int64_t i = 0; i < count; i++) {
@@ -225,7 +227,7 @@ static bool is_in_order(const uint8_t *bodies, int64_t count) {
     return true;
 }
 
-/* The first step of both whose hashes differ; -1: none. */
+/* The first step whose hashes in the report and here differ; -1: none. */
 static int64_t first_difference(const thud_rollback *r, const report *p, const uint8_t *hashes) {
     report own;
     find_steps(r, &own);
@@ -246,7 +248,8 @@ static void note_body(thud_rollback_difference *out, int64_t slot, thud_body_id 
     }
 }
 
-/* Compares the bodies of the report with those of the world, which is at its step. */
+/* Compares the bodies of the report with those of the world. The world must be as it was before the
+ * report's step. */
 static void compare_bodies(const thud_rollback *r, const report *p, const uint8_t *bodies,
                            thud_rollback_difference *out) {
     const thud_world *w = r->world;

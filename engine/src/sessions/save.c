@@ -58,7 +58,8 @@ thud_result thud_world_save(thud_world *w, const char *path, const void *own, si
     }
     size_t world_bytes = 0, path_length = strlen(path);
     thud_world_get_snapshot_size(w, &world_bytes);
-    /* The snapshot, the name of the draft, and the file. */
+    /* One piece of memory for the snapshot, the name of the temporary file, and the file's bytes.
+     */
     size_t packed = td_packed_max(world_bytes), name = path_length + 2;
     size_t total = world_bytes + name + sizeof(save_head) + packed + bytes;
     char *snapshot = total > bytes ? td_memory_get(&w->memory, total) : NULL;

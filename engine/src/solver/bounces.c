@@ -8,11 +8,12 @@
 #include "constraint/lanes.h"
 #include "state/surface.h"
 
-/* A pair in free flight is left to the soft solver if it meets more slowly than this, in multiples
- * of g h. Chosen, small: the soft solver changes the parabola of such a pair. */
+/* A pair of bodies in free flight that meets at less than this speed does not bounce here: the soft
+ * solver stops it. In multiples of gravity times the time step. Chosen small, since the soft solver
+ * changes the energy of the pairs that it takes. */
 #define FLIGHT_REST 0.015625
-/* A lane is loaded if its impulse is more than this share of what carries the effective mass's
- * weight. Less may be rounding. Chosen. */
+/* A contact is loaded if its impulse in a substep is more than this share of the impulse that would
+ * carry its effective mass against gravity. Smaller impulses may come from rounding. Chosen. */
 #define LOAD_SHARE 0.01f
 /* An unloaded contact that overlaps by less than this share of TD_IMPACT_DISTANCE is not pushed
  * apart: impacts.c leaves touching shapes with nearly as much overlap. */
@@ -77,9 +78,10 @@ static void note_borne(const thud_world *w, td_block *block) {
     }
 }
 
-/* Whether a pair with restitution below 1 bounces by detection: it is apart by more than
- * TD_IMPACT_DISTANCE, and closes faster than the restitution threshold. Pairs that touch already,
- * as in a heap that is hit, are left to the soft solver, which solves them together. */
+/* Whether detection has to resolve the bounce of a pair with restitution below 1: the shapes are
+ * apart by more than TD_IMPACT_DISTANCE and close faster than the restitution threshold. Pairs that
+ * touch already, as in a heap that is hit, stay with the soft solver, which solves all contacts of
+ * the heap together. */
 static bool bounces_lossily(const thud_world *w, const lane *l) {
     float slow = w->def.restitution_threshold * w->length_scale;
     bool apart = true, closes = false;
@@ -92,9 +94,11 @@ static bool bounces_lossily(const thud_world *w, const lane *l) {
     return apart && closes;
 }
 
-/* Whether a pair with restitution 1 or more bounces: its speed where it meets is above the
- * threshold. By energy, speed^2 = closing^2 + 2 gravity distance. A loaded pair rests a skin apart,
- * and meets there; any other meets at TD_IMPACT_DISTANCE. */
+/* Whether a pair with restitution 1 or more bounces: the speed at which it meets is above the
+ * threshold. From the closing speed now, conservation of energy gives it as speed^2 = closing^2 + 2
+ * g d, where g is the relative gravity along the normal and d the distance until the pair meets. A
+ * loaded pair meets where it rests, at the distance TD_SKIN; any other pair meets at
+ * TD_IMPACT_DISTANCE. */
 static bool bounces_elastically(const thud_world *w, const lane *l) {
     double nx = (double)l->block->nx[l->index], ny = (double)l->block->ny[l->index], max = 0.0;
     double pull = gravity_of(w, l->block->a[l->index], nx, ny, &max);
@@ -128,7 +132,7 @@ static void clear_overlap(const thud_world *w, const lane *l) {
     }
 }
 
-/* Mutes a lane if its pair bounces in this step. */
+/* Takes a contact out of the soft solver for this step (td_surface_mute) if its pair bounces. */
 static void mute_if_bouncing(thud_world *w, td_block *block, int index) {
     const td_contact *contact = td_contact_at(w, block->constraint[index]);
     const thud_detection *detection = td_detection_of(w, contact->body[0], contact->body[1]);

@@ -3,7 +3,8 @@
 
 #include "base/base.h"
 
-/* Greater z count as this one, of whose velocity 1e-12 is left: squares of it stay finite. */
+/* Greater values of z are clamped to this one, so that squares of z stay finite. It leaves 1e-12 of
+ * a velocity. */
 #define Z_MAX 1e12
 
 /* The exponential is Taylor's series for z / 4, squared twice: exact to the rounding of floats up

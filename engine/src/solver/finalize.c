@@ -28,7 +28,8 @@ static void follow_slot(td_array *slots, td_awake_slot from, td_awake_slot to) {
     }
 }
 
-/* Takes a body out of the step for good; see above. */
+/* Quarantines a body: ends its contacts and takes it out of the awake bodies; see the head of this
+ * file. */
 static void quarantine(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     td_awake_slot slot = body->awake;
@@ -70,7 +71,8 @@ bool td_finalize_reserve(thud_world *w) {
            td_array_reserve(&w->memory, &w->scratch.odd, w->body_of.count);
 }
 
-/* Moves all bodies but those that it lists in scratch.odd. */
+/* Moves all bodies eight at a time, except for those that this pass cannot move: it lists them in
+ * scratch.odd (wide_finalize.c). */
 static void finalize_bodies(thud_world *w) {
     const thud_shared_stages *shared = TD_HAS_THREADS ? w->def.job_system.stages : NULL;
     td_energy_sums sums = {0};

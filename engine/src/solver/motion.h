@@ -1,7 +1,8 @@
 /* motion.h: the passes over all awake bodies, eight at a time: integration of velocities and
- * positions in each substep, and the end of the step. What constraints act on moves by
- * semi-implicit Euler, and what none acts on by the exact path of its acceleration and damping
- * (damping.h). Arrays are by awake slot; slot 0 is a dummy that stands for all static bodies. */
+ * positions in each substep, and the end of the step. A body that a constraint acts on moves by
+ * semi-implicit Euler. A body that none acts on, here called free, moves on the exact path of its
+ * acceleration and damping (damping.h). Arrays are by awake slot; slot 0 is a dummy that stands for
+ * all static bodies. */
 #ifndef TD_MOTION_H
 #define TD_MOTION_H
 
@@ -14,9 +15,9 @@
 
 typedef struct td_motion_context {
     float (*velocity)[4];           /* x, y, turn, and the inverse mass */
-    float (*delta)[4];              /* motion since the start of the step: x, y, turn; and, until
-                                       positions of the last substep, a mark of the bounce passes
-                                       (td_solve_context) */
+    float (*delta)[4];              /* motion since the start of the step: x, y, turn. The fourth
+                                       value is 1 for a body that a bounce pass has marked
+                                       (td_end_flights_fn), else 0 */
     float (*start)[4];              /* velocity at the start of the substep */
     const float (*substep_gain)[4]; /* velocity that gravity and forces add in a substep */
     const float (*damping)[2];      /* null where no body is damped */
@@ -28,21 +29,22 @@ typedef struct td_motion_context {
     bool bouncy;     /* a pair has restitution, so that delta may have marks */
 } td_motion_context;
 
-/* The velocities of the first substep, start + gain: start is the damped velocity, and gain that of
- * gravity and forces. A free body gets the velocity of the end of the whole step at once. Later
- * passes add that velocity times h to its delta in each substep, and change it no more; so delta
- * begins with the difference between the way of its exact path and that sum. */
+/* The velocities of the first substep: the damped velocity plus what gravity and forces add. A free
+ * body gets the velocity of the end of the whole step at once, and no later pass changes it. Each
+ * substep adds this velocity times h to the body's delta; so delta begins with the difference
+ * between its exact motion in the step and the sum of these products. */
 typedef void td_begin_motion_fn(const td_motion_context *context);
-/* The velocities of a later substep, of which the gain is the whole change of velocity in the
- * substep before, forces and constraints together: as anchors are fixed within a step, that is the
- * warm start of all constraints, at the price of two vector operations a body instead of a pass
- * over the constraints. */
+/* The velocities of a later substep: adds to each velocity its whole change in the substep before,
+ * by forces and by constraints. Since anchors are fixed within a step, this is the warm start of
+ * all constraints, and costs two vector operations a body instead of a pass over the constraints.
+ */
 typedef void td_integrate_velocity_fn(const td_motion_context *context);
 /* delta += h v. */
 typedef void td_integrate_position_fn(const td_motion_context *context);
-/* After the positions of the last substep: the bodies that a bounce pass has marked, and whose
- * constraints all the same did nothing in this step, are moved on to the exact path: what flies up
- * from a bounce would else lose energy while it is near what it met. */
+/* After the positions of the last substep: moves those marked bodies to their exact path whose
+ * constraints applied no impulse in this step. A bounce pass marks the bodies of contacts that may
+ * bounce; semi-implicit Euler would take energy from a body that flies up from a bounce for as long
+ * as it is near the other shape. */
 typedef void td_end_flights_fn(const td_motion_context *context);
 struct thud_world;
 
@@ -52,16 +54,18 @@ typedef struct td_energy_sums {
     d4 gained;  /* work of gravity in the step */
 } td_energy_sums;
 
-/* A part of the awake bodies at the end of a step, and what is found of them. */
+/* The arguments and the results of td_finalize_bodies for a part of the awake bodies. */
 typedef struct td_finalize_part {
     int first, end; /* awake slots; `first` is a multiple of TD_LANES */
     td_array *odd,
         *fast;       /* td_awake_slot: as in td_scratch; with room for all bodies of the part */
-    td_array *moved; /* int: gets the shapes that have left their fat bounds; likewise */
-    td_energy_sums *sums; /* to which the first eight bodies add their energies */
-    int sums_step;        /* the next eight add to sums[sums_step] and so on; 0: all to the same */
+    td_array *moved; /* int: gets the shapes that have left their fat bounds; with room for all
+                        shapes of the part */
+    td_energy_sums *sums; /* the first eight bodies of the part add their energies here */
+    int sums_step;        /* the n-th eight bodies, from 0, add to sums[n * sums_step]; 0: all add
+                             to the same */
     bool has_moved;       /* a shape has left its fat bounds */
-    int idle, drowsy;     /* bodies: td_world.idle_bodies, drowsy_bodies */
+    int idle, drowsy;     /* bodies of the part: see thud_world.idle_bodies, drowsy_bodies */
 } td_finalize_part;
 
 /* wide_finalize.c: adds motions to poses, and updates shapes and bounds. Parts of one world write

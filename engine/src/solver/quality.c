@@ -35,8 +35,9 @@ const char *td_check_max_error(double max_error, const thud_quality *quality, td
                                                 : NULL;
 }
 
-/* The skin: the gap that the solver leaves between resting shapes, so that shapes do not touch yet
- * when `bisect` or `swept` moves them on from there. `overlap` and `continuous` leave none. */
+/* The skin: the gap that the solver leaves between resting shapes, length. The detections `bisect`
+ * and `swept` start from shapes that do not overlap, and need the gap; `overlap` and `continuous`
+ * need none. */
 static float skin_of(const thud_world *w) {
     /* At overlap_limit 0 the island solver solves every island. Contacts do not give way under a
      * load then, so that a thinner gap is enough. */
@@ -87,16 +88,17 @@ int td_substeps_asked(const thud_world *w) {
     return w->def.substeps ? w->def.substeps : w->quality.substeps;
 }
 
-/* Least substeps of a quality that gets its island solver from the detection, as draft: those of
- * default. With two, islands that are too large for the direct solver give way by more than the
- * skin, 5 mm in a pyramid of 30 rows of 1 m. */
+/* Minimum of substeps of a quality that gets its island solver from the detection, as draft does:
+ * the number of default. With the two of draft, islands that are too large for the direct solver
+ * give way under their load by more than the skin, 5 mm in a pyramid of 30 rows of 1 m. */
 enum { SUBSTEPS_MIN = 4 };
 
-/* `bisect` and `swept` let nothing overlap. What a soft contact gives way under a load is pushed
- * apart again without friction (gaps.c), which makes a column fall that stands under `continuous`.
- * So these detections bring an island solver, which solves islands of contacts directly within the
- * quality's limits; those with joints, whose contacts are left to the solver, only where the
- * quality asks for it. An island_limit of 1 keeps the soft solver. */
+/* `bisect` and `swept` let nothing overlap. Soft contacts under a load do overlap; gaps.c pushes
+ * such shapes apart again, but without friction, so that a column falls that stands under
+ * `continuous`. So these detections bring an island solver: it solves islands of contacts directly,
+ * within the quality's limits, and they do not give way. Islands with joints are solved directly
+ * only where the quality itself names an island solver. An island_limit of 1 keeps the soft solver
+ * for all. */
 static void take_island_solver(thud_quality *q) {
     if (q->detection->islands && !q->islands && q->island_limit > 1) {
         q->islands = q->detection->islands;
@@ -127,7 +129,8 @@ static void take_quality(thud_world *w, const thud_quality *quality) {
         w->quality.detection = w->def.detection;
     }
     take_island_solver(&w->quality);
-    /* In a world with joints the direct solver is the one that knows joints: joint_hooks.h. */
+    /* In a world with joints the direct solver is replaced by the one that also solves joints
+     * (joint_hooks.h). */
     if (w->joint_hooks && w->quality.islands) {
         w->quality.islands = w->joint_hooks->islands;
     }

@@ -9,14 +9,15 @@
 #include "solver/motion.h"
 #include "state/world.h"
 
-/* Both kernels of each, by thud_world.wide: wide_bounce.c. */
+/* The functions of wide_bounce.c. Of each there are two, one for each instruction set: the index is
+ * thud_world.wide. */
 typedef struct td_restitution_hooks {
     td_solve_fn *one_point[2], *two_points[2]; /* the bounce passes of contacts */
     td_end_flights_fn *end_flights[2];
 } td_restitution_hooks;
 
-/* Whether a contact that touches has restitution. The table is asked for since a snapshot that was
- * tampered with may name none. */
+/* Whether a contact that touches has restitution. The table is tested too, since a snapshot that
+ * was tampered with may say that contacts bounce and still bring no table. */
 static inline bool td_has_bounces(const thud_world *w) {
     return w->bouncy > 0 && w->restitution_hooks;
 }

@@ -1,5 +1,6 @@
 /* shared_finalize.c: finalize by workers, each of which takes TD_SHARE_BODIES bodies at a time.
- * What they find is joined in the order of the bodies, as one worker finds it. */
+ * Their results are joined in the order of the bodies, so that they are the same as those of one
+ * worker. */
 #include "state/jobs.h"
 #include "state/kinds.h"
 #include "state/shared_stages.h"
@@ -14,8 +15,8 @@ static int share_count(const thud_world *w) {
     return (w->body_of.count + TD_SHARE_BODIES - 1) / TD_SHARE_BODIES;
 }
 
-/* Whether there are enough bodies, and memory for what is found of them: without it the calling
- * thread finalizes them alone. */
+/* Whether workers share the stage: there are enough bodies, and memory for the results. Otherwise
+ * the calling thread finalizes all bodies alone. */
 static bool is_shared(thud_world *w) {
     return w->def.job_system.workers > 1 && w->body_of.count >= SHARED_BODIES_MIN &&
            td_array_reserve(&w->memory, &w->scratch.shares, share_count(w));
@@ -25,7 +26,7 @@ static td_finalize_share *share_at(const thud_world *w, int index) {
     return &TD_AT(td_share, &w->scratch.shares, index)->finalize;
 }
 
-/* What the workers share. */
+/* The argument of all workers. */
 typedef struct finalizing {
     thud_world *w;
     td_job job;
@@ -55,8 +56,8 @@ static void finalize_as_worker(void *argument) {
     td_worker_walk(&worker, share_count(f->w), finalize_share, f);
 }
 
-/* Adds what is found of a share's bodies. Energies are added eight bodies after the other, as one
- * worker does it, so that the sums have the same bits. */
+/* Adds the results of one share to those of all bodies. Energies are added in groups of eight
+ * bodies in order, as one worker does it, so that the sums have the same bits. */
 static void add_share(td_finalize_part *all, const td_finalize_share *share) {
     td_share_append(all->odd, &share->odd);
     td_share_append(all->fast, &share->fast);

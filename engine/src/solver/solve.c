@@ -118,10 +118,11 @@ void td_solve_begin(thud_world *w) {
 
 /* ---- the passes ---- */
 
-/* BRACE: of joints alone, see td_brace. */
+/* BRACE scales down impulses of torn joints; contacts have no such pass (td_brace, brace). */
 typedef enum pass { WARM_START, BRACE, SOLVE, RELAX, BOUNCE } pass;
 
-/* The arguments of a solve. Each worker has a copy, whose last fields say where it is. */
+/* The arguments of a solve. Each worker has a copy, whose fields from `worker` on are its own
+ * state. */
 typedef struct solving {
     thud_world *w;
     td_solve_context contacts;
@@ -130,7 +131,7 @@ typedef struct solving {
     td_tally *tallies; /* error statistics, by worker */
     td_job *job;
     atomic_bool *bounced; /* a flag for each bounce pass: td_solve_context.bounced */
-    atomic_flag *dummy;   /* a spin lock of slot 0: see solve_in_turn */
+    atomic_flag *dummy;   /* a spin lock for the record of slot 0: see solve_in_turn */
     td_worker worker;
     pass which;     /* the present pass */
     td_phase phase; /* the present phase */
@@ -257,8 +258,8 @@ static td_motion_context part_of(const solving *s, int chunk) {
     return part;
 }
 
-/* Chunks of bodies (td_chunk_fn): the velocities of the first substep, those of later ones, and
- * positions. */
+/* The three integrations, each for one chunk of bodies (td_chunk_fn): velocities of the first
+ * substep, velocities of later ones, and positions. */
 static void first_velocities(void *work, int chunk) {
     const solving *s = work;
     td_motion_context part = part_of(s, chunk);
@@ -294,8 +295,8 @@ static bool bounce(solving *s) {
     return passes > 1;
 }
 
-/* One chunk, for one worker: sums up the work of torn joints, and sets td_solve_context.adds
- * where their impulses may have added energy. */
+/* Sums up the work of torn joints, and sets td_solve_context.adds if their impulses may have added
+ * energy. The caller gives it to the workers as one chunk, so that exactly one of them runs it. */
 static void judge_energy(void *work, int chunk) {
     const solving *s = work;
     (void)chunk;
@@ -303,7 +304,8 @@ static void judge_energy(void *work, int chunk) {
     atomic_store_explicit(s->contacts.adds, adds, memory_order_relaxed);
 }
 
-/* One chunk, for one worker: computes the share of their impulses that torn joints keep. */
+/* Computes the share of their impulses that torn joints keep; run by one worker, as judge_energy
+ * is. */
 static void set_kept_shares(void *work, int chunk) {
     const solving *s = work;
     (void)chunk;
@@ -315,9 +317,9 @@ static void brace_pass(solving *s, td_brace stage) {
     walk(s, BRACE);
 }
 
-/* Scales down the impulses of torn joints in this substep to the share that adds no energy
- * (bracing, joints/joint_brace.c). Torn: open by more than one substep's bias closes. False where
- * they added none, and nothing was done. */
+/* Bracing (joints/joint_brace.c): scales down the impulses of torn joints in this substep to the
+ * share that adds no energy. A joint is torn if its gap is wider than the bias of one substep
+ * closes. Returns false if the impulses added no energy, so that they are unchanged. */
 static bool brace(solving *s) {
     brace_pass(s, TD_BRACE_WORK_WITH);
     td_worker_walk(&s->worker, 1, judge_energy, s);
@@ -338,8 +340,8 @@ static bool has_torn_joint(const solving *s) {
     return atomic_load_explicit(s->contacts.torn, memory_order_relaxed);
 }
 
-/* A second relax pass of the substep, after bracing: corrects the speeds that rows miss without the
- * impulses that bracing took. */
+/* A second relax pass of the substep, after bracing: corrects the errors in the rows' speeds that
+ * bracing has left by taking impulses away. */
 static void relax_again(solving *s) {
     s->contacts.again = true;
     walk(s, RELAX);

@@ -8,10 +8,12 @@
 
 #include "constraint/block.h"
 
-/* What a worker has found, in eight parts, one a lane. All zeros: nothing. */
+/* The statistics of the blocks that one worker has solved, one value a lane of the blocks. All
+ * zeros: no points yet. */
 typedef struct td_tally {
     d4 depth;        /* sum of penetration depths, in whole position quanta */
-    f8 min_distance; /* of the shapes at a point; negative: they overlap. Never above 0 */
+    f8 min_distance; /* the least distance of the two shapes at a point, length; negative: they
+                        overlap. Never above 0 */
     f8 min_speed;    /* normal speed of a point before the last relax pass corrects it, length/s;
                         negative: closing. Of an equality row -|speed|. Never above 0 */
     i8 points, overlaps; /* number of points, and of those deeper than td_tally_context.overlap */
@@ -23,9 +25,10 @@ typedef struct td_tally_context {
     double to_fixed; /* position quanta in one unit of length */
 } td_tally_context;
 
-/* Adds the points of at most TD_CHUNK_BLOCKS blocks, which begin at a multiple of TD_CHUNK_UNIT
- * blocks of their run. It runs right after the pass that writes their separations, while they are
- * in the cache. */
+/* Adds the points of at most TD_CHUNK_BLOCKS blocks to `to`. The first block is at a multiple of
+ * TD_CHUNK_UNIT in its run, so that the groups whose sums are rounded are the same for any number
+ * of workers. It runs right after the pass that writes the separations, while they are in the
+ * cache. */
 typedef void td_tally_fn(td_tally *to, td_block *const *blocks, int count, int points,
                          const td_tally_context *context);
 

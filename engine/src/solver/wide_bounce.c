@@ -16,7 +16,7 @@ TD_INLINE f8 divide_by_inverse(f8 x, f8 inverse) {
     return f8_keep(inverse > f8_all(0.0f), x / inverse);
 }
 
-/* Twice the kinetic energy of both bodies, without what infinite masses have. */
+/* Twice the kinetic energy of both bodies; an infinite mass or inertia counts as 0. */
 TD_INLINE f8 energy_of(const td_block *block, const sides *v) {
     return divide_by_inverse(v->a.x * v->a.x + v->a.y * v->a.y, v->a.w) +
            divide_by_inverse(v->b.x * v->b.x + v->b.y * v->b.y, v->b.w) +
@@ -74,7 +74,8 @@ TD_INLINE f8 impact_friction(const td_solve_context *c, td_block *block, int poi
     return f8_clamp(-block->tangent_mass * slip, -bound, bound);
 }
 
-/* Marks the moving bodies of the lanes in `bits`: td_solve_context.delta. */
+/* Marks the dynamic bodies of the lanes in `bits` for td_end_flights: sets the fourth value of
+ * their delta. */
 TD_INLINE void mark_flights(const td_solve_context *c, const td_block *block, unsigned bits) {
     for (; bits; bits &= bits - 1) {
         int lane = __builtin_ctz(bits);

@@ -1,6 +1,6 @@
-/* wide_motion.c: integration of velocities and positions; see motion.h. Two bodies share a vector
- * of eight floats; what only damped bodies need is done for one of them, coordinate by coordinate.
- */
+/* wide_motion.c: integration of velocities and positions; see motion.h. A vector of eight floats
+ * holds the records of two bodies. Damping differs from body to body and is computed coordinate by
+ * coordinate. */
 #include "solver/motion.h"
 
 #include "base/simd.h"
@@ -31,8 +31,8 @@ TD_INLINE bool is_free(const td_motion_context *c, int i) {
     return !(c->colours[i][0] | c->colours[i][1]) && c->velocity[i][3] > 0.0f;
 }
 
-/* The damping of a body over a time, linear and angular. It is kept from body to body, since most
- * bodies of a world are damped alike. */
+/* The linear and angular damping of a body over a time. A loop over bodies keeps the last result
+ * and reuses it while the rates stay the same, since most bodies of a world are damped alike. */
 typedef struct body_damping {
     float time, rate[2]; /* s, 1/s; a negative rate: nothing is computed yet */
     td_damping of[2];
@@ -44,7 +44,7 @@ static body_damping damping_over(float time) {
                           .of = {{0.0f, 1.0f, 0.5f}, {0.0f, 1.0f, 0.5f}}};
 }
 
-/* Sets it to that of body i, of a world in which some body is damped. */
+/* Sets *d to the damping of body i. Some body of the world is damped. */
 static void set_damping(body_damping *d, const td_motion_context *c, int i) {
     for (int k = 0; k < 2; k++) {
         float rate = c->damping[i][k];
@@ -91,9 +91,10 @@ void TD_WIDE(td_begin_motion)(const td_motion_context *c) {
     body_damping substep = damping_over(c->h), step = damping_over((float)c->substeps * c->h);
     f8 mark = {0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f};
     for (int i = 0; i < c->count; i += 2) {
-        /* A caller may have set any velocity. */
+        /* A caller may have set a velocity above the bound. */
         f8 v = clamp_velocity(c, load((const float(*)[4])c->velocity, i));
-        /* Motions of the step before are finite, and marks are 0 or 1. */
+        /* Sets the motion to 0 but keeps the marks of the bounce passes. The old motion is finite,
+         * so that its product with 0 is 0. */
         store(c->delta, i, c->bouncy ? load((const float(*)[4])c->delta, i) * mark : f8_all(0.0f));
         bool free[2] = {is_free(c, i), is_free(c, i + 1)};
         if (c->damping || free[0] || free[1]) {

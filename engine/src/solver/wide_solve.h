@@ -120,7 +120,7 @@ TD_INLINE f8 at_arms(f8 centres, const sides *v, bool a_static, f8 cross_a, f8 c
     return a_static ? speed : speed - v->a.z * cross_a;
 }
 
-/* The same along the normal, at a point. */
+/* at_arms along the normal, at a contact point. */
 TD_INLINE f8 at_point(f8 centres, const sides *v, bool a_static, td_arms arms, const td_point *p) {
     return arms == ARMS_ALL ? at_arms(centres, v, a_static, p->cross_a, p->cross_b) : centres;
 }

@@ -2,7 +2,8 @@
  * tally.h. */
 #include "solver/tally.h"
 
-/* Rounds a sum of floats over a few blocks to whole quanta: the sums of quanta are exact. */
+/* Rounds a sum of floats over a few blocks to whole quanta, so that the sums of such values over
+ * all blocks are exact in any order. */
 TD_INLINE d4 quanta_of(f8 length, double to_fixed) {
     return (d4_folded(length) * to_fixed + TD_ROUND_SHIFT) - TD_ROUND_SHIFT;
 }

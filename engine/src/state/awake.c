@@ -101,8 +101,8 @@ void td_awake_remove(thud_world *w, td_body_index index) {
     w->kinetic_stale = true;
 }
 
-/* Without the hooks no body is asleep. They are asked for since a snapshot that was tampered with
- * may say otherwise. */
+/* A world without sleep_hooks has no sleeping bodies. The pointer is checked all the same: a forged
+ * snapshot may contain some. */
 bool td_wake(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
     if (td_may_wake(body) && w->sleep_hooks) {

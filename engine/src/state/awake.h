@@ -16,7 +16,7 @@ void td_awake_add(thud_world *w, td_body_index body);
 /* Frees the body's slot, and copies its velocity into its record. */
 void td_awake_remove(thud_world *w, td_body_index body);
 /* Copies mass, damping, extents and the lone shape from the body's record to its slot, if it has
- * one; marks the sums that depend on them as stale. */
+ * one; marks the world's sums that depend on them (thud_world.kinetic, substep_gain) as stale. */
 void td_awake_refresh(thud_world *w, td_body_index body);
 
 /* Whether a body is asleep and can wake. */

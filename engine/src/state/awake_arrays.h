@@ -26,13 +26,13 @@ enum {
     X(damping, float[2], TD_STATE)      /* linear, angular */                                     \
     X(idle, float, TD_STATE)            /* time at rest, s */                                     \
     X(direct_steps, uint8_t, TD_STATE)  /* steps for which its island is still direct */          \
-    X(slow_steps, uint16_t, TD_STATE)   /* steps that took its island's solver long */            \
-    X(reach, float[2], TD_STATE)        /* td_body.min_extent and .max_extent */                  \
+    X(slow_steps, uint16_t, TD_STATE) /* two counts of slow steps of its island: TD_SLOW_STEPS */ \
+    X(reach, float[2], TD_STATE)      /* td_body.min_extent and .max_extent */                    \
     X(mass, float, TD_STATE)                                                                      \
     X(inertia, float, TD_STATE)                                                                   \
     X(gravity_mass, float, TD_STATE)    /* mass times gravity scale */                            \
     X(body_of, td_body_index, TD_STATE) /* its count is the number of slots in use */             \
-    X(lone, int, TD_STATE)              /* the body's only shape, if it is centred; else TD_NONE */ \
+    X(lone, int, TD_STATE) /* the body's only shape, if it is centred; else TD_NONE */            \
     X(colours, td_colours, TD_STATE)
 
 /* Numbers of the arrays in thud_world.awake: TD_AWAKE_velocity and so on. */

@@ -52,7 +52,7 @@ const char *td_body_def_error(const thud_world *w, const thud_body_def *def, td_
     return NULL;
 }
 
-/* For edits of settings that sleeping bodies depend on. */
+/* Called after edits of settings, such as gravity, by which a body at rest may begin to move. */
 void td_wake_all(thud_world *w) {
     for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         if (td_body_at(w, i)->flags & TD_BODY_LIVE) {
@@ -154,7 +154,8 @@ static float radius_of(const td_shape *shape) {
                : __builtin_sqrtf(shape->half_x * shape->half_x + shape->half_y * shape->half_y);
 }
 
-/* Makes (x, y) of the body's frame its centre of mass; the body's origin stays where it is. */
+/* Sets the centre of mass to (x, y) in the body's frame. The pose stores the place of the centre of
+ * mass, so it is moved as well: the body's origin stays where it is. */
 static void set_center(thud_world *w, td_body_index index, double x, double y) {
     td_body *body = td_body_at(w, index);
     td_pose *pose = td_pose_at(w, index);

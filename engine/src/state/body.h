@@ -14,19 +14,22 @@ void td_body_mark(thud_world *w, td_body_index body, td_change_kind change);
 
 /* Whether both coordinates, in the caller's unit, are finite and within THUD_PLACE_MAX. */
 bool td_place_valid(const thud_world *w, double x, double y);
-/* The same, with the reason in *why; and as a result, after the log has got the reason. */
+/* td_place_valid for a caller's argument that is called `name`: td_in_world writes the reason of a
+ * refusal to *why; td_check_place sends it to the log, and returns THUD_OK or THUD_ERROR_INVALID.
+ */
 bool td_in_world(const thud_world *w, td_reason *why, const char *name, double x, double y);
 thud_result td_check_place(const thud_world *w, const char *name, double x, double y);
 
-/* Wakes every body in the next step: for edits of settings that sleeping bodies depend on. */
+/* Wakes every body in the next step. For edits of settings, such as gravity, by which a body at
+ * rest may begin to move. */
 void td_wake_all(thud_world *w);
 
 /* Computes mass, inertia and centre of mass (unless the caller has given them) and both extents
  * from the body's present shapes. */
 void td_body_weigh(thud_world *w, td_body_index body);
 
-/* The position of the body's origin, computed from its centre of mass; and where it would be at
- * another pose of the body. */
+/* The position of the body's origin, which is computed from the centre of mass: td_body_origin at
+ * the body's own pose, td_origin_at at another one. */
 td_position td_origin_at(const thud_world *w, td_body_index body, const td_pose *pose);
 td_position td_body_origin(const thud_world *w, td_body_index body);
 
@@ -74,20 +77,21 @@ void td_deferred_add(thud_world *w, td_body_index body, td_deferred_kind what,
  * caller is in the world's own floating-point mode. */
 thud_result td_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 force, float torque);
 
-/* Applies an edit but TD_PUT_SHAPE now. A world is given it with its first deferred edit, as
- * edit_apply, so that a program that never edits a body does not link it. */
+/* Applies an edit at once, of any kind but TD_PUT_SHAPE. A quarantined body stays as it is. A world
+ * is given it with its first deferred edit, as edit_apply, so that a program that never edits a
+ * body does not link it. */
 void td_edit_apply(thud_world *w, td_body_index body, td_deferred_kind what, const double value[4]);
 
 /* Applies the deferred edits in the order in which they were made. Those of destroyed bodies are
  * dropped; forces wait until a step has begun. */
 void td_deferred_apply(thud_world *w);
 
-/* Whether a deferred edit gives the body an angle, or gives a kinematic body an angular velocity.
- */
+/* Whether a deferred edit will rotate the body: sets its angle, or the angular velocity of a
+ * kinematic body. Shapes that must not rotate (AABBs, terrain) are refused for such a body. */
 bool td_deferred_turns(const thud_world *w, td_body_index body);
 
-/* Whether the slot has a body that the caller made: the anchor of a lock (edits/locks.c)
- * is none, and goes in the step after its lock. */
+/* Whether the slot has a body that the caller made. The anchor of a lock (edits/locks.c) is a body
+ * that the engine made: it is not counted, and is destroyed in the step after its lock was. */
 static inline bool td_body_lives(const thud_world *w, td_body_index body) {
     return (td_body_at(w, body)->flags & (TD_BODY_LIVE | TD_BODY_ANCHOR)) == TD_BODY_LIVE;
 }

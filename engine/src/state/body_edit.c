@@ -67,7 +67,8 @@ static void set_enabled(thud_world *w, td_body_index index, const double v[4]) {
     }
 }
 
-/* A quarantined body gets none. */
+/* Edits of a quarantined body have no effect: the engine has stopped it because its numbers were
+ * not finite. */
 void td_edit_apply(thud_world *w, td_body_index index, td_deferred_kind what, const double v[4]) {
     static void (*const EDITS[])(thud_world *, td_body_index,
                                  const double[4]) = {set_transform, set_velocity, add_impulse,

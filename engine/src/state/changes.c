@@ -14,8 +14,9 @@
 
 #include <string.h>
 
-/* Wakes every sleeping body that has an open contact or a joint with this one. Bodies in a sensor
- * sleep on; their resting sensor contacts wait to be tested again. False when memory is short. */
+/* Wakes every sleeping body that has an open contact or a joint with this one. A body that only
+ * lies in a sensor sleeps on, since sensors exert no force; their contact becomes TD_WAITING, so
+ * that it is tested again. False when memory is short. */
 static bool wake_touching(thud_world *w, td_body_index body) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
@@ -40,7 +41,7 @@ static bool reserve_ends(thud_world *w, td_body_index body) {
     return count == 0 || td_contact_end_reserve(w, count);
 }
 
-/* Frees a shape's slot, its line of terrain, and what the world counts of it. */
+/* Frees a shape's slot and its line of terrain, and subtracts it from the world's counts. */
 static void free_shape(thud_world *w, int index) {
     td_shape *shape = td_shape_at(w, index);
     if (shape->terrain != TD_NONE) {
@@ -80,8 +81,9 @@ static void remove_body(thud_world *w, td_body_index index) {
     td_slots_give(&w->bodies, index.at);
 }
 
-/* Frees the destroyed shapes of a body, recomputes its mass, settles its shapes, and has its lanes
- * work out their manifolds anew. */
+/* Frees the destroyed shapes of a body, recomputes its mass, settles its shapes (td_shape_settle),
+ * and has its lanes compute their manifolds anew in place of reusing those of earlier steps
+ * (td_lane_renew). */
 static void update_shapes(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     for (int *link = &body->first_shape; *link != TD_NONE;) {

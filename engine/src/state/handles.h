@@ -13,7 +13,8 @@
  * which has no log. */
 thud_result td_refuse(const thud_world *w, thud_result result, const char *message);
 /* THUD_OK where low <= x <= high; otherwise THUD_ERROR_INVALID, after the log has got name, number
- * and range. Likewise for 0 < x <= high, and for three numbers that must be finite. */
+ * and range. td_check_above_0 checks 0 < x <= high, td_check_finite that three numbers are finite.
+ */
 thud_result td_check(const thud_world *w, const char *name, double x, double low, double high);
 thud_result td_check_above_0(const thud_world *w, const char *name, double x, double high);
 thud_result td_check_finite(const thud_world *w, const char *name, float x, float y, float z);

@@ -1,10 +1,10 @@
 /* jobs.c: distributes the chunks of each phase among workers by atomic counters; see jobs.h. */
 #include "state/jobs.h"
 
-/* Points of blocks (td_scratch.points) from which on a task over them is shared. Sharing costs what
- * bodies take to travel between the caches of processors in each phase. Measured with two threads:
- * at 400 to 500 points it takes as long as one thread. A greater value leaves more worlds to one
- * thread. */
+/* Points of blocks (td_scratch.points) from which on a task over them is shared. Sharing costs time
+ * in each phase, since the data of bodies move between the caches of processors. Measured with two
+ * threads: at 400 to 500 points it takes as long as one thread. A greater value leaves more worlds
+ * to one thread. */
 enum { SHARED_POINTS_MIN = 512 };
 
 void td_job_begin(td_job *job, int workers) {
@@ -40,8 +40,9 @@ static int run_part(atomic_int *taken, int before, int first, int end, td_chunk_
     return ran;
 }
 
-/* A phase for one worker: takes chunks of each part, its own first. It tells what it has done once,
- * at the end. */
+/* A phase for one worker: takes chunks of each part, its own first. It adds the number of its
+ * chunks to td_job.done once, at the end, since an addition for each chunk would make the counter's
+ * cache line move between processors each time. */
 void td_worker_take(td_worker *worker, int chunks, td_chunk_fn *run, void *work) {
     td_job *job = worker->job;
     if (!td_worker_shares(worker)) {

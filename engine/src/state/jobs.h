@@ -23,7 +23,8 @@ typedef struct td_counter {
     char padding[128 - sizeof(atomic_int)];
 } td_counter;
 
-/* What the workers of one task share. Counters run on from phase to phase. */
+/* The data that all workers of one task share. Its counters are not reset between phases: they
+ * count since the task began, so that no worker has to wait for a reset. */
 typedef struct td_job {
     int workers;                        /* 1: the calling thread runs the task alone */
     td_counter arrived;                 /* workers that have started */
@@ -35,7 +36,8 @@ typedef struct td_job {
 typedef struct td_worker {
     td_job *job; /* null: it works alone */
     int index;   /* in the order of arrival */
-    int before;  /* chunks of all phases before its next one, and of them those of each part */
+    int before;  /* chunks of all phases before the worker's next one; before_of: those of each part
+                  */
     int before_of[THUD_WORKERS_MAX];
 } td_worker;
 
@@ -65,11 +67,12 @@ static inline td_worker td_worker_arrive(td_job *job) {
                            td_job_is_shared(job) ? atomic_fetch_add(&job->arrived.value, 1) : 0};
 }
 
-/* Takes part in the worker's next phase, and returns when all its chunks are taken. */
+/* Runs chunks of the worker's next phase until all of them are taken. Other workers may still be
+ * running theirs when it returns. */
 void td_worker_take(td_worker *worker, int chunks, td_chunk_fn *run, void *work);
 /* Returns when all chunks that have been taken are done. */
 void td_worker_wait(const td_worker *worker);
-/* Both: returns when all chunks of the next phase are done. */
+/* td_worker_take, then td_worker_wait: returns when all chunks of the next phase are done. */
 void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work);
 
 /* Calls run(argument) on every worker, and returns when all are done. */

@@ -64,7 +64,7 @@ typedef struct td_body {
 /* td_shape.flags */
 enum {
     TD_SHAPE_LIVE = 1,
-    TD_SHAPE_SENSOR = 2, /* 4: see internal_edges.h */
+    TD_SHAPE_SENSOR = 2, /* 4 is TD_SHAPE_UNSEEN of internal_edges.h */
     /* Made inside a callback: has no contacts and no mass before the next step. */
     TD_SHAPE_WAITS = 8,
     TD_SHAPE_SILENT = 16,                              /* makes no events */
@@ -73,10 +73,10 @@ enum {
 
 /* thud_world.marks */
 enum {
-    TD_MARK_MOVED = 1,  /* in the list `moved`; its bounds before that are in `was` */
-    TD_MARK_FRESH = 2,  /* new, without pairs: `was` is not set */
+    TD_MARK_MOVED = 1,  /* in thud_world.moved; previous_fat has its bounds before */
+    TD_MARK_FRESH = 2,  /* new, has no contacts yet; previous_fat is not set */
     TD_MARK_WOKEN = 4,  /* pairs may be missing: the broadphase looks up each one */
-    TD_MARK_CROWDED = 8 /* the same, in a world that is crowded: broadphase.c */
+    TD_MARK_CROWDED = 8 /* with TD_MARK_WOKEN: the world was crowded (broadphase.c) */
 };
 
 typedef struct td_shape {
@@ -87,7 +87,7 @@ typedef struct td_shape {
                         body's frame is 0; 0: neither, and of lines of ground */
     uint8_t
         internal_edges; /* static shapes: faces and corners that others touch: internal_edges.h */
-    uint8_t hidden;     /* static shapes: those that others cover: internal_edges.h */
+    uint8_t hidden;     /* static shapes: faces and corners that others cover: internal_edges.h */
     td_body_index body;
     int32_t next;           /* next shape of the same body */
     int32_t terrain;        /* index, or TD_NONE */
@@ -137,14 +137,14 @@ typedef struct td_constraint {
                           contact ends in the next step */
         int32_t joint; /* of a joint's part: index of the td_joint */
     };
-    int32_t slot;             /* by state, above */
+    int32_t slot;             /* its meaning depends on `state`: TD_WAITING, TD_TOUCHING */
     int32_t next[2], prev[2]; /* edges of the lists of body[0] and body[1] */
     uint16_t bin;
     uint8_t kind, state;
     uint8_t open;   /* the contact has begun and not ended: TD_OPEN, TD_TOLD */
     uint8_t listed; /* scratch flag while a list of constraints is made */
     uint8_t live;   /* the record is in use */
-    uint8_t vetoed; /* by a prologue or a rule, see above */
+    uint8_t vetoed; /* TD_VETOED, TD_PASSING, TD_HELD: set by a prologue or a rule */
 } td_constraint;
 
 /* An edge: a constraint in the list of one of its bodies, a number. Side 0 is body[0]. */
@@ -186,7 +186,7 @@ typedef struct td_drive {
  * beyond a full turn. */
 typedef struct td_gear {
     int32_t joint[2];
-    uint32_t generation[2]; /* of those joints when the gear was made */
+    uint32_t generation[2]; /* generations of both joints when the gear was made */
     uint32_t last[2];       /* angles in the last step, to count full turns by */
     float ratio;
     int32_t apart;     /* 1: one of the joints is disabled, and the gear does nothing */
@@ -234,7 +234,8 @@ typedef struct td_colours {
  */
 typedef struct td_event_lists {
     td_array begin, end, sensor_begin, sensor_end; /* thud_contact_event */
-    td_array sensor_begin_time, sensor_end_time;   /* float, of each of those */
+    td_array sensor_begin_time, sensor_end_time;   /* float: the time in [0, 1] of the step of each
+                                                      sensor event */
     td_array hit;                                  /* thud_hit_event */
     td_array quarantined;                          /* thud_body_id */
 } td_event_lists;

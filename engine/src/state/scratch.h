@@ -32,7 +32,8 @@ typedef struct td_scratch {
                                      their min_extent */
     td_event_queue queue;         /* candidates in the order of their time of impact */
     td_array trajectories;        /* td_trajectory, by awake slot */
-    td_array extra_candidates;    /* td_toi_candidate: those that are not contacts */
+    td_array extra_candidates;    /* td_toi_candidate: pairs that may collide and are not contacts
+                                   */
     td_array escaped;      /* td_escaped_shape: shapes that may leave their bounds of the step */
     td_array arrivals;     /* td_arrival: detection/arrival_rows.h */
     td_array impacts;      /* td_impact; before detection, td_pushes by block: gaps.c */

@@ -46,7 +46,8 @@ void td_shape_expect(thud_world *w, int shape, float dx, float dy);
 td_bounds td_placed_bounds(const thud_world *w, const thud_geometry *placed, td_position origin,
                            double slack);
 
-/* Half of the shape's least thickness; and all of it. */
+/* td_thickness is the least width of the shape over all directions, length; td_half_thickness is
+ * half of it. */
 TD_INLINE_SMALL float td_half_thickness(const td_shape *shape) {
     return (float)td_kind_half_thickness(shape->kind, (double)shape->half_x, (double)shape->half_y);
 }
@@ -67,7 +68,8 @@ void td_shape_mark_moved(thud_world *w, int shape);
 
 /* A shape in its place, relative to `origin`; of a terrain only the place of its origin is set. */
 thud_geometry td_shape_instance(const thud_world *w, int shape, td_position origin);
-/* The same, with the place of another proxy of the shape. */
+/* td_shape_instance with the place of another proxy of the shape, such as that of a preview
+ * (preview.h). */
 thud_geometry td_shape_instance_of(const thud_world *w, int shape, const td_shape_proxy *proxy,
                                    td_position origin);
 
@@ -91,7 +93,7 @@ bool td_sweep_is_vetoed(thud_world *w, const td_swept *swept, int shape, int oth
 typedef struct td_swept_hit {
     bool inside; /* `placed` overlapped at the start: the rest is of the core */
     bool hit;
-    double time; /* of impact, as a part of the motion; 1 where there is none */
+    double time; /* time of impact, as a share of the motion in [0, 1]; 1 without a hit */
 } td_swept_hit;
 
 /* Operations on terrain lines, which a world gets with its first line (kinds.h), so that a program
@@ -109,13 +111,14 @@ typedef struct td_ground_ops {
     void (*sweep)(const thud_world *w, int line, const td_swept *swept, td_swept_hit *hit);
     /* Whether the fat bounds of a shape of the world reach down to one segment. */
     bool (*reaches)(const thud_world *w, int line, int shape, int segment);
-    /* Visits each segment that they reach down to; stops where `visit` returns false, and returns
-     * that. */
+    /* Calls `visit` for each segment that the fat bounds of the shape reach down to. Stops at the
+     * first that returns false, and returns false itself. */
     bool (*each)(thud_world *w, int line, int shape,
                  bool (*visit)(thud_world *w, int shape, int line, int segment));
     bool (*add_pairs)(thud_world *w); /* broadphase/pairs.h */
-    /* Changes of a body that is or touches terrain: it was moved by an edit (both); segments that
-     * it may touch were removed. */
+    /* Called for a body that is terrain or touches it. An edit has moved the body: `restart` ends
+     * the contacts of its own lines, `renew` has its manifolds with lines computed anew. An edit of
+     * a line has removed segments: `drop_removed` ends the body's contacts with these. */
     void (*restart)(thud_world *w, td_body_index body);
     void (*renew)(thud_world *w, td_body_index body);
     void (*drop_removed)(thud_world *w, td_body_index body);

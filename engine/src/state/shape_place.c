@@ -14,7 +14,7 @@ static int32_t margin_of(const thud_world *w, float half_x, float half_y) {
     return (int32_t)((double)(TD_MARGIN * w->length_scale + more) * w->to_coarse) + 1;
 }
 
-/* Sets what follows from the body's centre of mass and the shape's size: see td_shape_settle. */
+/* td_shape_settle for a given record and proxy. */
 static void settle(const thud_world *w, td_shape *shape, td_shape_proxy *proxy) {
     const td_body *body = td_body_at(w, shape->body);
     shape->arm_x = shape->x - body->center_x;
@@ -62,9 +62,10 @@ void td_shape_mark_moved(thud_world *w, int index) {
     w->awake_shapes.valid = false;
 }
 
-/* A half extent along an axis, in bounds quanta, never less than the exact one. Single precision is
- * off by at most half a quantum up to 512 length scales (2^23 quanta), and beyond by less than the
- * margin; hence the 2. wide_finalize.c has the same. */
+/* A half extent along an axis, in bounds quanta, never less than the exact one. Up to 512 length
+ * scales (2^23 quanta) single precision is off by at most half a quantum, and the conversion drops
+ * less than one: together less than the 2 that are added. For larger shapes the error is less than
+ * the margin. wide_finalize.c has the same. */
 static int32_t coarse_extent(const thud_world *w, float length) {
     return (int32_t)(length * (float)w->to_coarse) + 2;
 }

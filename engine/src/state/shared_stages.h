@@ -19,30 +19,32 @@ struct thud_shared_stages {
     td_sweep_fn *sweep;
     /* As td_waiting_test_all, with the same lists in the same order. */
     td_waiting_fn *waiting;
-    /* Takes those bodies out of scratch.fast that td_stage_continuous would leave as they are. */
+    /* Removes from scratch.fast the bodies that collide with nothing on their way, which
+     * td_stage_continuous would leave as they are. */
     td_sift_fast_fn *sift_fast;
 };
 
 /* Bodies that a worker takes at once: a multiple of TD_LANES. Chosen. */
 enum { TD_SHARE_BODIES = 256 };
 
-/* A part of the bodies with memory for what is found of them. */
+/* The results of td_finalize_bodies for one part of the bodies, with memory for their lists. */
 typedef struct td_finalize_share {
     td_energy_sums sums[TD_SHARE_BODIES / TD_LANES];
     td_finalize_part part;
     td_array odd, fast, moved;
-    int room[3][TD_SHARE_BODIES]; /* data of these three */
+    int room[3][TD_SHARE_BODIES]; /* memory of odd, fast and moved */
 } td_finalize_share;
 
-/* Shapes whose pairs a worker searches at once, and their pairs that there is room for: in a heap
- * of like circles each has 3 of its own. Chosen. */
+/* Shapes whose pairs a worker searches at once, and room for their pairs. In a heap of equal
+ * circles a shape has about 6 neighbours, which are 3 pairs a shape, since each pair is found once;
+ * so there is room for 4. Chosen. */
 enum { TD_SHARE_SHAPES = 256, TD_SHARE_PAIRS = 4 * TD_SHARE_SHAPES };
 
-/* What is found of a part of the shapes. */
+/* The pairs that the shapes of one part have. */
 typedef struct td_sweep_share {
     bool done;            /* false: the calling thread has to search the part */
-    int count, new_count; /* elements of `pairs`, and how many of them, the first ones, are known to
-                             be new */
+    int count, new_count; /* elements of `pairs`; new_count: the first so many have been tested and
+                             are new, which means without a contact */
     int64_t overlaps, tested;
     td_new_pair pairs[TD_SHARE_PAIRS];
 } td_sweep_share;
@@ -50,16 +52,16 @@ typedef struct td_sweep_share {
 /* Waiting contacts that a worker tests at once. Chosen. */
 enum { TD_SHARE_WAITING = 256 };
 
-/* What is found of a part of the waiting contacts. */
+/* The contacts of one part of the waiting ones that begin, and those that end. */
 typedef struct td_waiting_share {
     td_array begins, ends;
-    int room[2][TD_SHARE_WAITING]; /* data of these two */
+    int room[2][TD_SHARE_WAITING]; /* memory of begins and ends */
 } td_waiting_share;
 
 /* Fast bodies that a worker looks at at once. Chosen. */
 enum { TD_SHARE_FAST = 256 };
 
-/* Those of a part of the fast bodies that may meet something. */
+/* The bodies of one part of scratch.fast that may collide within the step. */
 typedef struct td_fast_share {
     td_array meeting; /* td_awake_slot */
     int room[TD_SHARE_FAST];
@@ -86,7 +88,8 @@ static inline void td_share_append(td_array *all, const td_array *found) {
     }
 }
 
-/* shared_finalize.c, shared_sweep.c, shared_waiting.c, shared_fast.c: see above. */
+/* In shared_finalize.c, shared_sweep.c, shared_waiting.c and shared_fast.c: the functions of
+ * thud_shared_stages. */
 td_finalize_bodies_fn td_shared_finalize;
 td_sweep_fn td_shared_sweep;
 td_waiting_fn td_shared_waiting;

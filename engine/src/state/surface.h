@@ -9,11 +9,12 @@
 /* The settings of a pair: friction is the geometric mean of both shapes', restitution the greater
  * one, surface speed the sum; a rule of the pair may replace each. */
 thud_contact_settings td_surface_of_pair(const thud_world *w, int shape_a, int shape_b);
-/* The same with other frictions of the two shapes. */
+/* td_surface_of_pair with these frictions in place of the two shapes' own: for shapes with a
+ * texture. */
 thud_contact_settings td_surface_of_frictions(const thud_world *w, int shape_a, int shape_b,
                                               float friction_a, float friction_b);
-/* The same at the point of a collision that detection finds within a step, where the ground may
- * have a texture. */
+/* The settings at the point of a collision that detection finds within a step. They differ from
+ * those of the pair where a texture gives the point another friction. */
 thud_contact_settings td_surface_of_impact(const thud_world *w, const thud_contact *seen);
 
 /* Sets a lane's settings from its pair again. contact/contact_lanes.c */

@@ -29,8 +29,8 @@ typedef struct splice {
 
 /* The index of a segment after the splice; TD_NONE: it no longer exists. Segment i joins the
  * vertices i and i + 1. The segment that ends at the first unchanged vertex on the right shifts
- * with that vertex; a changed segment before it keeps its index if the splice makes so many
- * segments. */
+ * with that vertex; a changed segment before it keeps its index if the splice makes enough segments
+ * for it. */
 static int renumbered(const splice *s, int segment) {
     if (segment < s->first - 1) {
         return segment;

@@ -19,11 +19,12 @@
 
 struct td_swept; /* shape.h */
 
-/* What a world has from the start, of what it may do without: thud_world_def.parts. */
+/* The optional parts of the engine that a world has from the start: thud_world_def.parts. A def
+ * that leaves them out makes a world that does not link their code. */
 struct thud_parts {
     const struct td_sensor_hooks *sensors;          /* contact/sensors.h */
     const struct td_restitution_hooks *restitution; /* solver/restitution.h */
-    const thud_broadphase *broadphase;              /* of a def that names none */
+    const thud_broadphase *broadphase;              /* the one for a def that names none */
     /* td_budget_keep of solver/budget.h */
     void (*keep_budget)(struct thud_world *w);
     /* td_broadphase_few_resting of api/step.h */
@@ -32,7 +33,8 @@ struct thud_parts {
     const struct td_sleep_hooks *sleep;  /* state/sleep_hooks.h */
 };
 
-/* api/world.c: the defaults without a broadphase and without parts. */
+/* api/world.c: a def with the default values, but without broadphase and parts, which the caller
+ * adds. */
 thud_world_def td_world_def_of(const thud_quality *quality);
 
 /* Why restitution is refused without that part; `what` names the argument. */
@@ -42,11 +44,11 @@ thud_world_def td_world_def_of(const thud_quality *quality);
 
 /* Copies of the proxies that pending edits will give to shapes: preview.h. */
 typedef struct td_preview {
-    td_array shape; /* int: the shapes that have a copy */
-    td_array proxy; /* td_shape_proxy, in the order of `shape`; `fat` has the tight bounds */
-    td_array
-        number; /* int, by shape: its index in both, if shape[number] is the shape; else anything */
-    bool stale; /* edits have been made since the copies were */
+    td_array shape;  /* int: the shapes that have a copy */
+    td_array proxy;  /* td_shape_proxy, in the order of `shape`; `fat` has the tight bounds */
+    td_array number; /* int, by shape: index of its copy in `shape` and `proxy`. Never cleared: it
+                        is valid only if that element of `shape` is this shape */
+    bool stale;      /* edits have been made since the copies were */
 } td_preview;
 
 struct thud_world {
@@ -56,7 +58,7 @@ struct thud_world {
     uint32_t number;  /* distinguishes the handles of worlds: td_tag in handles.h */
     /* By constraint kind: its operations, plugged in by kinds.h and by the first joint. */
     const td_constraint_ops *kinds[TD_CONSTRAINT_KINDS];
-    const td_instance_ops *instances; /* geometry of two shapes; null: it never had one */
+    const td_instance_ops *instances; /* geometry of two shapes; null: it never had a shape */
     const struct td_internal_edge_ops *internal_edges; /* null: no shape has faces */
     const struct td_joint_hooks *joint_hooks;          /* null: the world never had a joint */
     const struct td_ground_ops *ground;           /* null: the world never had a terrain line */
@@ -82,7 +84,8 @@ struct thud_world {
     bool asks, tells; /* there is a prologue (pre-solve callback); an epilogue (post-solve) */
     /* listeners/decisions.h; null: no prologue ever decided velocities */
     struct td_decisions *decisions;
-    bool wide;      /* 1: the processor runs the AVX2 kernels; index of pairs of functions */
+    bool wide;      /* the processor runs the AVX2 kernels. As 0 or 1 the index of functions that
+                       come in pairs, one for each instruction set */
     bool locked;    /* in a step, or inside a callback: edits are deferred or refused */
     bool advancing; /* in thud_world_advance */
     /* Collects the events of the step before; null but in steps of one thud_world_advance after the
@@ -90,20 +93,22 @@ struct thud_world {
     bool (*gather)(struct thud_world *w);
     float length_scale;   /* L of base.h, in the caller's unit: of def.length_scale the
                              greatest power of two that is not above it */
-    float quantum;        /* a position quantum, in the caller's unit */
-    double to_fixed;      /* position quanta in the caller's unit */
-    double to_coarse;     /* bounds quanta in the caller's unit */
-    thud_quality quality; /* in force: that of the def, with what the def and the detection set */
+    float quantum;        /* length of a position quantum, in the caller's unit */
+    double to_fixed;      /* position quanta per unit of length of the caller */
+    double to_coarse;     /* bounds quanta per unit of length of the caller */
+    thud_quality quality; /* in force: the def's quality, with the fields that the def and the
+                             detection replace */
     int substeps;         /* of the next step */
-    const thud_detection *detections[TD_RANK_COUNT]; /* by rank: those that the world or a body ever
-                                                        chose; else null */
+    const thud_detection *detections[TD_RANK_COUNT]; /* by rank: the detection, if the world or a
+                                                        body ever chose it; else null */
     float skin; /* distance at which soft contacts rest, caller's unit: 0, or TD_SKIN or
                    TD_IMPACT_DISTANCE times length_scale (solver/quality.c) */
 
     /* State. */
     uint64_t steps;         /* made so far */
     double spare_time;      /* of thud_world_advance: time that has not been stepped yet, s */
-    uint64_t begun;         /* of thud_world_advance: number of the step that has failed; 0: none */
+    uint64_t begun;         /* of thud_world_advance: number of the step that ran out of memory and
+                               is tried again; 0: none */
     td_array force_records; /* of thud_world_advance: td_force_record, by body; or empty */
     uint32_t rest_epoch; /* counts changes of the resting set: islands that fell asleep before one
                             search pairs again when they wake */
@@ -128,14 +133,15 @@ struct thud_world {
     int bouncy;         /* lanes in use that have restitution */
     int surface_speeds; /* lanes in use that have a surface speed */
     int sensors;        /* shapes that are sensors */
-    int mobile_sensors; /* those of them that belong to dynamic bodies */
+    int mobile_sensors; /* sensors that belong to dynamic bodies */
     int constraint_count[TD_CONSTRAINT_KINDS]; /* live constraints of each kind */
     int damped;                                /* awake bodies with damping */
     bool substep_gain_stale;                   /* the array substep_gain must be recomputed */
     double kinetic;                            /* kinetic energy of the awake bodies */
     bool kinetic_stale;                        /* `kinetic` must be recomputed */
     int idle_bodies;                           /* bodies at rest for TD_SLEEP_TIME or longer */
-    int drowsy_bodies;                         /* bodies that are, or will be after one more step */
+    int drowsy_bodies;                         /* bodies that are at rest so long, or will be after
+                                                  one more step */
     float thinnest;                            /* thickness of the thinnest shape: td_thinnest */
     bool thinnest_stale;                       /* `thinnest` must be recomputed */
     td_proxy_set awake_shapes, rest_shapes;
@@ -153,7 +159,7 @@ struct thud_world {
 
     /* Rebuilt by every step. */
     td_scratch scratch;
-    td_islands islands; /* those that are solved directly */
+    td_islands islands; /* the islands of the step that are solved directly */
     td_array poses;     /* thud_pose: what thud_world_get_poses returns */
     td_preview preview;
 
@@ -163,14 +169,15 @@ struct thud_world {
     thud_stats stats;
     td_broadphase_counts broadphase; /* of the last step; not in snapshots */
 
-    /* recording/recorder.h; null: the world is not being recorded. Last, so that nothing else has
-     * another place by it. */
+    /* recording/recorder.h; null: the world is not being recorded. It is the last member: recording
+     * then changes no other member's offset. */
     struct thud_recorder *recorder;
 };
 
-/* Shapes above which loops that read records all over memory prefetch them: those of fewer shapes
- * are in a cache near enough that it does not pay. In a gas of 16,000 circles the broadphase took 2
- * % longer with it, in one of 256,000 a fifth less. Chosen between both. */
+/* Shapes above which loops that read records all over memory prefetch them: the records of fewer
+ * shapes are in a near cache, where prefetching costs more than it saves. Measured in gases of
+ * circles: with prefetching the broadphase took 2 % longer for 16,000 of them, and a fifth less
+ * time for 256,000. Chosen between both. */
 enum { TD_FETCH_SHAPES_MIN = 20000 };
 
 static inline bool td_fetches(const thud_world *w) {

@@ -44,7 +44,7 @@ typedef struct td_piece {
 
 /* The grown ground for a shape moved by `offset`. */
 td_grown td_grown_by(const thud_terrain *terrain, const thud_geometry *shape, thud_pos offset);
-/* The same with left and right exchanged. */
+/* The grown ground reflected at the y axis: left and right are exchanged. */
 td_grown td_grown_mirrored(const td_grown *grown);
 
 /* A vertex of the terrain, not of a flat one, relative to the shape's centre. */

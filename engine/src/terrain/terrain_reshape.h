@@ -5,9 +5,9 @@
 
 #include "thud/thud_geometry.h"
 
-/* A shape of the edit: a circle, which removes the ground inside and above it, or a mound, which
- * adds rise (1 - u^2)^2 to the height at x, with u = (x - tool.x) / radius. Coordinates are
- * relative to the terrain's origin. */
+/* The shape by which a terrain is edited: a circle, which removes the ground inside and above it,
+ * or a mound, which adds rise (1 - u^2)^2 to the height at x, with u = (x - tool.x) / radius.
+ * Coordinates are relative to the terrain's origin. */
 typedef struct td_tool {
     bool digs;   /* a circle; false: a mound */
     double x, y; /* centre; y is not read for a mound */

@@ -12,8 +12,8 @@ bool td_texture_entry_valid(float entry) {
     return entry >= 0.0f && entry <= THUD_FRICTION_MAX;
 }
 
-/* The two entries of the table on both sides of a texture coordinate, and the weight of the
- * second. */
+/* The two entries of the table between which a texture coordinate lies, and the weight of the
+ * second in the interpolation. */
 typedef struct entries {
     int first, second;
     double weight;

@@ -10,8 +10,8 @@ typedef struct td_texture_hooks {
     /* Sets the friction of every contact with a textured line, by the texture at the present
      * contact point. */
     void (*settle)(thud_world *w);
-    /* If one of the two shapes is a textured line, replaces their settings by those at the point of
-     * a collision within the step. */
+    /* If one of the two shapes is a textured line, replaces the settings of the pair by those at
+     * the point of a collision within the step. */
     void (*settle_one)(const thud_world *w, const thud_contact *seen,
                        thud_contact_settings *settings);
     /* Reserves memory for the texture's values before a splice of the line's vertices

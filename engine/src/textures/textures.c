@@ -141,8 +141,9 @@ static bool reserve(thud_world *w, int line, int count) {
            td_array_reserve(&w->memory, &texture->vertices, texture->vertices.count + 2 * count);
 }
 
-/* td_texture_hooks.splice. The values of new vertices are first computed after the end of the
- * others, since they depend on the values that they replace. */
+/* td_texture_hooks.splice. The values of new vertices are interpolated from the values that they
+ * replace. So they are first written behind the end of the list, and moved to their place
+ * afterwards. */
 static void splice(thud_world *w, int line, int first, int removed, const thud_pos *points,
                    int count) {
     td_texture *texture = td_texture_of(w, td_shape_at(w, line)->terrain);
@@ -222,7 +223,8 @@ thud_result thud_world_use_textures(thud_world *w) {
                             : td_refuse(w, THUD_ERROR_MEMORY, "use textures: out of memory");
 }
 
-/* Sets *index to the slot of a line's shape. */
+/* Refuses a shape that is no terrain. `found`: the result of looking up its handle, which is
+ * returned if it is an error. */
 static thud_result find_line(const thud_world *w, thud_result found, int index) {
     return found == THUD_OK && !td_kind_is_line(td_shape_at(w, index)->kind)
                ? td_refuse(w, THUD_ERROR_INVALID, "texture: the shape is no terrain")

@@ -1,10 +1,11 @@
 /* threads.c: a pool of threads as a job system (thud_threads.h).
  *
- * A task has to be called `workers` times. The thread that brings it makes the first call and
- * offers the others as `calls_left`; each thread that decrements it makes one of them, and so does
- * the bringing thread once its own call has returned. Hence a thread that has not woken by then is
- * not waited for. The main invariant: a taken call keeps the task in place, since the bringing
- * thread returns only when `unfinished`, the calls that have not returned, is 0. */
+ * A task has to be called `workers` times. The thread that starts the task makes the first call
+ * itself, and offers the others as the number `calls_left`. Each thread that decrements this number
+ * makes one of them; the starting thread does so too once its first call has returned, so that it
+ * does not wait for threads that have not woken by then. The starting thread returns only when
+ * `unfinished`, the number of calls that have not returned, is 0: until then the task stays valid
+ * for the threads that run it. */
 #include "thud/thud_threads.h"
 
 #include "base/memory.h"
@@ -143,7 +144,8 @@ struct thud_threads {
     atomic_bool busy;      /* a task is under way, or the pool is being destroyed */
     atomic_bool closing;   /* the threads shall end */
     atomic_int sleeping;   /* threads that sleep, or are about to, on `offered` */
-    atomic_bool waiting;   /* the bringing thread sleeps, or is about to, on `finished` */
+    atomic_bool waiting;   /* the thread that started the task sleeps, or is about to, on `finished`
+                            */
     lock lock;
     condition offered, finished;
     int workers;
@@ -152,7 +154,7 @@ struct thud_threads {
     td_memory memory;
 };
 
-/* Makes one of the calls that are left; false: none was. */
+/* Makes one of the calls that are left. False if there was none. */
 static bool make_call(thud_threads *t) {
     int left = atomic_load(&t->calls_left);
     while (left > 0 && !atomic_compare_exchange_weak(&t->calls_left, &left, left - 1)) {
@@ -173,8 +175,9 @@ static bool is_called(thud_threads *t) {
     return atomic_load(&t->calls_left) > 0 || atomic_load(&t->closing);
 }
 
-/* Returns when there is a call to make, or the pool is closing. `sleeping` is incremented before
- * is_called is asked, and offer_calls reads it after it has offered: one of both sees the other. */
+/* Returns when there is a call to make, or the pool is closing. No wake-up is lost: this thread
+ * increments `sleeping` before it tests is_called, and offer_calls reads `sleeping` after it has
+ * offered calls. So either this thread sees the calls, or offer_calls sees that it sleeps. */
 static void await_call(thud_threads *t) {
     for (int i = 0; i < POLLS_BEFORE_SLEEP; i++) {
         if (is_called(t)) {
