@@ -173,19 +173,14 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b,
  * The side with fewer rows in all searches; a third of the greatest extent is taken for the mean
  * one. Chosen, for sizes of which small ones are frequent. */
 TD_INLINE void choose_searches(const td_level *levels, bool every, uint32_t *searches) {
-    for (int fine = 0; fine < TD_LEVELS; fine++) {
-        searches[fine] = 0;
-    }
+    __builtin_memset(searches, 0, TD_LEVELS * sizeof *searches);
     for (int fine = 0; fine < TD_LEVELS; fine++) {
         for (int coarse = fine + 1; coarse < TD_LEVELS && levels[fine].count; coarse++) {
-            if (!levels[coarse].count) {
-                continue;
-            }
-            int64_t up = 2 * (int64_t)levels[fine].count;
-            int64_t down =
-                levels[coarse].count * (levels[coarse].cell / (3 * levels[fine].cell) + 2);
-            searches[fine] |= !every || up <= down ? 1u << coarse : 0;
-            searches[coarse] |= !every || up > down ? 1u << fine : 0;
+            const td_level *f = &levels[fine], *c = &levels[coarse];
+            int64_t rows = c->count * (c->cell / (3 * f->cell) + 2);
+            bool from_coarse = 2 * (int64_t)f->count > rows;
+            searches[fine] |= c->count && !(every && from_coarse) ? 1u << coarse : 0;
+            searches[coarse] |= c->count && !(every && !from_coarse) ? 1u << fine : 0;
         }
     }
 }

@@ -127,10 +127,11 @@ bool td_neighbour_extends(const td_neighbourhood *s, int neighbour, const thud_g
     return past + td_half_along(n, nx, ny) > level;
 }
 
-/* Calls `fn` for shape n unless n is the shape itself, or cannot hide edges from `other`: the two
- * do not collide, or a one-way rule lets `other` through n. */
+/* Calls `fn` for shape n unless n is the shape itself, or no ground beside a static shape, or
+ * cannot hide edges from `other`: the two do not collide, or a one-way rule lets `other` through n.
+ */
 static bool visit(const td_neighbourhood *s, int n, td_neighbour_fn *fn, void *context) {
-    return n != s->shape &&
+    return n != s->shape && (s->moves || td_is_ground(s->w, n)) &&
            (s->other == TD_NONE ||
             (td_pair_allowed(s->w, n, s->other) &&
              (!s->w->rule_hooks || s->w->rule_hooks->hides(s->w, n, s->other)))) &&
@@ -170,14 +171,14 @@ bool td_neighbour_any(const td_neighbourhood *s, const thud_geometry *where, td_
     }
     for (int i = 0; i < found->count; i++) {
         int n = td_int_at(found, i);
-        if (td_is_ground(w, n) && visit(s, n, fn, context)) {
+        if (visit(s, n, fn, context)) {
             return true;
         }
     }
     for (int t = 0; t < w->terrains.count; t++) {
         const td_terrain_record *record = td_terrain_record_at(w, t);
         int n = record->shape;
-        if (n != TD_NONE && td_is_ground(w, n) && visit(s, n, fn, context)) {
+        if (n != TD_NONE && visit(s, n, fn, context)) {
             return true;
         }
     }

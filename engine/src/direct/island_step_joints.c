@@ -171,31 +171,30 @@ static double solve_mean_velocity(td_island_work *work, double start, double tol
     double missing = __builtin_inf(), unbalanced = 0.0;
     double enough = newton_residual(work) * tolerance;
     int before = d->factorings;
-    for (int n = 0; n < TD_NEWTON_ITERATIONS_MAX && velocities_are_valid(work); n++) {
+    for (int n = 0; velocities_are_valid(work); n++) {
         update_joint_rows(work, start, false);
         double residual = n ? td_direct_residual(d) : __builtin_inf();
+        if (n == TD_NEWTON_ITERATIONS_MAX) {
+            work->unbalanced = td_max_double(work->unbalanced, unbalanced);
+            return td_max_double(missing, residual);
+        }
         if (residual <= enough && unbalanced <= TD_BALANCE_ENOUGH * tolerance) {
             return missing;
         }
         int left = d->factoring_budget - d->factorings;
         if (n == 1 && residual > FAR_RESIDUAL * tolerance &&
             left < MORE_SOLVES * (d->factorings - before)) {
-            return __builtin_inf();
+            break;
         }
         add_geometric_stiffness(work);
         missing = solve_rows(work, tolerance);
         if (!td_finite(missing)) {
-            return missing;
+            break;
         }
         unbalanced = unbalanced_speed(work);
         d->soft_warm_start = false; /* the next iteration starts from this one's active set */
     }
-    if (!velocities_are_valid(work)) {
-        return __builtin_inf();
-    }
-    work->unbalanced = td_max_double(work->unbalanced, unbalanced);
-    update_joint_rows(work, start, false);
-    return td_max_double(missing, td_direct_residual(d));
+    return __builtin_inf();
 }
 
 /* Prepares motors and springs for the second problem. Its impulses change the velocity over the
