@@ -242,3 +242,17 @@ int message_write_part(const unsigned char *game, size_t bytes, size_t at, unsig
     memcpy(out + PART_HEAD, game + at, count);
     return message_seal(out, PART_HEAD + (int)count);
 }
+
+size_t message_read_part(const unsigned char *part, int count, unsigned char *game, size_t bytes,
+                         size_t at) {
+    if (!is_sealed(part, count, GAME, PART_HEAD + MESSAGE_SUM) ||
+        message_number(part + 4, 4) != at) {
+        return 0;
+    }
+    size_t length = (size_t)count - PART_HEAD - MESSAGE_SUM;
+    if (length > bytes - at) {
+        return 0;
+    }
+    memcpy(game + at, part + PART_HEAD, length);
+    return length;
+}

@@ -29,7 +29,12 @@
  * second; 2, depth of the rollback; 4, steps of the game, 0: no end; 4, its seed; 4, the step
  * before which the receiver begins; 2, number of events before that step; 4, a bit for each player
  *       that is absent; 4, bytes of the game; 4, how many of these, at their end, are the program's
- *     part of a game: "TNG1"; 4, the offset of the part in the game; the bytes of the part */
+ *     part of a game: "TNG1"; 4, the offset of the part in the game; the bytes of the part
+ *     migration, from a player whose host is gone to the player that takes the host's place
+ *       (RollbackPeers alone): "TNM1"; 1, the sender's number; 1, number of players; 4, the step
+ *       before which everything is final for the sender; 2, number of the first event that follows;
+ *       2, how many follow; these, as in a packet; for each player: 4, a step; 2, how many inputs
+ *       the sender has from that step on; the inputs */
 #ifndef THUD_NETWORK_MESSAGES_H
 #define THUD_NETWORK_MESSAGES_H
 
@@ -128,6 +133,10 @@ bool message_read_welcome(const unsigned char *bytes, int count, message_welcome
 /* Writes the part of a game that begins at byte `at`; `bytes`: length of the whole game. Returns
  * the length of the message. */
 int message_write_part(const unsigned char *game, size_t bytes, size_t at, unsigned char *out);
+/* Reads the part of a game of `bytes` bytes that begins at a place into the game; returns how many
+ * bytes of it that were; 0: it is no such part, or damaged. */
+size_t message_read_part(const unsigned char *part, int count, unsigned char *game, size_t bytes,
+                         size_t at);
 
 /* ---- bytes ---- */
 

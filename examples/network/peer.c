@@ -52,7 +52,8 @@ static bool open_rollback(peer *p, const thud_rollback_options *options) {
 }
 
 static peer_link new_link(void) {
-    return (peer_link){.is_told = true, .told.step = -1, .hash_step = -1, .differs_from = -1};
+    return (peer_link){
+        .is_told = true, .final = -1, .told.step = -1, .hash_step = -1, .differs_from = -1};
 }
 
 bool peer_open(peer *p, const peer_options *o) {
@@ -329,6 +330,7 @@ thud_result peer_read(peer *p, int from, const unsigned char *bytes, int count) 
         return THUD_OK;
     }
     peer_link *link = &p->links[m.from];
+    link->final = m.hash_step > link->final ? m.hash_step : link->final;
     for (int i = 0; i < m.acks; i++) {
         int player = m.ack[i].player;
         int64_t step = m.ack[i].step, known = p->known[player].heard;
@@ -384,9 +386,11 @@ static thud_result announce(peer *p, bool enters, int player, int64_t step) {
  */
 static bool can_enter(const peer *p, int player, int64_t step) {
     const peer_link *own = &p->links[player];
-    /* The confirmations of the other side are late by a round trip, hence half the depth as a
-     * margin. */
-    bool can = own->is_joining && own->has[p->me] >= steps_of(p) - p->depth / 2 &&
+    /* The hashes of the other side are late by the time of a message, and told of every few steps
+     * alone, hence half the depth as a margin. What it has confirmed says less: it confirms inputs
+     * that it has not run yet. */
+    bool can = own->is_joining && own->final >= 0 &&
+               own->final + PEER_HASH_STEPS >= steps_of(p) - p->depth / 2 &&
                (p->end == 0 || step < p->end) && p->events_applied == p->event_count;
     for (int i = 0; i < MESSAGE_NUMBERS && can; i++) {
         const peer_link *link = &p->links[i];
@@ -514,6 +518,40 @@ thud_result peer_invite(peer *p, int number, message_welcome *out_welcome, unsig
     return THUD_OK;
 }
 
+/* ---- who joins ---- */
+
+/* The next step whose hash is told, where the rollback has begun in the midst of a game. */
+static void hash_from_now(peer *p) {
+    p->hashed = (steps_of(p) + PEER_HASH_STEPS - 1) / PEER_HASH_STEPS * PEER_HASH_STEPS;
+}
+
+thud_result peer_accept(peer *p, const message_welcome *welcome, const void *game) {
+    thud_result result = thud_rollback_restore(p->rollback, game, (size_t)welcome->bytes);
+    if (result == THUD_OK && steps_of(p) != welcome->step) {
+        return THUD_ERROR_INVALID;
+    }
+    if (result == THUD_OK) {
+        hash_from_now(p);
+        p->event_count = p->events_applied = welcome->events;
+        for (int i = 0; i < p->players; i++) {
+            peer_known *k = &p->known[i];
+            k->since = k->heard = p->links[0].has[i] = welcome->step;
+            k->gone_from = welcome->absent >> i & 1 ? welcome->step : PEER_NEVER;
+        }
+    }
+    return result;
+}
+
+bool peer_is_behind(const peer *p) {
+    int64_t step = steps_of(p), known = PEER_NEVER;
+    for (int i = 0; i < p->players; i++) {
+        /* The own inputs are given step by step, from the one on in which this player enters. */
+        int64_t to = i == p->me ? p->known[i].since : p->known[i].heard;
+        known = !peer_is_absent(p, i) && to < known ? to : known;
+    }
+    return known != PEER_NEVER && known > step + 2 && !(p->end && step >= p->end);
+}
+
 /* ---- a mesh ---- */
 
 thud_result peer_part(peer *p, int player, int64_t step) {
@@ -547,7 +585,7 @@ thud_result peer_join(peer *p, peer *host, int64_t step) {
     result = result == THUD_OK ? thud_rollback_enter(p->rollback, p->me, step) : result;
     if (result == THUD_OK) {
         int64_t now = steps_of(p);
-        p->hashed = (now + PEER_HASH_STEPS - 1) / PEER_HASH_STEPS * PEER_HASH_STEPS;
+        hash_from_now(p);
         for (int i = 0; i < p->players; i++) {
             p->known[i].since = p->known[i].heard = i == p->me ? step : now;
             p->links[i].has[p->me] = step;

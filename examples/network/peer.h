@@ -47,6 +47,7 @@ typedef struct peer_link {
     bool is_told;          /* packets are sent to it */
     bool is_joining;       /* it has received the game, and enters as soon as it has caught up
                               (can_enter) */
+    int64_t final;         /* the last step whose hash it has sent; -1: none */
     int64_t has[CARS_MAX]; /* by player: the other side has confirmed that player's inputs before
                               this step */
     int events;            /* number of events that it has confirmed */
@@ -144,6 +145,13 @@ bool peer_is_too_late(const peer *p, int number);
  * null while an entry or exit is under way: call again after the next step. */
 thud_result peer_invite(peer *p, int number, message_welcome *out_welcome, unsigned char **out_game,
                         size_t *out_bytes);
+
+/* ---- who joins ---- */
+
+/* Joins the game of a welcome from a host, as who was opened with its number and players. */
+thud_result peer_accept(peer *p, const message_welcome *welcome, const void *game);
+/* Whether the next step lies far behind what is known: who has joined runs until it does not. */
+bool peer_is_behind(const peer *p);
 
 /* ---- a mesh ---- */
 

@@ -308,7 +308,7 @@ function listenToScenes(
         hinted = false;
       }
       announced = played;
-      showPanel(dock, scene, untold, app.state.invite);
+      showPanel(dock, scene, untold, !app.state.match && (app.state.invite !== null || wasInRoom()));
       if (app.state.code !== null)
         void import("./page/memory").then(({ watchMemory }) => watchMemory(app));
       const { notes } = scene;
@@ -388,13 +388,13 @@ function listenToScenes(
 
 /**
  * A scene that begins opens the panel that it asks for. Values comes with a scene that has some to
- * set, and goes with it.
+ * set, and goes with it. `comes`: the visitor is invited to a match, or may come back to one.
  */
 function showPanel(
   dock: Dock,
   { controls, panel, shared }: RunningScene,
   begins: boolean,
-  invite: string | null,
+  comes: boolean,
 ): void {
   const has = controls.length > 0;
   const show = (name: string, shown: boolean) => {
@@ -405,9 +405,18 @@ function showPanel(
   show(MATCH_PANEL, shared);
   if (!begins) return;
   // On a phone the panel would stand over the game's buttons.
-  if (shared && (invite || matchMedia("(width >= 40em)").matches)) void dock.show(MATCH_PANEL, false);
+  if (shared && (comes || matchMedia("(width >= 40em)").matches)) void dock.show(MATCH_PANEL, false);
   else if (panel) void dock.show(panel === "contacts" ? "inside" : panel, false);
   else if (has) void dock.show(VALUES_PANEL, false);
+}
+
+/** Whether this tab was in a match that it may come back to; see panels/match/match.ts. */
+function wasInRoom(): boolean {
+  try {
+    return Boolean(sessionStorage.matchRoom);
+  } catch {
+    return false;
+  }
 }
 
 /** Fits the scene into what the page leaves free now. */

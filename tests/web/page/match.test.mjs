@@ -4,7 +4,7 @@
  */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openVisitor, PHONE, runAxeInBothThemes } from "../support/page.mjs";
+import { DESKTOP, openVisitor, PHONE, runAxeInBothThemes } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
 /** The step up to which a match is played. */
@@ -209,6 +209,74 @@ async function playOn(pages, seen, steps) {
   }
 }
 
+/** Opens a page that invites to a room, and returns how others come into it. */
+async function openRoom(name, browser = "chromium") {
+  const host = await openVisitor({ browser }).open("?scene=sumo&panel=match");
+  await host.page.fill("#match-room", name);
+  await host.page.click("#match-meet");
+  const { search, hash } = new URL(await host.page.inputValue("#match-link"));
+  /** Who invites has to be in the room before another comes, who would invite as well. */
+  const join = async (inviting, { button = "#match-join", browser = "chromium", options = DESKTOP } = {}) => {
+    await inviting.page.waitForResponse((response) => response.url().endsWith(`${name}/answer`));
+    const guest = await openVisitor({ browser }).open(search + hash, options);
+    await guest.page.click(button);
+    return guest;
+  };
+  return { host, join };
+}
+
+test("match_goes_on_when_its_host_is_gone_for_who_plays_and_who_watches_and_the_host_comes_back", async () => {
+  const { host, join } = await openRoom("left-room");
+  const guest = await join(host);
+  await host.page.waitForSelector("#match-start:visible");
+  await host.page.click("#match-start");
+  await playOn([host.page, guest.page], [new Map(), new Map()], 30);
+
+  const watcher = await join(host, { button: "#match-watch", options: PHONE });
+  await host.page.waitForSelector('#notice:has-text("Somebody has come to watch")');
+  await host.page.waitForSelector('.match .who:has-text("one other and one who watches")');
+  await watcher.page.waitForSelector('#notice:has-text("You watch the match")');
+  // On a phone the panel makes room.
+  await watcher.page.waitForSelector("#dock", { state: "hidden" });
+  await watcher.page.waitForSelector('.match .who:has-text("You watch the match")', { state: "attached" });
+  // Who watches has no car, and no buttons for one.
+  await watcher.page.waitForSelector('#figures:has-text("Orange"):has-text("Blue")');
+  assert.doesNotMatch(await watcher.page.textContent("#figures"), /You|Green/);
+  assert.equal(await watcher.page.locator("#pad button:visible").count(), 0);
+  const pages = [host, guest, watcher].map(({ page }) => page);
+  await playOn(pages, pages.map(() => new Map()), 60);
+
+  await host.page.reload();
+  await guest.page.waitForSelector('#notice:has-text("You carry the match on")');
+  await watcher.page.waitForSelector('#notice:has-text("Player 2 carries the match on")');
+  await guest.page.waitForSelector('.match .who:has-text("you carry the match on, alone")');
+  await guest.page.waitForSelector('#message:has-text("Waiting for another player")');
+  await playOn(pages.slice(1), pages.slice(1).map(() => new Map()), 60);
+  assert.deepEqual(await runAxeInBothThemes(guest.page, "#dock"), []);
+
+  await host.page.click("#match-join");
+  await guest.page.waitForSelector('#notice:has-text("Player 1 has joined")');
+  await host.page.waitForSelector('#figures:has-text("You"):has-text("Blue")');
+  // Who comes has made up for what was played before, and nobody waits for it.
+  const steps = () => Promise.all([host, guest].map(({ page }) => page.locator("#hud").getAttribute("data-steps")));
+  await until(steps, ([joined, there]) => Math.abs(joined - there) < 45, "it is where the others are");
+  await playOn(pages, pages.map(() => new Map()), 60);
+  assert.match(await host.page.textContent("#figures"), /You.*Blue/);
+
+  // Who is left without players can come back, and sees on a phone how, also when the page is loaded anew.
+  await host.page.click("#match-leave");
+  await guest.page.waitForSelector('#notice:has-text("Player 1 has left")');
+  await guest.page.click("#match-leave");
+  await watcher.page.waitForSelector('#match-join:visible:has-text("Come back")');
+  await watcher.page.waitForSelector('#message:has-text("The match is over")');
+  await watcher.page.reload();
+  await watcher.page.waitForSelector('#match-join:visible:has-text("Come back")');
+  for (const { errors, close } of [host, guest, watcher]) {
+    assert.deepEqual(errors, []);
+    await close();
+  }
+});
+
 /** Three browsers that connect twice take minutes beside other tests. */
 const skip = process.env.THUD_FULL !== "1" && "in ./run test --full";
 
@@ -247,6 +315,32 @@ test("third_player_joins_a_match_that_runs_and_one_whose_page_was_reloaded_comes
   await playOn(pages, pages.map(() => new Map()), 120);
   assert.match(await second.page.textContent("#figures"), /Orange.*You.*Green/);
   for (const { errors, close } of [host, second, third]) {
+    assert.deepEqual(errors, []);
+    await close();
+  }
+});
+
+test("three_play_on_when_the_host_of_four_is_gone_and_once_more_when_the_next_is", { skip }, async () => {
+  const { host, join } = await openRoom("four-room");
+  const guests = [];
+  for (const browser of ["chromium", "chromium", "firefox"]) {
+    guests.push(await join(host, { browser }));
+    const count = guests.length === 1 ? "one other" : `${guests.length} others`;
+    await host.page.waitForSelector(`.match .who:has-text("Connected: ${count}.")`);
+  }
+  await host.page.click("#match-start");
+  const pages = guests.map(({ page }) => page);
+  await playOn([host.page, ...pages], [host.page, ...pages].map(() => new Map()), 120);
+  await host.close();
+  await pages[0].waitForSelector('#notice:has-text("You carry the match on")');
+  for (const page of pages.slice(1)) await page.waitForSelector('#notice:has-text("Player 2 carries the match on")');
+  await playOn(pages, pages.map(() => new Map()), 120);
+  assert.match(await pages[2].textContent("#figures"), /Blue.*Green.*You/);
+  // Who leaves by the button has left, too.
+  await pages[0].click("#match-leave");
+  await pages[1].waitForSelector('#notice:has-text("You carry the match on")');
+  await playOn(pages.slice(1), pages.slice(1).map(() => new Map()), 120);
+  for (const { errors, close } of guests) {
     assert.deepEqual(errors, []);
     await close();
   }

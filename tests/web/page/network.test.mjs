@@ -1,6 +1,6 @@
 /**
  * Tests the programs of examples/network: a native server that Node and Chromium join by WebSocket,
- * and two native players over ENet. All of a game end with the same hash.
+ * and native players over ENet. All of a game end with the same hash.
  */
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
@@ -166,6 +166,28 @@ test("two_players_meet_over_enet", withMeeting, async () => {
   const [, port] = await host.says(/at port (\d+)/);
   const hash = await hashOf(start(meeting, "--join", `127.0.0.1:${port}`, "--seed", "2"));
   assert.equal(await hashOf(host), hash);
+});
+
+test("who_joins_late_leaves_and_comes_back_over_enet_ends_with_the_same_hash", withMeeting, async () => {
+  const game = ["--steps", "1500", "--players", "4", "--wait", "1", "--rate", "120"];
+  const host = start(meeting, "--listen", "0", ...game);
+  const [, port] = await host.says(/at port (\d+)/);
+  const join = (seed, ...more) => start(meeting, "--join", `127.0.0.1:${port}`, "--seed", `${seed}`, ...more);
+  const first = join(2);
+  await host.says(/player 1 has joined, 0 to come/);
+  const leaves = join(3, "--token", "5", "--leave", "400");
+  await host.says(/player 2 has joined at step \d+/);
+  assert.equal((await leaves.ends()).code, 0);
+  const [, left] = await host.says(/player 2 has left before step (\d+)/);
+  assert.ok(Number(left) >= 200, `it has played until step ${left}`);
+  const other = join(6, "--token", "7");
+  await host.says(/player 3 has joined at step/);
+  const back = join(5, "--token", "5");
+  await host.says(/player 2 has come back at step/);
+  // There is no place for one more.
+  assert.equal((await join(8).ends()).code, 1);
+  const hashes = await Promise.all([first, other, back, host].map(hashOf));
+  assert.deepEqual(hashes, Array(4).fill(hashes[0]));
 });
 
 /** THUD_NETWORK_STEPS=100000 plays so many steps, and with each number of players. */

@@ -11,7 +11,7 @@ const { RollbackPeers, WelcomeReader } = thud;
 const { descriptionOf, packInvitation, readDescription, unpackInvitation } = await importTypeScript(
   "src/panels/match/invitation.ts",
 );
-const { readPacket, writePacket } = await import("../../../web/package/dist/net/messages.js");
+const { readMigration, readPacket, writeMigration, writePacket } = await import("../../../web/package/dist/net/messages.js");
 const { pack } = await importTypeScript("src/page/url.ts");
 const engine = await thud.load();
 const DEPTH = 90;
@@ -25,10 +25,10 @@ function randomBy(seed) {
 }
 
 /**
- * The browser of one player; `reader`: it joins this game. `damage` may change its world; `bare` is its
- * world before anything was built in it.
+ * The browser of one player; `reader`: it joins this game, of the player `host`. `damage` may change its
+ * world; `bare` is its world before anything was built in it.
  */
-async function openPlayer(players, own, send, now, reader = null) {
+async function openPlayer(players, own, send, now, reader = null, host = 0) {
   let bare;
   const made = (world) => {
     if (reader) world.restore(reader.more);
@@ -40,7 +40,7 @@ async function openPlayer(players, own, send, now, reader = null) {
     return world;
   } }, "sumo", { size: players });
   const { scene } = built;
-  scene.match.begin(own);
+  scene.match.begin(own < players ? own : null);
   const { inputs } = scene.match;
   const player = { ...built, damage: null, bare };
   const rollback = new thud.Rollback(scene.world, {
@@ -57,10 +57,13 @@ async function openPlayer(players, own, send, now, reader = null) {
   player.rollback = rollback;
   const about = { rollback, inputs, delay: 2, send, now };
   player.peers = reader
-    ? RollbackPeers.join(reader, about)
+    ? RollbackPeers.join(reader, { ...about, host })
     : new RollbackPeers({ ...about, players, own, depth: DEPTH });
   return player;
 }
+
+/** THUD_MIGRATIONS=100 plays so many matches whose hosts leave, each with another line. */
+const MIGRATIONS = Number(process.env.THUD_MIGRATIONS ?? 4);
 
 /** Steps that a packet is on its way: at least so many, and fewer than so many more. */
 const [DELAY, JITTER] = [8, 6];
@@ -69,8 +72,8 @@ const [DELAY, JITTER] = [8, 6];
  * A match over a line by which every tenth packet is lost, and others come twice or in another order.
  * `play(n)` makes n rounds: what has arrived is heard, and each player makes a step if it can.
  */
-async function openMatch(players, here = players) {
-  const random = randomBy(7);
+async function openMatch(players, here = players, seed = 7) {
+  const random = randomBy(seed);
   let round = 0;
   const packets = [];
   const send = (from) => (to, bytes, sure) => {
@@ -82,16 +85,24 @@ async function openMatch(players, here = players) {
   const now = () => (round * 1000) / 60;
   const all = [];
   for (let own = 0; own < here; own++) all.push(await openPlayer(players, own, send(own), now));
-  const [host, ...others] = all;
+  let host = 0;
+  const [first, ...others] = all;
   others.forEach(({ peers }, i) => {
-    host.peers.start(i + 1);
+    first.peers.start(i + 1);
     peers.connect(0);
   });
-  for (let player = here; player < players; player++) host.peers.miss(player);
+  for (let player = here; player < players; player++) first.peers.miss(player);
+  const vanish = (own) => {
+    present.delete(own);
+    packets.splice(0, Infinity, ...packets.filter(({ from, to }) => from !== own && to !== own));
+  };
   const present = new Set(all.keys());
   const match = {
     all,
+    packets,
     present,
+    /** Players who are told the game and tell what they have, and make no steps. */
+    still: new Set(),
     play(rounds, inputOf = () => random(8)) {
       for (let i = 0; i < rounds; i++, round++) {
         const due = packets.filter(({ at }) => at <= round);
@@ -99,6 +110,10 @@ async function openMatch(players, here = players) {
         for (const { from, to, bytes } of due) if (present.has(to)) all[to].peers.hear(from, bytes);
         for (const own of present) {
           const { peers } = all[own];
+          if (match.still.has(own)) {
+            peers.tell();
+            continue;
+          }
           peers.give(round % 9 === 0 ? inputOf(own) : 2 * (own % 2) || 1);
           peers.advance();
           while (peers.isBehind && peers.advance());
@@ -108,18 +123,28 @@ async function openMatch(players, here = players) {
     },
     /** A player is gone: its browser has broken down. */
     drop(own) {
-      present.delete(own);
-      packets.splice(0, Infinity, ...packets.filter(({ from, to }) => from !== own && to !== own));
-      return host.peers.lose(own);
+      vanish(own);
+      return all[host].peers.lose(own);
     },
-    /** A player comes in the midst of the match. */
-    async join(own) {
+    /** The host is gone, and another player takes its place. Returns whom it refuses. */
+    migrate(next) {
+      vanish(host);
+      host = next;
+      for (const own of present) if (own !== next) all[own].peers.follow(next);
+      const { peers } = all[next];
+      while (peers.followers.size < present.size - 1) match.play(1);
+      return peers.takeOver();
+    },
+    /** A player comes in the midst of the match; its scene takes so many rounds to be built. */
+    async join(own, building = 0) {
       let messages;
-      while (!(messages = host.peers.invite(own, { more: host.bare }))) match.play(1);
+      const { peers, bare } = all[host];
+      while (!(messages = peers.invite(own, { more: bare }))) match.play(1);
       const reader = new WelcomeReader();
       for (const message of messages) assert.ok(reader.hear(message));
+      match.play(building);
       all[own]?.close();
-      all[own] = await openPlayer(players, own, send(own), now, reader);
+      all[own] = await openPlayer(players, own, send(own), now, reader, host);
       present.add(own);
     },
     /** The step that all have confirmed, and the hashes before it. */
@@ -198,6 +223,23 @@ test("players_join_late_leave_and_come_back_over_a_bad_line", async () => {
   match.close();
 });
 
+test("who_joins_catches_up_with_what_was_played_while_its_scene_was_built", async () => {
+  const match = await openMatch(3, 2);
+  match.play(60);
+  match.still.add(2);
+  await match.join(2, 100);
+  match.play(50);
+  match.still.delete(2);
+  match.play(60);
+  const [host, , joined] = match.all;
+  const behind = host.rollback.steps - joined.rollback.steps;
+  assert.ok(behind < 20, `${behind} steps behind`);
+  assert.equal(joined.peers.isAbsent(2), false, "it plays");
+  assert.ok(host.rollback.steps > 260, `${host.rollback.steps} steps: it is waited for`);
+  assert.ok(match.compare() > 230);
+  match.close();
+});
+
 test("who_only_watches_has_the_same_game_and_nobody_waits_for_it", async () => {
   const match = await openMatch(2);
   match.play(100);
@@ -209,6 +251,124 @@ test("who_only_watches_has_the_same_game_and_nobody_waits_for_it", async () => {
   match.play(200);
   assert.ok(match.all[0].rollback.steps > 450, "it is waited for");
   match.close();
+});
+
+test("match_goes_on_without_its_host_which_comes_back_as_a_guest", async () => {
+  for (let seed = 1; seed <= MIGRATIONS; seed++) {
+    const match = await openMatch(4, 4, seed);
+    const absent = (own) => [0, 1, 2, 3].filter((player) => match.all[own].peers.isAbsent(player));
+    match.play(60 + 7 * seed);
+    const before = match.all[1].rollback.steps;
+    assert.deepEqual(match.migrate(1), []);
+    match.play(120);
+    assert.ok(match.compare() > before + 60, `${before} steps, and then ${match.compare()}`);
+    for (const own of [1, 2, 3]) assert.deepEqual(absent(own), [0]);
+    await match.join(0);
+    match.play(120);
+    match.compare();
+    for (const own of [0, 1, 2, 3]) assert.deepEqual(absent(own), []);
+    // The next host has given up its place before, and come back.
+    const then = match.all[2].rollback.steps;
+    match.drop(3);
+    match.play(seed);
+    assert.deepEqual(match.migrate(0), []);
+    match.play(120);
+    assert.ok(match.compare() > then + 60);
+    for (const own of [0, 2]) assert.deepEqual(absent(own), [1, 3]);
+    match.close();
+  }
+});
+
+test("last_player_goes_on_alone_and_the_host_that_was_lost_joins_it", async () => {
+  const match = await openMatch(2);
+  match.play(100);
+  assert.deepEqual(match.migrate(1), []);
+  match.play(200);
+  const [, { rollback, peers }] = match.all;
+  assert.ok(rollback.steps > 290, `${rollback.steps} steps: it waits for who is gone`);
+  assert.equal(rollback.confirmed, rollback.steps);
+  await match.join(0);
+  match.play(150);
+  assert.ok(match.compare() > 380);
+  assert.equal(peers.isAbsent(0), false);
+  assert.equal(match.drop(0), true, "nobody is left");
+  match.close();
+});
+
+test("who_has_joined_late_takes_the_place_of_the_host_for_players_and_for_who_watches", async () => {
+  for (const pause of [0, 5, 40]) {
+    const match = await openMatch(4, 2);
+    match.play(100);
+    match.drop(1);
+    match.play(30);
+    await match.join(2);
+    match.play(80);
+    await match.join(3);
+    await match.join(4);
+    match.play(pause);
+    // The fourth may be about to enter.
+    assert.deepEqual(match.migrate(2), []);
+    match.play(150);
+    assert.ok(match.compare() > 250);
+    await match.join(1);
+    match.play(150);
+    assert.ok(match.compare() > 400);
+    for (const own of [1, 2, 3, 4])
+      assert.deepEqual([0, 1, 2, 3].map((player) => match.all[own].peers.isAbsent(player)), [true, false, false, false]);
+    match.close();
+  }
+});
+
+test("what_a_new_host_is_told_wrongly_is_refused_and_who_tells_it_is_left_out", async () => {
+  const openGap = async () => {
+    const match = await openMatch(3);
+    match.play(100);
+    match.present.delete(0);
+    match.all[2].peers.follow(1);
+    const { bytes } = match.packets.at(-1);
+    const { peers, rollback } = match.all[1];
+    return { match, peers, bytes, right: readMigration(bytes, 3, 8), steps: rollback.steps };
+  };
+  const { match, peers, bytes, right, steps } = await openGap();
+  const isHeard = (message) => {
+    peers.hear(2, message);
+    return peers.followers.has(2);
+  };
+  for (let length = 0; length < bytes.length; length++) assert.equal(isHeard(bytes.subarray(0, length)), false);
+  const random = randomBy(3);
+  for (let i = 0; i < 500; i++) {
+    const damaged = Uint8Array.from(bytes);
+    damaged[random(damaged.length)] ^= 1 << random(8);
+    assert.equal(isHeard(damaged), false);
+  }
+  assert.equal(isHeard(writeMigration({ ...right, from: 0 })), false, "of another");
+  assert.throws(() => match.all[0].peers.takeOver(), /takes the place/);
+  assert.throws(() => peers.follow(1), /another player/);
+  match.close();
+  const event = { enters: false, player: 0, step: steps + 5 };
+  const wrongRun = (player, first, ...inputs) => ({
+    runs: right.runs.map((run, i) => (i === player ? { ...run, first, inputs: Uint8Array.from(inputs) } : run)),
+  });
+  for (const wrong of [
+    { events: [{ ...event, player: 1 }] },
+    { events: [{ ...event, enters: true }] },
+    { events: [{ ...event, step: 1 }] },
+    { events: [event, event] },
+    { firstEvent: 3 },
+    wrongRun(0, 50, 7, 7),
+    wrongRun(2, 50, 7, 7),
+    wrongRun(0, steps + 80, 1),
+    wrongRun(1, steps + 3, 1),
+  ]) {
+    const { match, peers } = await openGap();
+    peers.hear(2, writeMigration({ ...right, ...wrong }));
+    assert.deepEqual([...peers.followers], [2]);
+    assert.deepEqual(peers.takeOver(), [2], JSON.stringify(wrong));
+    match.present.delete(2);
+    match.play(100);
+    assert.ok(match.all[1].rollback.confirmed > steps + 90, "it goes on alone");
+    match.close();
+  }
 });
 
 test("world_that_is_changed_secretly_is_found_and_its_body_named", async () => {

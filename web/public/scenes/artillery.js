@@ -31,7 +31,7 @@ export default async function ({ createWorld, grid, readText, random, seed }) {
   const shell = buildShell(world);
   const loose = buildLoose(world, grid, ground, random(seed + 2));
 
-  let own = -1; // over a network, the tank of whoever looks at this screen
+  let own = -1; // over a network, the tank of whoever looks at this screen; -1: they only watch
   const middle = Math.max(...stretch.sites.map((site) => site.y)) + 4;
   const scene = {
     world,
@@ -54,7 +54,7 @@ export default async function ({ createWorld, grid, readText, random, seed }) {
       inputs: INPUTS,
       input: inputOf,
       begin(player) {
-        own = player;
+        own = player ?? -1;
         scene.state.online = true;
         scene.state.computer = false;
         startTurn(scene.state, 0);

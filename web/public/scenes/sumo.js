@@ -20,7 +20,7 @@ export default function ({ createWorld, grid, size }) {
   const arena = buildArena(world, size);
   const cars = buildCars(world, grid, arena, size);
   const wide = 2 * arena.half;
-  let own = 0; // the car of whoever looks at this screen
+  let own = 0; // the car of whoever looks at this screen; -1: they only watch
   const scene = {
     world,
     view: { x: 0, y: 1.2, height: 12, width: wide + 4, tall: { x: 0, y: -0.5, height: 12, width: wide + 1.5 } },
@@ -51,7 +51,7 @@ export default function ({ createWorld, grid, size }) {
       inputs: INPUTS,
       input: (held) => inputOf(held.left || held.left2, held.right || held.right2, held.up || held.up2),
       begin(player) {
-        own = player;
+        own = player ?? -1;
         scene.state.alone = false;
       },
       step(inputs) {

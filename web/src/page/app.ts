@@ -426,7 +426,9 @@ export class App {
     const made = frame.step - player.newest;
     // A match that waits for its players, or a recording at its end, makes no step for now.
     const stands = frame.ended && made === 0;
-    if (player.paused || stands) player.jump(frame);
+    // Who joins a match begins in its midst, and makes up for steps that others have made.
+    const leaps = this.state.match !== null && frame.step > player.wanted;
+    if (player.paused || stands || leaps) player.jump(frame);
     else player.take(frame);
     this.#owed = Math.max(0, this.#owed - made);
     if (frame.samples.length > 0) this.#tell((listener) => listener.samples?.(frame.samples));

@@ -246,8 +246,11 @@ export interface SceneMatch {
   inputs: number;
   /** The input of the keys that are held in this browser. */
   input(held: Input["held"]): number;
-  /** A match begins; `player` is the one of this browser, from 0. Called before the first step. */
-  begin?(player: number): void;
+  /**
+   * A match begins; `player` is the one of this browser, from 0; null: it only watches. Called before
+   * the first step.
+   */
+  begin?(player: number | null): void;
   /**
    * One step of the game with the input of each player, the world's step included. Who has left, or has
    * not come yet, has no input: null.

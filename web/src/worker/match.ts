@@ -4,7 +4,7 @@
  * when the first match begins.
  */
 import type { Engine, Rollback, RollbackPeers, WelcomeReader, World } from "thud";
-import { type Input, noKeys, type Paint, type SceneMatch, type SceneModule } from "../scene/scene";
+import { type Input, type KeyName, type KeyWords, noKeys, type Paint, type Scene, type SceneMatch, type SceneModule } from "../scene/scene";
 import { USUAL } from "../page/url";
 import type { Command } from "./commands";
 import type { Match, Rerun, SceneRequest } from "./protocol";
@@ -30,15 +30,23 @@ const ALONE = "All players make a match’s steps together: this works in a game
 /** What the page sends through the port of a match. */
 export type ToMatch =
   | { from: number; bytes: ArrayBuffer }
-  /** `over`: on purpose, and not to come back. */
+  /** Somebody is gone; `over`: on purpose, and not to come back. The match ends if it is the host. */
   | { lost: number; over: boolean }
-  /** Somebody comes in the midst of the match, to whoever has invited. */
-  | { joined: number };
+  /** Somebody comes in the midst of the match, to the host. */
+  | { joined: number }
+  /** The host is gone, and this other player takes its place. */
+  | { follow: number }
+  /** The host is gone, and this player takes its place, for those of whom `follower` has told. */
+  | { takeOver: true };
 
 /** What it gets. */
 export type FromMatch =
   | { to: number; bytes: Uint8Array<ArrayBuffer>; sure: boolean }
-  | { news: MatchNews };
+  | { news: MatchNews }
+  /** Somebody is ready to go on with this player as the host. */
+  | { follower: number }
+  /** This player is the host now; these followers cannot go on. */
+  | { tookOver: number[] };
 
 /** How a match goes. */
 export interface MatchNews {
@@ -59,6 +67,8 @@ export interface MatchNews {
   refused: number;
   /** What is wrong: the first step and body that differ; null: nothing. */
   difference: string | null;
+  /** The players who are there. */
+  present: number[];
 }
 
 /** Starts a match of a scene that says how it is played. */
@@ -70,8 +80,8 @@ export async function play(
   readText: (file: string) => Promise<string>,
 ): Promise<Session> {
   const thud = await import("thud");
-  const { own, port } = request.match!;
-  const reader = own === 0 ? null : await readWelcome(port, new thud.WelcomeReader());
+  const { own, host, port } = request.match!;
+  const reader = own === host ? null : await readWelcome(port, new thud.WelcomeReader());
   // What a visitor has chosen for other scenes would make another game of it.
   const asked = { ...request, choices: USUAL };
   let bare: Uint8Array<ArrayBuffer> = new Uint8Array();
@@ -81,7 +91,7 @@ export async function play(
     // built in it has the same handles after the same calls, so that the scene can use its own.
     made(world: World) {
       if (reader && reader.more.length > 0) world.restore(reader.more);
-      else bare = world.snapshot();
+      bare = world.snapshot();
     },
   })) as MatchSession;
   const { match } = session.scene;
@@ -93,7 +103,7 @@ export async function play(
   return session;
 }
 
-/** Waits for the game that the one who invited tells; what comes after it waits in the port. */
+/** Waits for the game that the host tells; what comes after it waits in the port. */
 function readWelcome(port: MessagePort, reader: WelcomeReader): Promise<WelcomeReader> {
   return new Promise((resolve, reject) => {
     const fail = (message: string) => reject(new SceneError({ message }));
@@ -123,6 +133,8 @@ class MatchSession extends Session {
   #rollbacks = 0;
   #correction = 0;
   #over = false;
+  /** The others have ended the match, rather than the network. */
+  #isLeft = false;
   /** Beats in all, and the last in which a packet was sent. */
   #beats = 0;
   #told = 0;
@@ -130,11 +142,13 @@ class MatchSession extends Session {
   /** The world of this match before anything was built in it. */
   #bare: Uint8Array<ArrayBuffer> = new Uint8Array();
   #own = 0;
+  #host = 0;
+  #players = 0;
   /** Who has come, and is told the game as soon as that is possible. */
   readonly #joined = new Set<number>();
 
   connect(
-    { port, own, players, present }: Match,
+    { port, own, host, players, present }: Match,
     match: SceneMatch,
     thud: typeof import("thud"),
     bare: Uint8Array<ArrayBuffer>,
@@ -145,7 +159,10 @@ class MatchSession extends Session {
     this.#port = port;
     this.#bare = bare;
     this.#own = own;
-    match.begin?.(own);
+    this.#host = host;
+    this.#players = players;
+    scene.keys = own < players ? playerKeys(scene.keys) : {};
+    match.begin?.(own < players ? own : null);
     // An input that nobody can give: that of who is absent.
     const absent = match.inputs;
     this.#rollback = new thud.Rollback<number, object>(this.world, {
@@ -162,15 +179,15 @@ class MatchSession extends Session {
       send: (to: number, bytes: Uint8Array<ArrayBuffer>, sure: boolean) => this.#post({ to, bytes, sure }),
     };
     this.#peers = reader
-      ? thud.RollbackPeers.join(reader, about)
+      ? thud.RollbackPeers.join(reader, { ...about, host })
       : new thud.RollbackPeers({ ...about, players, own, depth: DEPTH });
     scene.state = this.#rollback.state;
     this.step = this.#rollback.steps;
-    if (own === 0)
-      for (let player = 1; player < players; player++) {
-        if (!present.includes(player)) this.#peers.miss(player);
-        else for (const bytes of this.#peers.start(player)) this.#post({ to: player, bytes, sure: true });
-      }
+    if (own === host) {
+      for (let player = 1; player < players; player++) if (!present.includes(player)) this.#peers.miss(player);
+      for (const other of present)
+        for (const bytes of this.#peers.start(other)) this.#post({ to: other, bytes, sure: true });
+    }
     port.onmessage = ({ data }: MessageEvent<ToMatch>) => this.#hear(data);
     for (const { data } of waiting.get(port) ?? []) this.#hear(data as ToMatch);
     this.#timer = setInterval(() => this.#beat(), BEAT);
@@ -248,21 +265,33 @@ class MatchSession extends Session {
 
   #hear(data: ToMatch): void {
     if (this.#over) return;
+    const peers = this.#peers;
     this.#waits = false;
     if ("joined" in data) this.#joined.add(data.joined);
-    else if ("lost" in data) {
+    else if ("follow" in data) {
+      this.#host = data.follow;
+      peers.follow(data.follow);
+    } else if ("takeOver" in data) {
+      this.#host = this.#own;
+      this.#post({ tookOver: peers.takeOver() });
+    } else if ("lost" in data) {
       this.#joined.delete(data.lost);
-      const isLast = this.#peers.lose(data.lost);
-      this.#over = this.#own !== 0 || (isLast && data.over);
+      const isLast = peers.lose(data.lost);
+      this.#over = this.#own !== this.#host || (isLast && data.over);
+      this.#isLeft = data.over;
       this.paint = this.#painted();
-    } else this.#peers.hear(data.from, new Uint8Array(data.bytes));
+    } else {
+      const { from, bytes } = data;
+      peers.hear(from, new Uint8Array(bytes));
+      if (!peers.tells(from) && peers.followers.has(from)) this.#post({ follower: from });
+    }
   }
 
   /** What the scene draws; where no step can be made, why. */
   #painted(): Paint {
     const paint = this.scene.paint?.() ?? {};
     if (this.#over) {
-      const why = this.#own === 0 ? "the others have left" : "the connection has ended";
+      const why = this.#isLeft ? "the others have left" : "the connection has ended";
       return { ...paint, message: `The match is over: ${why}.` };
     }
     return this.#waits ? { ...paint, message: "Waiting for the others…" } : paint;
@@ -301,6 +330,7 @@ class MatchSession extends Session {
       final: { ...peers.final, step: Math.max(0, peers.final.step) },
       refused: peers.refused,
       difference: differenceOf(peers),
+      present: Array.from({ length: this.#players }, (_, i) => i).filter((player) => !peers.isAbsent(player)),
     };
     this.#correction = 0;
     this.#post({ news });
@@ -309,6 +339,13 @@ class MatchSession extends Session {
   #post(message: FromMatch): void {
     this.#port.postMessage(message);
   }
+}
+
+/** The keys of a player who has a keyboard alone, in a game that nobody begins anew. */
+function playerKeys(keys: Scene["keys"] = []): KeyName[] | KeyWords {
+  const isUsed = (name: string) => !/^restart$|2$/.test(name);
+  if (Array.isArray(keys)) return keys.filter(isUsed);
+  return Object.fromEntries(Object.entries(keys).filter(([name]) => isUsed(name)));
 }
 
 /** In words, what differs from another player; null: nothing. */

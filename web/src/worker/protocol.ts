@@ -53,11 +53,13 @@ export interface Recorded {
 export interface Match {
   /** By it the worker sends packets to the other players and gets theirs; it is transferred. */
   port: MessagePort;
-  /** Which player is played here, from 0; 0 is the one who invited the others. */
+  /** Which player is played here, from 0; from `players` on: who only watches. */
   own: number;
+  /** Who tells the others the game: whoever invited them, or has taken its place since. */
+  host: number;
   /** The number of players, of whom some may come later. */
   players: number;
-  /** Of who has invited: the others who are there as it begins. */
+  /** Of the host: the others who are there as it begins. */
   present: number[];
 }
 

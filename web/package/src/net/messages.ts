@@ -16,8 +16,9 @@ const PART = 8192;
 const GAME_MAX = 1 << 26;
 
 const markOf = (text: string) => new DataView(new TextEncoder().encode(text).buffer).getUint32(0, true);
-const [PACKET, HELLO, WELCOME, GAME] = ["TNP3", "TNH1", "TNW2", "TNG1"].map(markOf);
+const [PACKET, HELLO, WELCOME, GAME, MIGRATION] = ["TNP3", "TNH1", "TNW2", "TNG1", "TNM1"].map(markOf);
 const HEAD = 22;
+const MIGRATION_HEAD = 14;
 const [TIMED, EVENTFUL] = [1, 2];
 const [WELCOME_BYTES, HELLO_BYTES, GAME_HEAD] = [40, 17, 8];
 
@@ -71,6 +72,19 @@ export interface Welcome {
   more: number;
 }
 
+/**
+ * What a player has of a game whose host is gone, for the player who takes its place: all events from
+ * number `firstEvent` on, and of each player in turn a run that ends with its last known input.
+ */
+export interface Migration {
+  from: number;
+  /** All steps before this one are final. */
+  confirmed: number;
+  firstEvent: number;
+  events: PlayerEvent[];
+  runs: Run[];
+}
+
 const viewOf = (bytes: Uint8Array) => new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
 
 function seal(bytes: Uint8Array<ArrayBuffer>, mark: number): Uint8Array<ArrayBuffer> {
@@ -87,6 +101,59 @@ function isSealed(bytes: Uint8Array, mark: number, least: number): boolean {
   return view.getUint32(0, true) === mark && view.getUint32(end, true) === sumOf(bytes.subarray(0, end));
 }
 
+/** Writes numbers and bytes one behind the other from a place on. */
+function writer(bytes: Uint8Array, from: number) {
+  let at = from;
+  return {
+    put(value: number, count: number): void {
+      for (let i = 0; i < count; i++) bytes[at++] = Math.floor(value / 256 ** i) % 256;
+    },
+    append(list: Uint8Array): void {
+      bytes.set(list, at);
+      at += list.length;
+    },
+  };
+}
+
+/** Reads what a writer has written, up to `end`; what lies beyond is read as 0. */
+function reader(bytes: Uint8Array, from: number, end: number) {
+  let at = from;
+  return {
+    take(count: number): number {
+      let value = 0;
+      for (let i = 0; i < count; i++) value += (at + i < end ? bytes[at + i]! : 0) * 256 ** i;
+      at += count;
+      return value;
+    },
+    slice(count: number): Uint8Array {
+      const list = bytes.slice(Math.min(at, end), Math.min(at + count, end));
+      at += count;
+      return list;
+    },
+    /** Whether exactly the bytes up to the end have been read. */
+    isAtEnd: () => at === end,
+  };
+}
+
+type Writer = ReturnType<typeof writer>;
+type Reader = ReturnType<typeof reader>;
+
+function writeEvents({ put }: Writer, list: readonly PlayerEvent[]): void {
+  for (const { enters, player, step } of list) {
+    put(Number(enters), 1);
+    put(player, 1);
+    put(step, 4);
+  }
+}
+
+/** Null for one that cannot be, or too many. */
+function readEvents({ take }: Reader, count: number, most: number, players: number): PlayerEvent[] | null {
+  if (count > most) return null;
+  const list = Array.from({ length: count }, () => ({ enters: take(1), player: take(1), step: take(4) }));
+  if (!list.every(({ enters, player }) => enters <= 1 && player < players)) return null;
+  return list.map(({ enters, player, step }) => ({ enters: enters === 1, player, step }));
+}
+
 export function writePacket(packet: Packet): Uint8Array<ArrayBuffer> {
   const { time, events, acks, runs } = packet;
   const more = (time ? 6 : 0) + (events ? 5 + 6 * events.list.length : 0) + 5 * acks.length;
@@ -100,31 +167,23 @@ export function writePacket(packet: Packet): Uint8Array<ArrayBuffer> {
   view.setBigUint64(12, packet.hash, true);
   view.setUint8(20, acks.length);
   view.setUint8(21, runs.length);
-  let at = HEAD;
-  const put = (value: number, count: number) => {
-    for (let i = 0; i < count; i++) bytes[at++] = Math.floor(value / 256 ** i) % 256;
-  };
-  if (time) for (const one of [time.sent, time.echo, time.held]) put(one < 0 ? 0xffff : one, 2);
+  const out = writer(bytes, HEAD);
+  if (time) for (const one of [time.sent, time.echo, time.held]) out.put(one < 0 ? 0xffff : one, 2);
   if (events) {
-    put(events.known, 2);
-    put(events.first, 2);
-    put(events.list.length, 1);
-    for (const { enters, player, step } of events.list) {
-      put(Number(enters), 1);
-      put(player, 1);
-      put(step, 4);
-    }
+    out.put(events.known, 2);
+    out.put(events.first, 2);
+    out.put(events.list.length, 1);
+    writeEvents(out, events.list);
   }
   for (const [player, step] of acks) {
-    put(player, 1);
-    put(step, 4);
+    out.put(player, 1);
+    out.put(step, 4);
   }
   for (const { player, first, inputs } of runs) {
-    put(player, 1);
-    put(first, 4);
-    put(inputs.length, 1);
-    bytes.set(inputs, at);
-    at += inputs.length;
+    out.put(player, 1);
+    out.put(first, 4);
+    out.put(inputs.length, 1);
+    out.append(inputs);
   }
   return seal(bytes, PACKET!);
 }
@@ -133,16 +192,8 @@ export function writePacket(packet: Packet): Uint8Array<ArrayBuffer> {
 export function readPacket(bytes: Uint8Array, players: number, inputs: number): Packet | null {
   if (!isSealed(bytes, PACKET!, HEAD + SUM)) return null;
   const view = viewOf(bytes);
-  const end = bytes.length - SUM;
-  let at = HEAD;
-  let isWhole = true;
-  const take = (count: number) => {
-    let value = 0;
-    for (let i = 0; i < count; i++) value += (at + i < end ? bytes[at + i]! : 0) * 256 ** i;
-    isWhole &&= at + count <= end;
-    at += count;
-    return value;
-  };
+  const read = reader(bytes, HEAD, bytes.length - SUM);
+  const { take } = read;
   const flags = bytes[5]!;
   let time: Packet["time"] = null;
   let events: Packet["events"] = null;
@@ -152,30 +203,59 @@ export function readPacket(bytes: Uint8Array, players: number, inputs: number): 
   }
   if (flags & EVENTFUL) {
     const [known, first, count] = [take(2), take(2), take(1)];
-    const list = Array.from({ length: Math.min(count, EVENTS_MAX + 1) }, () => {
-      const [enters, player, step] = [take(1), take(1), take(4)];
-      isWhole &&= enters <= 1 && player < players;
-      return { enters: enters === 1, player, step };
-    });
-    isWhole &&= count <= EVENTS_MAX;
+    const list = readEvents(read, count, EVENTS_MAX, players);
+    if (!list) return null;
     events = { known, first, list };
   }
   const acks = Array.from({ length: bytes[20]! }, (): [number, number] => [take(1), take(4)]);
+  let isWhole = true;
   const runs = Array.from({ length: bytes[21]! }, () => {
     const [player, first, count] = [take(1), take(4), take(1)];
-    const list = bytes.slice(Math.min(at, end), Math.min(at + count, end));
-    at += count;
-    isWhole &&= at <= end && count > 0 && count <= RUN_INPUTS && list.every((input) => input < inputs);
+    const list = read.slice(count);
+    isWhole &&= count > 0 && count <= RUN_INPUTS && list.every((input) => input < inputs);
     return { player, first, inputs: list };
   });
   const isRight =
-    isWhole && at === end && bytes[20]! <= players && bytes[21]! <= players && flags <= TIMED + EVENTFUL && bytes[4]! < NUMBERS &&
+    isWhole && read.isAtEnd() && bytes[20]! <= players && bytes[21]! <= players && flags <= TIMED + EVENTFUL && bytes[4]! < NUMBERS &&
     acks.every(([player]) => player < players) && runs.every(({ player }) => player < players);
   if (!isRight) return null;
   return {
     ...{ from: bytes[4]!, lead: view.getInt16(6, true), hashStep: view.getUint32(8, true) - 1 },
     ...{ hash: view.getBigUint64(12, true), time, events, acks, runs },
   };
+}
+
+export function writeMigration({ from, confirmed, firstEvent, events, runs }: Migration): Uint8Array<ArrayBuffer> {
+  const length = runs.reduce((sum, { inputs }) => sum + 6 + inputs.length, MIGRATION_HEAD + 6 * events.length + SUM);
+  const bytes = new Uint8Array(length);
+  const out = writer(bytes, 4);
+  out.put(from, 1);
+  out.put(runs.length, 1);
+  out.put(confirmed, 4);
+  out.put(firstEvent, 2);
+  out.put(events.length, 2);
+  writeEvents(out, events);
+  for (const { first, inputs } of runs) {
+    out.put(first, 4);
+    out.put(inputs.length, 2);
+    out.append(inputs);
+  }
+  return seal(bytes, MIGRATION!);
+}
+
+/** The migration in bytes, for a game of so many players and different inputs; null: they are none, or damaged. */
+export function readMigration(bytes: Uint8Array, players: number, inputs: number): Migration | null {
+  if (!isSealed(bytes, MIGRATION!, MIGRATION_HEAD + SUM) || bytes[4]! >= NUMBERS || bytes[5] !== players) return null;
+  const read = reader(bytes, 6, bytes.length - SUM);
+  const [confirmed, firstEvent, count] = [read.take(4), read.take(2), read.take(2)];
+  const events = readEvents(read, count, bytes.length / 6, players);
+  if (!events) return null;
+  const runs = Array.from({ length: players }, (_, player) => {
+    const [first, count] = [read.take(4), read.take(2)];
+    return { player, first, inputs: read.slice(count) };
+  });
+  const isRight = read.isAtEnd() && runs.every(({ inputs: list }) => list.every((input) => input < inputs));
+  return isRight ? { from: bytes[4]!, confirmed, firstEvent, events, runs } : null;
 }
 
 /** Who comes: `watches`: not to play; `token`: the same, other than 0, of who comes back. */

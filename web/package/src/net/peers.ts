@@ -1,8 +1,8 @@
 /**
  * What the players of a rollback tell each other, and what they make of it: inputs, clocks, hashes, who
- * leaves and enters, and reports of a difference. What carries the bytes is not known here. Player 0,
- * the host, is connected with each of the others and passes their inputs on; the others are connected
- * with the host alone.
+ * leaves and enters, and reports of a difference. What carries the bytes is not known here. The host,
+ * player 0 at first, is connected with each of the others and passes their inputs on; the others tell
+ * the host alone.
  *
  *     const peers = new RollbackPeers({ rollback, players, own, inputs, depth, send });
  *     peers.connect(1);             // on the host, for each player who is there; others: connect(0)
@@ -13,19 +13,32 @@
  *
  * Packets may be lost, doubled or late: each has all inputs and events that its receiver has not
  * acknowledged. What comes from another player is checked before it is used, and refused as a whole
- * otherwise. examples/network/peer.c is the same in C.
+ * otherwise. examples/network/peer.c is the same in C, but for what follows.
+ *
+ * When the host is gone, another player can take its place (host migration), if it can send to the
+ * others. All of them have to agree on which:
+ *
+ *     peers.follow(next);           // on each of the others: sends what it has to `next`
+ *     peers.takeOver();             // on `next`, when all who go on are among peers.followers
+ *
+ * The last inputs and events of the old host may have come to some of them alone. The new host has
+ * to know all that any of them knows before it tells anything, so each sends it what it has; who has
+ * not done so by then has left.
  */
 import { ThudError } from "../error.js";
 import { checkOptions } from "../checks/names.js";
 import {
   EVENTS_MAX,
   NUMBERS,
+  type Migration,
   type Packet,
   type PlayerEvent,
+  readMigration,
   readPacket,
   RUN_INPUTS,
   type Run,
   WelcomeReader,
+  writeMigration,
   writePacket,
   writeWelcome,
 } from "./messages.js";
@@ -42,6 +55,12 @@ const TRIP_MAX = 30_000;
 /** Who joins enters so many steps after that was announced. Chosen. */
 const NOTICE = 12;
 
+/**
+ * Inputs of a player that are told to a new host, in depths of the rollback. Each of two players may be
+ * a depth ahead of what the other has sent, and has inputs of others up to a depth ahead of itself.
+ */
+const MIGRATED_DEPTHS = 4;
+
 /** Sends bytes to a player; `sure`: they arrive, and in order. */
 type Send = (player: number, bytes: Uint8Array<ArrayBuffer>, sure: boolean) => void;
 
@@ -49,8 +68,10 @@ export interface RollbackPeersOptions {
   rollback: Rollback<number, any>;
   /** The number of players. */
   players: number;
-  /** The own number, from 0; 0: the host. From `players` on: who only watches. */
+  /** The own number, from 0. From `players` on: who only watches. */
   own: number;
+  /** The number of the host. Default 0. */
+  host?: number;
   /** The number of different inputs, 1 to 256: an input is a whole number below it. */
   inputs: number;
   /** As in RollbackOptions. */
@@ -60,8 +81,8 @@ export interface RollbackPeersOptions {
   /** The steps of the game; 0, the default: it has no end. */
   end?: number;
   /**
-   * Each player is connected with each of the others, and tells them its own inputs alone. Nobody can
-   * join then. Default false.
+   * Each player is connected with each of the others, and tells them its own inputs alone. There is no
+   * host, and nobody can join. Default false.
    */
   mesh?: boolean;
   send?: Send;
@@ -84,6 +105,8 @@ interface Peer {
   /** Of each player, the step before which it has all inputs; and the events that it has. */
   has: number[];
   events: number;
+  /** The last step of which it has told a hash: it has run the game up to there; -1: none. */
+  final: number;
   /** The `sent` of its newest packet, and when that came; null: none has. */
   newest: { sent: number; came: number } | null;
   /** The hash that it told last, until the own one of that step is known. */
@@ -113,21 +136,28 @@ export class RollbackPeers {
   #applied = 0;
   /** By connection: the player who enters when it has come near enough to the present. */
   readonly #joining = new Set<number>();
+  #host: number;
+  /** What players who go on with this one as the host have told of the game. */
+  readonly #migrations = new Map<number, Migration>();
+  /** Inputs that others have told a new host, and that lie too far ahead so far; by player. */
+  readonly #ahead = new Map<number, Run>();
   readonly #hashes = new Map<number, bigint>();
   #nextHash = 0;
   #reports = 0;
 
   /** @throws {ThudError} "invalid" for an unknown option or a value out of range. */
   constructor(options: RollbackPeersOptions) {
-    const names = ["rollback", "players", "own", "inputs", "depth", "delay", "end", "mesh", "send", "now"];
+    const names = ["rollback", "players", "own", "host", "inputs", "depth", "delay", "end", "mesh", "send", "now"];
     checkOptions("peers", options, names);
-    const rest = { delay: 0, end: 0, mesh: false, send: () => {}, now: () => performance.now() };
+    const rest = { host: 0, delay: 0, end: 0, mesh: false, send: () => {}, now: () => performance.now() };
     this.#options = { ...rest, ...options };
-    const { players, own, inputs, delay } = this.#options;
+    const { players, own, host, inputs, delay } = this.#options;
     const isWhole = (value: number, least: number, most: number) =>
       Number.isInteger(value) && value >= least && value <= most;
     if (!isWhole(players, 2, NUMBERS - 1) || !isWhole(own, 0, NUMBERS - 1))
       throw new ThudError("invalid", "peers: players is whole, from 2 to 31, and own a number of one");
+    if (!isWhole(host, 0, players - 1)) throw new ThudError("invalid", "peers: host is the number of a player");
+    this.#host = host;
     if (!isWhole(inputs, 1, 256) || !isWhole(delay, 0, options.depth))
       throw new ThudError("invalid", "peers: inputs is whole, from 1 to 256, and delay no longer than depth");
     const { rollback } = this.#options;
@@ -154,7 +184,7 @@ export class RollbackPeers {
     peers.#inputs.forEach((known, player) => {
       if (welcome.absent & (1 << player)) known.gone = welcome.step;
     });
-    peers.connect(0);
+    peers.connect(peers.#host);
     return peers;
   }
 
@@ -173,7 +203,7 @@ export class RollbackPeers {
   }
 
   #add(number: number, has: number[], events: number): void {
-    this.#peers.set(number, { has, events, newest: null, told: null, hashStep: -1, differs: -1 });
+    this.#peers.set(number, { has, events, final: -1, newest: null, told: null, hashStep: -1, differs: -1 });
   }
 
   /** Whether somebody is told anything. */
@@ -187,8 +217,19 @@ export class RollbackPeers {
     return gone < Infinity && back === Infinity;
   }
 
+  /** Whether a player is absent after all events that are known, some of which may not be in effect. */
+  #willBeAbsent(player: number): boolean {
+    const event = this.#pendingOf(player);
+    return event ? !event.enters : this.isAbsent(player);
+  }
+
+  /** The last event of a player that is not in effect. */
+  #pendingOf(player: number): PlayerEvent | undefined {
+    return this.#events.slice(this.#applied - this.#firstEvent).reverse().find((one) => one.player === player);
+  }
+
   get #isHost(): boolean {
-    return this.#options.own === 0 && !this.#options.mesh;
+    return this.#options.own === this.#host && !this.#options.mesh;
   }
 
   get #isOver(): boolean {
@@ -219,8 +260,11 @@ export class RollbackPeers {
 
   /** Whether the next step lies far behind what is known: who has joined runs until it does not. */
   get isBehind(): boolean {
-    const { rollback } = this.#options;
-    return rollback.confirmed > rollback.steps + 2 && !this.#isOver;
+    const { rollback, own } = this.#options;
+    const there = [...this.#inputs.keys()].filter((player) => !this.isAbsent(player));
+    // The own inputs are given step by step, from the one on in which this player enters.
+    const known = there.map((player) => (player === own ? this.#inputs[own].from : this.#end(player)));
+    return there.length > 0 && Math.min(...known) > rollback.steps + 2 && !this.#isOver;
   }
 
   /** Whether the game is at its end: all inputs are known, and all steps were run with them. */
@@ -252,7 +296,7 @@ export class RollbackPeers {
     if (!this.#peers.delete(number)) return false;
     this.#joining.delete(number);
     if (!this.#isHost) return true;
-    if (number < this.#options.players && !this.isAbsent(number)) this.#announceLeave(number);
+    if (number < this.#options.players && !this.#willBeAbsent(number)) this.#announceLeave(number);
     return this.#peers.size === 0;
   }
 
@@ -261,8 +305,10 @@ export class RollbackPeers {
     this.#announceLeave(player);
   }
 
+  /** It leaves at a step of which nobody has an input. */
   #announceLeave(player: number): void {
-    this.#announce({ enters: false, player, step: this.#end(player) });
+    const step = Math.max(this.#end(player), endOf(this.#ahead.get(player)));
+    this.#announce({ enters: false, player, step });
   }
 
   /** The step of the first input of a player that is not known. */
@@ -308,14 +354,14 @@ export class RollbackPeers {
   #letIn(): void {
     const { own, rollback, end, depth } = this.#options;
     for (const player of this.#joining) {
-      const { has } = this.#peers.get(player)!;
+      const { final } = this.#peers.get(player)!;
       const all = [...this.#peers.values()];
       const { gone } = this.#inputs[player];
       const isKnown = ({ events, has }: Peer) => events === this.#applied && (has[player] >= gone);
       const step = this.#end(own) + NOTICE;
       if (end > 0 && step >= end) continue;
-      // What it has is known as late as a message takes to it and back.
-      if (has[own] < rollback.steps - depth / 2 || !all.every(isKnown)) continue;
+      // How far it has come is known as late as a message takes, and of each few steps alone.
+      if (final < 0 || final + HASH_EVERY < rollback.steps - depth / 2 || !all.every(isKnown)) continue;
       this.#joining.delete(player);
       this.#announce({ enters: true, player, step });
     }
@@ -332,7 +378,7 @@ export class RollbackPeers {
     for (let event; (event = this.#events[this.#applied - this.#firstEvent]); this.#applied++) {
       const { enters, player, step } = event;
       const known = this.#inputs[player];
-      if (step > rollback.steps + depth || (enters && this.#end(player) < known.gone)) return;
+      if (step > rollback.steps + depth || (enters && this.#end(player) < known.gone)) break;
       if (enters) {
         rollback.enter(player, step);
         known.back = step;
@@ -344,6 +390,126 @@ export class RollbackPeers {
         known.back = Infinity;
       }
     }
+    for (const run of this.#ahead.values()) this.#takeRun(run);
+  }
+
+  // ---- host migration ----
+
+  /** Who has sent this player what it has, to go on with it as the host. */
+  get followers(): ReadonlySet<number> {
+    return new Set(this.#migrations.keys());
+  }
+
+  /** The host is gone: this player goes on with another one as the host, which is sent what this one has. */
+  follow(host: number): void {
+    const { players, own, depth, rollback, send, mesh } = this.#options;
+    if (mesh || host === own || !Number.isInteger(host) || host < 0 || host >= players)
+      throw new ThudError("invalid", "peers: the host is another player, and there is none in a mesh");
+    this.#forgetHost(host);
+    const runs = this.#inputs.map(({ from, list }, player): Run => {
+      const first = Math.max(from, this.#end(player) - MIGRATED_DEPTHS * depth);
+      return { player, first, inputs: Uint8Array.from(list.slice(first - from)) };
+    });
+    const events = { firstEvent: this.#firstEvent, events: this.#events };
+    send(host, writeMigration({ from: own, confirmed: rollback.confirmed, ...events, runs }), true);
+    this.#add(host, runs.map(endOf), this.#firstEvent + this.#events.length);
+  }
+
+  /**
+   * The host is gone: this player takes its place, and goes on with its `followers`. All other players
+   * have left. Returns those followers who cannot go on, since what they have sent contradicts what is
+   * known here, or since they lack what is not stored here.
+   * @throws {ThudError} "invalid" for who is the host already, is absent, or only watches.
+   */
+  takeOver(): number[] {
+    const { players, own, mesh } = this.#options;
+    if (mesh || this.#isHost || own >= players || this.#willBeAbsent(own))
+      throw new ThudError("invalid", "peers: a player who is there takes the place of the host");
+    const followers = [...this.#migrations];
+    this.#forgetHost(own);
+    const refused = new Set<number>();
+    for (const [number, migration] of followers) if (!this.#merge(migration)) refused.add(number);
+    // Who has left is known only now, and of whom which inputs.
+    for (const [number, migration] of followers)
+      if (!refused.has(number) && !this.#serve(number, migration)) refused.add(number);
+    for (let player = 0; player < players; player++) {
+      const [isFollower, isAbsent] = [this.#peers.has(player), this.#willBeAbsent(player)];
+      if (isFollower && isAbsent) this.#joining.add(player);
+      else if (!isFollower && !isAbsent && player !== own) this.#announceLeave(player);
+    }
+    return [...refused];
+  }
+
+  #forgetHost(next: number): void {
+    this.#host = next;
+    this.#peers.clear();
+    this.#joining.clear();
+    this.#migrations.clear();
+  }
+
+  /** Adds what a follower knows, and this player does not. False where it contradicts what is known. */
+  #merge({ firstEvent, events, runs }: Migration): boolean {
+    const { own } = this.#options;
+    const isAlike = ({ player, first, inputs }: Run) => {
+      const ahead = this.#ahead.get(player);
+      const isAsTold = !ahead || inputs.every((input, i) => (ahead.inputs[first + i - ahead.first] ?? input) === input);
+      return isAsTold && this.#isAsKnown(player, first, inputs);
+    };
+    const mine = runs[own];
+    if (endOf(mine) > this.#end(own) || !runs.every(isAlike) || !this.#mergeEvents(firstEvent, events)) return false;
+    this.#apply();
+    for (const run of runs) {
+      const { player, first } = run;
+      const isNew = endOf(run) > Math.max(this.#end(player), endOf(this.#ahead.get(player)));
+      // A player that enters has none before.
+      if (isNew && first > this.#end(player) && !this.isAbsent(player)) return false;
+      if (isNew) this.#ahead.set(player, run);
+    }
+    this.#apply();
+    return true;
+  }
+
+  /** Adds the events that are not known; none where they contradict those that are, or cannot be. */
+  #mergeEvents(first: number, events: readonly PlayerEvent[]): boolean {
+    const { rollback, own } = this.#options;
+    const before = this.#events.length;
+    const known = this.#firstEvent + before;
+    const isAlike = ({ enters, player, step }: PlayerEvent, i: number) => {
+      const event = this.#events[first + i - this.#firstEvent];
+      return !event || (event.enters === enters && event.player === player && event.step === step);
+    };
+    let isPossible = first <= known && events.every(isAlike);
+    for (const event of isPossible ? events.slice(known - first) : []) {
+      const { enters, player, step } = event;
+      const { gone } = this.#inputs[player];
+      const least = enters ? Math.max(rollback.confirmed, this.isAbsent(player) ? gone : 0) : this.#end(player);
+      isPossible &&= player !== own && enters === this.#willBeAbsent(player);
+      isPossible &&= step >= Math.max(least, this.#pendingOf(player)?.step ?? 0);
+      this.#events.push(event);
+    }
+    if (!isPossible) this.#events.length = before;
+    return isPossible;
+  }
+
+  /** Sends packets to a follower from now on. False where it needs what is not stored here. */
+  #serve(number: number, { confirmed, firstEvent, events, runs }: Migration): boolean {
+    // Of steps that are final for it, it needs nothing.
+    const has = runs.map((run, player) => {
+      const { from } = this.#inputs[player];
+      return confirmed >= from ? Math.max(endOf(run), from) : endOf(run);
+    });
+    this.#add(number, has, firstEvent + events.length);
+    const peer = this.#peers.get(number)!;
+    const isStored = this.#inputs.every(({ from }, player) => player === number || this.#nextFor(peer, player) >= from);
+    if (isStored && peer.events >= this.#firstEvent) return true;
+    this.#peers.delete(number);
+    return false;
+  }
+
+  #hearMigration(number: number, bytes: Uint8Array): void {
+    const { players, inputs } = this.#options;
+    const migration = readMigration(bytes, players, inputs);
+    if (migration?.from === number) this.#migrations.set(number, migration);
   }
 
   // ---- packets ----
@@ -392,7 +558,7 @@ export class RollbackPeers {
   /** Takes what came from somebody; what is wrong with it is counted in `refused`. */
   hear(number: number, bytes: Uint8Array): void {
     const peer = this.#peers.get(number);
-    if (!peer) return;
+    if (!peer) return this.#hearMigration(number, bytes);
     try {
       if (bytes[0] === REPORT[0] && bytes[2] === REPORT[1]) this.#hearReport(number, bytes);
       else this.#hearPacket(number, peer, bytes);
@@ -402,7 +568,7 @@ export class RollbackPeers {
   }
 
   #hearPacket(number: number, peer: Peer, bytes: Uint8Array): void {
-    const { players, own, inputs, depth, rollback } = this.#options;
+    const { players, own, inputs, rollback } = this.#options;
     const packet = readPacket(bytes, players, inputs);
     demand(packet !== null && packet.from === number && Math.abs(packet.lead) <= 1000);
     // Who has not heard yet that it enters, has given no inputs.
@@ -411,15 +577,11 @@ export class RollbackPeers {
     for (const run of packet.runs) this.#checkRun(number, run);
     this.#checkEvents(number, packet);
     // All of it is in order: nothing was changed until here.
+    peer.final = Math.max(peer.final, packet.hashStep);
     for (const [player, step] of packet.acks)
       peer.has[player] = Math.max(peer.has[player], Math.min(step, this.#end(player)));
     this.#takeEvents(peer, packet);
-    for (const { player, first, inputs: list } of packet.runs) {
-      const known = this.#inputs[player];
-      const last = Math.min(rollback.steps + depth, this.isAbsent(player) ? known.gone : Infinity);
-      for (let at = this.#end(player) - first; at >= 0 && at < list.length && first + at < last; at++)
-        this.#know(player, list[at]);
-    }
+    for (const run of packet.runs) this.#takeRun(run);
     this.#hearTime(peer, packet);
     if (this.#isTimed(number)) rollback.hearLead(number, packet.lead);
     if (!peer.told && packet.hashStep > peer.hashStep) {
@@ -427,6 +589,14 @@ export class RollbackPeers {
       peer.told = { step: packet.hashStep, hash: packet.hash };
       this.#compare(number, peer);
     }
+  }
+
+  /** Takes the inputs that are not known, as far as the rollback reaches. */
+  #takeRun({ player, first, inputs }: Run): void {
+    const { rollback, depth } = this.#options;
+    const last = Math.min(rollback.steps + depth, this.isAbsent(player) ? this.#inputs[player].gone : Infinity);
+    for (let at = this.#end(player) - first; at >= 0 && at < inputs.length && first + at < last; at++)
+      this.#know(player, inputs[at]);
   }
 
   /** Whether the clocks of this player and another one are compared: both play. */
@@ -438,9 +608,13 @@ export class RollbackPeers {
   /** Refuses inputs of which the sender cannot know, and others than were told before. */
   #checkRun(number: number, { player, first, inputs }: Run): void {
     const { own, mesh } = this.#options;
-    demand(player !== own && (player === number || (number === 0 && !mesh)));
+    demand(player !== own && (player === number || (number === this.#host && !mesh)));
+    demand(this.#isAsKnown(player, first, inputs));
+  }
+
+  #isAsKnown(player: number, first: number, inputs: Uint8Array): boolean {
     const { from, list } = this.#inputs[player];
-    demand(inputs.every((input, i) => (list[first + i - from] ?? input) === input));
+    return inputs.every((input, i) => (list[first + i - from] ?? input) === input);
   }
 
   /** Only the host says who leaves and enters; and nobody has heard of more than it has said. */
@@ -450,7 +624,7 @@ export class RollbackPeers {
     const known = this.#firstEvent + this.#events.length;
     if (this.#isHost) demand(events.known <= known && events.list.length === 0);
     else {
-      demand(number === 0 && !mesh && (events.list.length === 0 || events.first <= known));
+      demand(number === this.#host && !mesh && (events.list.length === 0 || events.first <= known));
       demand(events.list.every(({ player, enters }) => player !== own || enters));
     }
   }
@@ -521,6 +695,11 @@ export class RollbackPeers {
     if (found.isDetailed) this.difference = found;
     this.#report(number, found.step);
   }
+}
+
+/** The step after the last input of a run; 0: there is none. */
+function endOf(run: Run | undefined): number {
+  return run ? run.first + run.inputs.length : 0;
 }
 
 /** What a report begins with, at its first and third byte ("tdR2"): no other message does. */

@@ -37,8 +37,10 @@ const cars = (i) => (i === 1 ? "Computer" : `Computer ${i}`);
 function messageOf(state, own) {
   const { phase, waited, winner } = state;
   if (present(state) < 2) return "Waiting for another player.";
-  if (phase === "ready" && waited < READY - 90)
-    return state.alone ? "Push the others off." : `Yours is the ${COLOURS[own].toLowerCase()} car: push the others off.`;
+  if (phase === "ready" && waited < READY - 90) {
+    if (state.alone) return "Push the others off.";
+    return own < 0 ? "Who stays longest gets a point." : `Yours is the ${COLOURS[own].toLowerCase()} car: push the others off.`;
+  }
   if (phase === "ready") return String(Math.ceil((READY - waited) / 30));
   if (phase === "fight") return waited < 40 ? "Go!" : "";
   if (winner < 0) return "Nobody stayed: no point.";

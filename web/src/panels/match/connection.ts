@@ -49,6 +49,8 @@ export class Connection {
   #tried = 0;
   #open = false;
   #closed = false;
+  /** It has ended since nothing arrives any more; otherwise one of the two has closed it. */
+  failed = false;
 
   /** `server`: of a STUN server, by which browsers in different networks find each other; "": none. */
   constructor(line: Line, server: string, calls: Calls) {
@@ -67,7 +69,9 @@ export class Connection {
     this.#fast = make("inputs", 0, { ordered: false, maxRetransmits: 0 });
     this.#sure = make("match", 1, {});
     peer.addEventListener("connectionstatechange", () => {
-      if (peer.connectionState === "failed") this.close();
+      if (peer.connectionState !== "failed") return;
+      this.failed = true;
+      this.close();
     });
   }
 

@@ -14,14 +14,14 @@ import "../../style/values.css";
 import "../../style/match.css";
 import { unpackInvitation } from "./invitation";
 import { Lobby } from "./lobby";
-import { hasRooms, meet, ROOM } from "./meet";
+import { hasRooms, meet, ROOM, type RoomState } from "./meet";
 
 /** What a link has before the name of a room in place of an invitation. */
 const ROOM_MARK = "~";
 /** On it a tab in which an answer was opened hands it to the tab that waits for it. */
 const CHANNEL = "thud-match";
 const INVITED =
-  "You are invited to a match. Joining tells whoever sent the link this device’s address in the network.";
+  "You are invited to a match: play, or watch it. Either tells those who play this device’s address in the network.";
 /** Milliseconds for which it waits to be heard. Chosen. */
 const HEARD = 1500;
 /** The largest correction that is shown is that of so many of the last news. Chosen. */
@@ -33,22 +33,32 @@ export function createPanel(app: App): Panel {
   return { element: new MatchPanel(app).element };
 }
 
-/** The room that this tab was in, by which it comes back after it was loaded anew. "": none. */
-function remember(room: string): void {
+/**
+ * Remembers the room that this tab is in, by which it comes back after it was loaded anew, and whether
+ * it watches. "": none.
+ */
+function remember(room: string, watches = false): void {
   try {
     sessionStorage.matchRoom = room;
+    sessionStorage.matchWatches = watches;
   } catch {
     // It is not kept.
   }
 }
 
-function recall(): string {
+function recall(): { room: string; watched: boolean } {
   try {
     const room = String(sessionStorage.matchRoom ?? "");
-    return ROOM.test(room) ? room : "";
+    return { room: ROOM.test(room) ? room : "", watched: sessionStorage.matchWatches === "true" };
   } catch {
-    return "";
+    return { room: "", watched: false };
   }
+}
+
+/** Shows this panel where none stands in its place: the game can no longer be played. */
+function openPanel(): void {
+  const dock = document.querySelector<HTMLElement>("#dock")!;
+  if (dock.hidden) document.querySelector<HTMLElement>("button[data-panel=match]")?.click();
 }
 
 class MatchPanel {
@@ -80,6 +90,8 @@ class MatchPanel {
       changed: () => this.#show(),
       news: (news) => this.#tell(news),
       told: (text) => notice(text),
+      tookOver: (closed) => this.#carryOn(closed),
+      cut: () => openPanel(),
     });
     this.#start.addEventListener("click", () => void this.#lobby.start());
     this.#leave.addEventListener("click", () => {
@@ -99,7 +111,12 @@ class MatchPanel {
     );
     this.element.append(this.#offer, this.#others, this.#network);
     this.#channel.addEventListener("message", ({ data }) => void this.#hearTab(data));
-    app.listen({ run: () => this.#show() });
+    app.listen({
+      run: () => {
+        this.#show();
+        if (this.#lobby.isWatching) notice(this.#state);
+      },
+    });
     void this.#begin();
   }
 
@@ -111,9 +128,9 @@ class MatchPanel {
       this.#show();
       return;
     }
-    const room = invite === null ? recall() : null;
+    const room = invite === null ? recall().room : "";
     if (room) {
-      this.#offerToMeet(room, `You were in the room “${room}”. Whoever invited you there may still play.`, "Come back");
+      this.#offerToMeet(room, `You were in the room “${room}”. The others may still play there.`);
       this.#show();
       return;
     }
@@ -122,28 +139,46 @@ class MatchPanel {
     else if (!invitation) this.#beginOffer("The invitation in this link is damaged.");
     else if (invitation.type === "answer") this.#handOver(invite);
     else {
-      const join = make("button", { class: "wide primary", id: "match-join" }, "Join");
-      join.addEventListener("click", () => void this.#act(join, () => this.#join(invite)));
-      this.#offer.replaceChildren(make("p", {}, INVITED), join);
+      this.#offer.replaceChildren(make("p", {}, INVITED), ...this.#ways(() => this.#join(invite)));
     }
     this.#show();
   }
 
-  /** This tab was opened by the link of a room, or was in one before. */
-  #offerToMeet(name: string, about = INVITED, act = "Join"): void {
+  /** The two ways to take part in a match. */
+  #ways(join: () => Promise<void>): HTMLButtonElement[] {
+    const way = (id: string, label: string, watches: boolean) => {
+      const button = make("button", { class: watches ? "wide" : "wide primary", id }, label);
+      button.addEventListener("click", () => {
+        this.#lobby.watches = watches;
+        void this.#act(button, join);
+      });
+      return button;
+    };
+    return [way("match-join", "Play", false), way("match-watch", "Watch", true)];
+  }
+
+  /** This tab was opened by the link of a room; or it was in one before, and `about` says so. */
+  #offerToMeet(name: string, about = ""): void {
     if (!ROOM.test(name)) return this.#beginOffer("The invitation in this link is damaged.");
-    const join = make("button", { class: "wide primary", id: "match-join" }, act);
-    join.addEventListener("click", () => void this.#act(join, () => this.#meet(name, true)));
+    if (!about) {
+      this.#offer.replaceChildren(make("p", {}, INVITED), ...this.#ways(() => this.#meet(name, "open")));
+      return;
+    }
+    const back = make("button", { class: "wide primary", id: "match-join" }, "Come back");
+    back.addEventListener("click", () => {
+      this.#lobby.watches = recall().watched;
+      void this.#act(back, () => this.#meet(name, "open"));
+    });
     const other = make("button", { class: "wide", id: "match-other" }, "Something else");
     other.addEventListener("click", () => {
       remember("");
       this.#beginOffer();
     });
-    this.#offer.replaceChildren(make("p", {}, about), join, ...(about === INVITED ? [] : [other]));
+    this.#offer.replaceChildren(make("p", {}, about), back, other);
   }
 
   /** Goes into a room of the page's server. */
-  async #meet(name: string, follows = false): Promise<void> {
+  async #meet(name: string, state: RoomState): Promise<void> {
     this.#meeting.abort();
     this.#meeting = new AbortController();
     const line = make("p", { role: "status" }, `In the room “${name}”. Others come by this link, or by the room’s name.`);
@@ -151,10 +186,10 @@ class MatchPanel {
       line,
       await this.#link(ROOM_MARK + name, "The link as a QR code: scan it with the other devices"),
     );
-    remember(name);
+    remember(name, this.#lobby.watches);
     this.#meets = true;
     try {
-      await meet(name, this.#lobby, this.#meeting.signal, follows);
+      await meet(name, this.#lobby, this.#meeting.signal, state);
     } catch (error) {
       this.#beginOffer(`The room cannot be used: ${messageOf(error)}`);
     } finally {
@@ -182,11 +217,12 @@ class MatchPanel {
       autocomplete: "off",
       autocapitalize: "none",
       spellcheck: "false",
+      value: recall().room,
     });
     const enter = make("button", { class: "plain", id: "match-meet" }, "Meet there");
     enter.addEventListener("click", () => {
       const wanted = name.value.trim().toLowerCase();
-      if (ROOM.test(wanted)) void this.#act(enter, () => this.#meet(wanted));
+      if (ROOM.test(wanted)) void this.#act(enter, () => this.#meet(wanted, "unknown"));
       else notice("A room’s name has letters from a to z, digits and hyphens.");
     });
     const room = make(
@@ -211,10 +247,13 @@ class MatchPanel {
   }
 
   #about(): string {
-    if (this.#lobby.playing) return "Others can still join, and who was lost comes back by a new link.";
+    const { playing, carries } = this.#lobby;
+    const { room } = recall();
+    if (carries && room) return `Others can still join. Whom you have lost may be in the room “${room}”.`;
+    if (playing) return "Others can still join, and who was lost comes back by a new link.";
     const most = Math.min(4, this.#app.scene?.sizes?.most ?? 2);
     const who = most === 2 ? "Another player joins from another browser" : "Up to three others join from their own browsers";
-    return `${who}. What you play goes from device to device.`;
+    return `${who}, and others watch. What you play goes from device to device.`;
   }
 
   async #invite(): Promise<void> {
@@ -245,6 +284,14 @@ class MatchPanel {
       await this.#link(text, "The answer as a QR code: scan it with the device that invited you"),
       make("p", { class: "quiet" }, "Keep this page open. The match begins when the other has the answer and starts."),
     );
+  }
+
+  /** This browser carries the match on: others find it where they found whoever had invited them. */
+  #carryOn(closed: boolean): void {
+    const { room } = recall();
+    // A host that is merely cut off may still invite in the room, and then nobody else is to.
+    if (room && closed) void this.#meet(room, "left");
+    else this.#beginOffer();
   }
 
   /** Takes an answer that was pasted, or came from another tab. Resolves to whether it was one. */
@@ -333,6 +380,29 @@ class MatchPanel {
     button.disabled = false;
   }
 
+  /** How many others there are, in words. */
+  get #count(): string {
+    const { connected, watching } = this.#lobby;
+    const number = (count: number) => (count === 1 ? "one other" : `${count} others`);
+    const players = connected - watching;
+    const who = watching === 1 ? "one who watches" : `${watching} who watch`;
+    if (watching === 0) return number(players);
+    return players === 0 ? who : `${number(players)} and ${who}`;
+  }
+
+  get #state(): string {
+    const { connected, watching, playing, invited, isWatching, watches, carries } = this.#lobby;
+    const count = this.#count;
+    if (!playing && invited) return `Connected${watches ? " to watch" : ""}. Whoever invited you starts the match.`;
+    if (!playing) return `Connected: ${count}.`;
+    if (isWatching) return watches ? "You watch the match." : "All places are taken: you watch the match.";
+    if (invited) return "The match runs.";
+    const begin = carries ? "The player who invited you has left, and you carry the match on" : "The match runs";
+    if (connected > watching) return `${begin}, with ${count}.`;
+    if (carries) return `${begin}, alone until another player comes.`;
+    return `The match waits for another player${connected > 0 ? `, with ${count}` : ""}.`;
+  }
+
   #show(): void {
     const lobby = this.#lobby;
     const { connected, playing, invited } = lobby;
@@ -343,23 +413,14 @@ class MatchPanel {
     this.#played = playing;
     if (ended) {
       this.#meeting.abort();
-      const room = recall();
-      if (invited && room) this.#offerToMeet(room, `The connection has ended. The match may go on in the room “${room}”.`, "Come back");
+      const { room } = recall();
+      if (invited && room) this.#offerToMeet(room, `The connection has ended. The match may go on in the room “${room}”.`);
       else this.#beginOffer(invited ? "The connection has ended. Who invited you can send you a new link." : "");
     }
-    this.#start.hidden = playing || invited;
+    this.#start.hidden = playing || invited || connected === lobby.watching;
     this.#leave.textContent = playing ? "Leave the match" : "Disconnect";
-    const count = connected === 1 ? "One other" : `${connected} others`;
     const before = this.#who.textContent;
-    this.#who.textContent = playing
-      ? invited
-        ? "The match runs."
-        : connected === 0
-          ? "The match waits for another player."
-          : `The match runs, with ${connected === 1 ? "one other" : `${connected} others`}.`
-      : invited
-        ? "Connected. The other starts the match."
-        : `${count} connected.`;
+    this.#who.textContent = this.#state;
     const changed = this.#who.textContent !== before;
     if (!invited && !this.#meets && changed && (connected > 0 || playing)) this.#beginOffer();
     const main = document.querySelector("main")!;

@@ -22,12 +22,19 @@ export async function hasRooms(): Promise<boolean> {
   }
 }
 
-/** Goes into a room until `signal` ends that. Resolves when this browser has answered an invitation. Who
+/**
+ * What is known of a room: nothing; that somebody is there, whose invitation is waited for; or that who
+ * has invited there has left, so that this browser invites.
+ */
+export type RoomState = "unknown" | "open" | "left";
+
+/**
+ * Goes into a room until `signal` ends that. Resolves when this browser has answered an invitation. Who
  * invites stays, also while a match runs, so that others can join it and who was lost can come back.
- * `follows`: somebody is said to be there, whose invitation is waited for. */
-export async function meet(name: string, lobby: Lobby, signal: AbortSignal, follows = false): Promise<void> {
-  let offer = await ask(name, "offer");
-  for (let i = 0; follows && i < LOOKS && !offer && !signal.aborted; i++) {
+ */
+export async function meet(name: string, lobby: Lobby, signal: AbortSignal, state: RoomState): Promise<void> {
+  let offer = state === "left" ? null : await ask(name, "offer");
+  for (let i = 0; state === "open" && i < LOOKS && !offer && !signal.aborted; i++) {
     await pause();
     offer = await ask(name, "offer");
   }
@@ -37,6 +44,9 @@ export async function meet(name: string, lobby: Lobby, signal: AbortSignal, foll
     await ask(name, "answer", "PUT", await lobby.answer(invitation));
     return;
   }
+  // Nobody is to answer an invitation of a page that is closed.
+  const close = () => void ask(name, "offer", "DELETE").catch(() => {});
+  window.addEventListener("pagehide", close);
   try {
     const goesOn = () => !signal.aborted && !lobby.isFull;
     while (!signal.aborted) {
@@ -55,6 +65,7 @@ export async function meet(name: string, lobby: Lobby, signal: AbortSignal, foll
       for (let i = 0; i < LOOKS && goesOn() && lobby.isConnecting; i++) await pause();
     }
   } finally {
+    window.removeEventListener("pagehide", close);
     await ask(name, "offer", "DELETE");
   }
 }
@@ -64,7 +75,7 @@ function pause(): Promise<void> {
 }
 
 async function ask(name: string, what: string, method = "GET", body?: string): Promise<string | null> {
-  const response = await fetch(`rooms/${name}/${what}`, { method, body });
+  const response = await fetch(`rooms/${name}/${what}`, { method, body, keepalive: method === "DELETE" });
   if (!response.ok) throw new Error(`The server answers ${response.status}.`);
   return response.status === 204 ? null : response.text();
 }
