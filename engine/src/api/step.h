@@ -37,9 +37,11 @@ void td_solve(thud_world *w);
 /* finalize.c: adds motions to poses; updates shapes, bounds and idle times; quarantines bodies
  * whose numbers are not finite. */
 void td_finalize(thud_world *w);
-/* sensed_pairs.c: reserves room for sensors; lists the awake bodies that have sensors; makes a
- * contact of each new pair of a sensor and a shape. Where memory is short for that, the next step
- * makes it, and its event. */
+/* sensed_pairs.c: sensors at the end of a step. td_sensed_reserve reserves their memory before
+ * bodies move. td_sensed_list lists the awake bodies that have a sensor. td_sensed_pairs makes a
+ * contact for each new pair of a sensor and a shape. It returns false where the reserved room is
+ * too small for all pairs. This does not fail the step: no contact is made, and the next step's
+ * broadphase finds the pairs, whose begin events then come one step later. */
 bool td_sensed_reserve(thud_world *w);
 void td_sensed_list(thud_world *w);
 bool td_sensed_pairs(thud_world *w);

@@ -4,7 +4,8 @@
  * overlapping pair is new if and only if the bounds that its shapes had at the last broadphase did
  * not overlap (td_bounds_before), and no table of pairs is needed. The exceptions are shapes marked
  * TD_MARK_WOKEN and vast worlds (is_vast), whose bounds may wrap around and seem to have
- * overlapped: there the list of contacts of one of the bodies is searched instead.
+ * overlapped: there the list of contacts of one of the bodies is searched instead. Touching shapes
+ * may keep their contact a little longer: see may_have_contact in pairs.c.
  *
  * Two proxy sets are kept: one of the shapes of awake bodies, and one of those of static, sleeping
  * and disabled bodies (here: resting), which is sorted again only when a shape enters or leaves it.
@@ -169,14 +170,15 @@ static int64_t crowd_threshold(const thud_world *w) {
     return CROWD_PAIRS_BASE + CROWD_PAIRS_A_SHAPE * (int64_t)w->shapes.live;
 }
 
-/* Limits of a shape in one step of a crowded world. The shapes that overlap it are divided into 2^k
- * parts of about CROWD_TESTS_A_SHAPE or fewer, one of which is tested in each step; a test is
- * cheap, since it reads filters and contact lists. Of the pairs that pass, about
- * CROWD_CONTACTS_A_SHAPE become contacts, or about one if the shape has that many contacts already;
- * a contact is expensive, since it goes through the narrowphase from then on. Pairs of sensors
- * become contacts as soon as they are tested. So every pair has its turn within a number of steps
- * that is the product of two powers of two. thud_detection.h promises n / 64 steps in a crowd of n,
- * which depends on CROWD_TESTS_A_SHAPE. Both chosen. */
+/* Limits for one shape in one step of a crowded world. Its overlapping shapes are divided into a
+ * power of two of parts, each of about CROWD_TESTS_A_SHAPE shapes or fewer, and each step tests one
+ * part. A test is cheap: it reads filters and contact lists. The new pairs that the filters allow
+ * are divided again, into a second power of two of parts, so that about CROWD_CONTACTS_A_SHAPE of
+ * them become contacts in a step, or about one if the shape has that many contacts already. A
+ * contact is expensive, since the narrowphase works on it from then on. A pair with a sensor
+ * becomes a contact as soon as it is tested. Every pair therefore has its turn at the latest after
+ * as many steps as the product of both powers. The first is below 2 n / CROWD_TESTS_A_SHAPE for n
+ * shapes in one spot: these are the n / 64 steps that thud_detection.h promises. Both chosen. */
 enum { CROWD_TESTS_A_SHAPE = 128, CROWD_CONTACTS_A_SHAPE = 32 };
 
 /* 2^k - 1 for the least 2^k with count <= 2^k max: a mask for turn_number. */

@@ -131,12 +131,12 @@ bool td_pair_has_contact(const thud_world *w, const td_new_pair *p) {
     return false;
 }
 
-/* Whether a pair may have a contact although its bounds did not overlap before, so that the bodies'
- * contacts must be searched. Touching shapes keep their contact when their fat bounds part: the
- * cached manifold, and the speculative margin of small shapes, reach further. When the bounds
- * overlap again, the pair seems new. A pair with a line also seems new where bounds tell nothing
- * (td_bounds_tell_nothing). For other shapes in that case, add_new_pairs has searched the contacts
- * already. */
+/* Whether a pair that seems new may have a contact already, so that the bodies' lists of contacts
+ * must be searched. Touching shapes keep their contact when their fat bounds part, because the
+ * cached manifold and the speculative margin of small shapes reach further; when the bounds overlap
+ * again, the pair seems new. A pair with a new shape (TD_MARK_FRESH) has no contact. For a woken
+ * shape and in a vast world the bounds do not tell which pairs are new (td_bounds_tell_nothing):
+ * there add_new_pairs has searched the lists already, except for pairs with a line of ground. */
 static bool may_have_contact(const thud_world *w, const td_new_pair *p) {
     bool line =
         td_kind_is_line(td_shape_at(w, p->a)->kind) || td_kind_is_line(td_shape_at(w, p->b)->kind);

@@ -1,7 +1,9 @@
-/* sensed_pairs.c: at the end of a step, makes the new contacts between sensors and shapes of which
- * one has left its fat bounds in the step, so that sensors report overlaps of the poses at the end
- * of the step (sensor_events.c tests them). All other new pairs are left to the next broadphase; it
- * also finds these pairs again, and searches the contacts of shapes marked TD_MARK_WOKEN here. */
+/* sensed_pairs.c: at the end of a step, makes the new contacts between sensors and other shapes,
+ * where one of the two has left its fat bounds in the step. So sensors report the overlaps of the
+ * poses at the end of the step (sensor_events.c tests them). All other new pairs are left to the
+ * next broadphase, which finds the pairs made here a second time. So that it does not make their
+ * contacts twice, their moved shapes get the mark TD_MARK_WOKEN here: for marked shapes the
+ * broadphase searches the list of contacts. */
 #include "api/step.h"
 #include "broadphase/pairs.h"
 #include "constraint/constraint.h"

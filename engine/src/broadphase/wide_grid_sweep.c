@@ -1,13 +1,17 @@
-/* wide_grid_sweep.c: finds the overlapping bounds of a grid (grid.h). In the shape's own level,
- * half of the 3 x 3 cells about its cell are searched (the rest of its cell, the next one, and
- * three of the row above), so that each pair is found once; the other half is searched for shapes
- * that have not moved where only moved shapes search. Of coarser levels the cells within reach of
- * the centre are searched, of finer ones all cells that the bounds overlap, extended by half a
- * cell. */
+/* wide_grid_sweep.c: finds the overlapping bounds of a grid (grid.h).
+ *
+ * In its own level, a shape searches the forward half of the 3 x 3 cells around its cell: the rest
+ * of its own cell, the next cell, and three cells of the row above. So each pair is found once.
+ * Where only moved shapes search, a moved shape also searches the other half, but only for shapes
+ * that have not moved, since these do not search themselves.
+ *
+ * In a coarser level, it searches the cells within reach of its centre. In a finer level, it
+ * searches all cells that its bounds overlap, after growing them by half a cell. */
 #include "broadphase/wide_scan.h"
 
-/* A level of at most so many shapes is tested whole, which is two tests of eight: fewer than the
- * three rows of a search by cells. The strays have no cells. */
+/* A level with this many shapes or fewer is tested whole. That takes two tests of eight, fewer than
+ * a search by cells. The level of the strays (grid.h: shapes that came to rest while the grid stays
+ * sorted) has no cells and must always be tested whole. */
 enum { SCAN_WHOLE_MAX = 2 * TD_LANES };
 static_assert((int)TD_STRAYS_MAX <= (int)SCAN_WHOLE_MAX, "strays are tested whole");
 
@@ -15,8 +19,8 @@ static_assert((int)TD_STRAYS_MAX <= (int)SCAN_WHOLE_MAX, "strays are tested whol
  * is tested. Chosen; not tuned. */
 enum { HASHED_ROWS_MAX = 64 };
 
-/* Tests the shapes in the cells cell .. cell + n - 1 of a level, modulo its table. Like all
- * functions here that return bool: false when memory is short. */
+/* Tests the shapes in the cells cell .. cell + n - 1 of a level, modulo its table. False
+ * when memory is short, as all functions here that are named scan. */
 TD_INLINE bool scan_cells(scan *s, const td_level *level, uint32_t cell, uint32_t n,
                           scan_filter which) {
     const int32_t *starts = s->starts + level->starts;
@@ -57,8 +61,8 @@ TD_INLINE bool scan_level(scan *s, const td_level *level, scan_filter which) {
 }
 
 /* Tests the forward half of the neighbourhood of the i-th shape: what follows it in its cell, the
- * next cell, and the three cells from `above` on. Only where these do not wrap around the table's
- * end. */
+ * next cell, and the three cells from `above` on. The caller makes sure that none of these cells
+ * wraps around the table's end. */
 TD_INLINE bool scan_forward(scan *s, const int32_t *starts, int i, uint32_t cell, uint32_t above,
                             scan_filter which) {
     int end = starts[cell + 2], first = starts[above], last = starts[above + 3];
@@ -91,18 +95,20 @@ TD_INLINE bool scan_half(scan *s, const td_level *level, int i, uint32_t cell, b
     return true;
 }
 
-/* Tests the shapes of a coarser level that can overlap a shape of the level `own`, whose centre is
- * given in bounds quanta from the grid's origin. They have their centres within half a cell of
- * either level of it along each axis, which is mostly a square of 2 x 2 cells and never more than
- * 3 x 3. These rows share no cell of a hashed table: two of three consecutive ones are at least
- * 0.23 of the table apart, which has 64 cells or more. */
+/* Tests the shapes of a coarser level that can overlap a shape of the level `own`. (x, y) is the
+ * centre of that shape, in bounds quanta from the grid's origin. Along each axis, the centres of
+ * two such shapes are at most half a cell of the one level plus half a cell of the other apart.
+ * These are mostly 2 x 2 cells, and never more than 3 x 3. In a hashed table, the rows share no
+ * cell: of three consecutive rows, any two begin at least 0.23 of the table apart, and a table has
+ * 64 cells or more.
+ */
 TD_INLINE bool scan_coarser(scan *s, const td_level *level, const td_level *own, double x, double y,
                             scan_filter which) {
     if (level->count <= SCAN_WHOLE_MAX) {
         return scan_level(s, level, which);
     }
-    /* Half a cell is half the greatest extent, the slack, and a quantum for rounding. Truncation
-     * rounds negative ones up to 0, where the first cells are. */
+    /* Half a cell holds half the greatest extent, the slack, and a quantum for rounding. A column
+     * or row between -1 and 0 is truncated to 0, where the first cells are. */
     double reach = 0.5 * (double)(level->cell + own->cell), inv_cell = level->inv_cell;
     int64_t column = (int64_t)((x - reach) * inv_cell), row = (int64_t)((y - reach) * inv_cell);
     int64_t columns = (int64_t)((x + reach) * inv_cell) - column + 1;
@@ -110,9 +116,11 @@ TD_INLINE bool scan_coarser(scan *s, const td_level *level, const td_level *own,
     return scan_rows(s, level, column, row, (uint32_t)columns, rows, which);
 }
 
-/* Whether two of `rows` successive rows of n cells share cells of a hashed table, so that a shape
- * could be found twice. Rows begin at equal distances, modulo the table's length. */
-TD_INLINE bool rows_overlap(const td_level *level, uint32_t n, int64_t rows) {
+/* Whether two of `rows` successive rows of n cells may share cells of a hashed table, so that a
+ * shape could be found twice. Also true where there are too many rows to check, or a row covers
+ * more than half of the table. Each row begins level->row cells after the one before, modulo the
+ * table's length. */
+TD_INLINE bool rows_may_overlap(const td_level *level, uint32_t n, int64_t rows) {
     if (rows > HASHED_ROWS_MAX || n > (level->mask + 1) / 2) {
         return true;
     }
@@ -143,11 +151,14 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b,
     if (x0 > grid->end_x || x1 < grid->origin_x || y0 > grid->end_y || y1 < grid->origin_y) {
         return true;
     }
-    /* No centre is below the origin. */
+    /* No centre was below the origin when the grid was sorted, and a shape that has moved there
+     * since keeps its cell: so the window may be cut off at 0. */
     int64_t c0 = td_grid_index(x0 < grid->origin_x ? 0 : x0 - grid->origin_x, level->inv_cell);
     int64_t r0 = td_grid_index(y0 < grid->origin_y ? 0 : y0 - grid->origin_y, level->inv_cell);
     int64_t c1 = td_grid_index(x1 - grid->origin_x, level->inv_cell);
     int64_t r1 = td_grid_index(y1 - grid->origin_y, level->inv_cell);
+    /* level->row counts the empty columns on both sides, so that columns - 2 is the empty column
+     * after the last one. Row r ends at cell (r + 2) * columns - 1, which must be in the table. */
     if (!level->hashed) {
         int64_t columns = level->row, cells = (int64_t)level->mask + 1;
         c1 = c1 > columns - 2 ? columns - 2 : c1;
@@ -159,19 +170,18 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b,
         return true;
     }
     if (c1 - c0 + 1 > level->count || r1 - r0 + 1 > level->count ||
-        (level->hashed && rows_overlap(level, (uint32_t)(c1 - c0 + 1), r1 - r0 + 1))) {
+        (level->hashed && rows_may_overlap(level, (uint32_t)(c1 - c0 + 1), r1 - r0 + 1))) {
         return scan_level(s, level, which);
     }
     return scan_rows(s, level, c0, r0, (uint32_t)(c1 - c0 + 1), r1 - r0 + 1, which);
 }
 
-/* Sets, for each level, the bits of those other levels that its shapes search.
- *
- * Where only moved shapes search, each searches all levels. Where every shape does, a pair of
- * levels is searched from one side: a shape of the finer level tests some two rows of cells of the
- * coarser one, and a shape of the coarser level as many rows of the finer one as its window covers.
- * The side with fewer rows in all searches; a third of the greatest extent is taken for the mean
- * one. Chosen, for sizes of which small ones are frequent. */
+/* Sets, for each level, a bit for each other level that its shapes search. Where only moved shapes
+ * search, each searches all levels. Where every shape searches, each pair of levels is searched
+ * from one side only: the side that tests fewer rows of cells in total. A shape of the finer level
+ * tests about two rows of the coarser one; a shape of the coarser level tests as many rows of the
+ * finer one as its window covers, where its extent is taken as a third of the level's greatest.
+ * Chosen, for worlds in which small shapes are more frequent. */
 TD_INLINE void choose_searches(const td_level *levels, bool every, uint32_t *searches) {
     __builtin_memset(searches, 0, TD_LEVELS * sizeof *searches);
     for (int fine = 0; fine < TD_LEVELS; fine++) {
@@ -185,10 +195,10 @@ TD_INLINE void choose_searches(const td_level *levels, bool every, uint32_t *sea
     }
 }
 
-/* Tests the i-th shape, of the level `own`, against those other levels whose bits are in
- * `searches`. `every`: every shape searches, so that a pair is found from one side. Else only moved
- * shapes do; of finer levels they test those that have not moved, since moved ones search
- * themselves. */
+/* Tests the i-th shape, of the level `own`, against the other levels whose bits are in `searches`.
+ * `every`: every shape searches, so that a pair is found from one side. Else only moved shapes do,
+ * and of finer levels they test those that have not moved, since moved ones search themselves. A
+ * pair of which no shape has moved is never searched for. */
 TD_INLINE bool scan_other_levels(scan *s, int own, int i, td_position near_position, bool every,
                                  uint32_t searches) {
     const td_proxy_set *grid = s->set;
@@ -255,8 +265,10 @@ bool TD_WIDE(td_grid_sweep)(const td_proxy_set *grid, td_memory *memory,
     return true;
 }
 
-/* Drops the hits, from index `first` on, that are shapes which left the set. Their bounds overlap
- * those of others only where both span half of the range of bounds. */
+/* Removes, from index `first` on, the hits that are shapes which have left the set (TD_NONE). Their
+ * bounds are inverted (td_proxy_set_drop_woken), so that they overlap only bounds that reach a
+ * quarter of the range of bounds. Only the set of resting shapes has such entries, and that set is
+ * searched by td_grid_find alone, never swept. */
 static void drop_left(td_array *hits, int first) {
     int *data = hits->data, count = first;
     for (int i = first; i < hits->count; i++) {
@@ -272,7 +284,8 @@ bool TD_WIDE(td_grid_find)(const td_proxy_set *grid, td_memory *memory, const td
     scan s = begin_scan(grid, memory, hits);
     int first = hits->count;
     set_query(&s, bounds);
-    /* Levels in use follow each other, the last one first. */
+    /* The levels in use stand at the end of the array without gaps, so that the search ends at the
+     * first empty one. */
     for (int l = TD_LEVELS - 1; l >= 0 && grid->levels[l].count; l--) {
         if (!scan_window(&s, &grid->levels[l], bounds, near_position, SCAN_ALL)) {
             return false;

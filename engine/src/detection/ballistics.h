@@ -5,7 +5,8 @@
 
 #include "state/world.h"
 
-/* Saves the velocities, before the solver changes them, in the `motion` of new trajectories. */
+/* Begins a new trajectory for each awake body, and saves its velocity there (td_trajectory.before)
+ * before the solver changes it. */
 void td_ballistics_save_velocities(thud_world *w);
 /* Runs after the solver, before motions become poses. Each dynamic swept body in free flight (only
  * gravity and forces changed its velocity, up to FREE_SHARE_MAX of that change) gets the motion of

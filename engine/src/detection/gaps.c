@@ -45,15 +45,15 @@ enum { PLAIN_PASSES = 8, FINE_PASSES = 20, PASSES_MAX = 160, FINAL_PASSES = 2 };
 #define SHORTFALL_TOLERANCE 0.05f
 #define COLLISION_DISTANCE 0.05f
 
-/* In multiples of TD_IMPACT_DISTANCE: by how much a gap may close in a step between two bodies that
- * both move less than TD_SLEEP_SPEED does in it. The projection has no friction. If it also held
- * such slow bodies apart, it would push them along the normals, against the friction that holds
- * them, and a heap would creep without end and never fall asleep (circle_pit with 2,000 circles
- * moved at 0.03 length scales a second after 300 steps, and at 0.007 after 1,200). The load that
- * they carry is left to the soft solver, which has friction. Chosen below TD_LOAD_CLOSING_MAX, from
- * where on it would be a collision. It is 0 in a world with joints: a joint may pull a body with
- * any force, so that a body that yields a little in each step would be pulled deep into what it
- * rests on (a ball that a rod reels into the floor: by 24 mm in place of 2). */
+/* How far a gap between two slow bodies may close in a step, in multiples of TD_IMPACT_DISTANCE. A
+ * body is slow if it moves less in the step than it would at TD_SLEEP_SPEED. The projection has no
+ * friction: if it held slow bodies apart too, it would push them along the normals, against the
+ * friction that holds them, and a heap would creep without end and never fall asleep (circle_pit
+ * with 2,000 circles moved at 0.03 length scales a second after 300 steps, and at 0.007 after
+ * 1,200). The load of slow bodies is left to the soft solver, which has friction. Chosen; it must
+ * be below TD_LOAD_CLOSING_MAX, since a gap that closes by more than that counts as a collision. In
+ * a world with joints 0 is used instead, since a joint may pull a body with any force: with
+ * YIELD_AT_REST, a ball that a rod reels into the floor sank in by 24 mm, with 0 by 2 mm. */
 #define YIELD_AT_REST 0.1f
 
 /* The inputs of the wide kernels, with lengths in the caller's unit. */

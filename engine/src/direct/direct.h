@@ -62,7 +62,8 @@ typedef struct td_direct_body {
     double stiff;               /* added to the moment of inertia: geometric stiffness of joints */
     double turned;              /* rate of turning in the iteration before, rad/s */
     double own_inverse_inertia; /* inverse_inertia without `stiff` */
-    double gain[3];             /* velocity that gravity, forces and damping add in one part */
+    double gain[3];             /* what gravity, forces and damping add to the mean velocity in one
+                                   part: half of what they add to the velocity by its end */
     bool sweeps;                /* the body's rotation moves an anchor or the axis of a joint */
     bool turn_limited; /* the body has a contact, and is no disc about its centre of mass (a wheel):
                           its rotation changes the manifold */
@@ -79,7 +80,7 @@ typedef struct td_direct_row {
     double closing; /* islands with joints: speed at which the row closes a joint's gap within the
                        part of the step, or pushes apart a contact that overlaps as the step
                        begins */
-    double mean_impulse; /* islands with joints: impulse of the mean-velocity problem, while the
+    double mean_impulse; /* islands with joints: impulse that an equality row keeps, while the
                             velocity at the end of a part is solved for; island_step_joints.c */
     bool used;           /* the constraint has this row */
     bool active;         /* the row is in the matrix, with `weight` */

@@ -14,10 +14,12 @@ typedef struct td_island_work {
     td_direct problem;
     const td_awake_slot *slots;
     const int *constraints;
-    double time;             /* length of the step, or of the part of it that is being solved, s */
-    double elapsed;          /* time from the start of the step to the end of the part, s */
-    double next;             /* length of the next part, s; after the last part, of a whole step */
-    bool bounces;            /* the soft solver lets a contact bounce in this step */
+    double time;    /* length of the step, or of the part of it that is being solved, s */
+    double elapsed; /* time from the start of the step for which td_island_gap computes: the
+                       start of the part while contacts get their target speeds, then its
+                       end, s */
+    double next;    /* length of the next part, s; after the last part, of a whole step */
+    bool bounces;   /* the soft solver lets a contact bounce in this step */
     double correction_speed; /* maximum speed at which a row corrects an overlap or a gap, length/s;
                                 infinite: the result's motions and impulses are not checked */
     int joints;              /* number of constraints that are no contacts */

@@ -6,8 +6,8 @@
  * in the implicit midpoint rule. Joint rows change as bodies turn. Their Jacobian is a discrete
  * gradient: J(h v) (h v) = q(after) - q(before) exactly, for the joint's coordinate q (Gonzalez,
  * "Time integration and discrete Hamiltonian systems", 1996; td_update_rows_fn computes it). Then
- * impulses J' l of locked rows do no work, and gaps are closed at the end of the part instead of in
- * its tangent direction.
+ * impulses J' l of locked rows (l: their sizes) do no work, and a gap that is to be closed is
+ * exactly closed at the end of the part, not only to first order.
  *
  * Since J depends on v, the equations are solved by Newton's method: solve direct.h's problem with
  * the present rows, compute the rows for the new motion, and so on. The derivative of J' l with
@@ -23,7 +23,8 @@
 #include "direct/joint_tree.h"
 #include "direct/step_parts.h"
 
-/* Factor of the budget of factorisations for islands with contacts. */
+/* Factor of the budget of factorisations for islands with contacts; those without have
+ * TD_BUDGET_OF_JOINTS. */
 enum { BUDGET_WITH_CONTACTS = 2 };
 
 /* The motion of one body from the start of the step to the start of the part (motion[0]) and, at
@@ -40,7 +41,7 @@ static void span_of_side(const td_island_work *work, int body, uint32_t record, 
     }
 }
 
-/* Sets the lever arms of bodies that do not turn to 0. */
+/* Sets to 0 the angular part of the Jacobians of the island's bodies that do not turn. */
 static void clear_arms(const td_direct *d, td_direct_constraint *c) {
     bool turns_a = c->a == TD_NONE || d->bodies[c->a].inverse_inertia > 0.0;
     bool turns_b = c->b == TD_NONE || d->bodies[c->b].inverse_inertia > 0.0;
@@ -50,8 +51,9 @@ static void clear_arms(const td_direct *d, td_direct_constraint *c) {
     }
 }
 
-/* Computes the rows of all joints for the motion at the present mean velocities; with `ended`, the
- * ordinary Jacobian for the poses at the end of the part. */
+/* Computes the rows of all joints for the motion at the present mean velocities in the part that
+ * begins at `start`. With `ended`: the ordinary Jacobian for the poses at the end of a part, and
+ * `start` is the time of that end. */
 static void update_joint_rows(td_island_work *work, double start, bool ended) {
     for (int i = 0; i < work->island->constraints; i++) {
         td_direct_constraint *c = &work->problem.constraints[i];
@@ -74,10 +76,10 @@ static void update_joint_rows(td_island_work *work, double start, bool ended) {
 }
 
 /* Adds the geometric stiffness k of the joints' impulses to the moments of inertia. The moment of
- * an impulse that turns with its body changes by -k per angle, so that near the present velocity w
- * of the last iteration the body behaves as one of inertia I + k that is pulled towards w: (I + k)
- * w_new = I w_free + k w + impulses. Without it, the iteration overshoots for a light body between
- * heavy ones. */
+ * an impulse that turns with its body changes by -k per unit of the body's mean angular velocity.
+ * Near the angular velocity w that the last iteration found, the body therefore behaves as one of
+ * inertia I + k that is pulled towards w: (I + k) w_new = I w_free + k w + impulses. Without k, the
+ * iteration overshoots for a light body between heavy ones. k is at least TD_STIFFNESS_MIN I. */
 static void add_geometric_stiffness(td_island_work *work) {
     td_direct *d = &work->problem;
     for (int i = 0; i < work->island->constraints; i++) {
@@ -139,13 +141,13 @@ static double newton_residual(const td_island_work *work) {
 /* Newton's method is given up after its first iteration where that leaves a residual of more than
  * FAR_RESIDUAL tolerances, and what is left of the budget is less than MORE_SOLVES times what the
  * first solve took: two further iterations and the velocities at the end of the part need at least
- * that. Measured on walkers, ragdolls and bridges under falling boxes, at default: islands that
- * converged within the budget had left at most 270 tolerances; of 61 attempts at a bridge none
- * converged, and each had left more than 900. */
+ * that. Measured on walkers, ragdolls and bridges under falling boxes, at the quality `default`:
+ * islands that converged within the budget had left at most 270 tolerances; of 61 attempts at a
+ * bridge none converged, and each had left more than 900. */
 #define FAR_RESIDUAL 500.0
 enum { MORE_SOLVES = 3 };
 
-/* Whether all velocities are finite, and rotations small enough for td_sin. */
+/* Whether all velocities are finite, and no body turns faster than THUD_ANGULAR_SPEED_MAX. */
 static bool velocities_are_valid(const td_island_work *work) {
     bool all = true;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -238,10 +240,12 @@ static bool closes_gaps(const td_island_work *work, double tolerance) {
     return worst > tolerance + TD_CLOSING_SHARE * __builtin_sqrt(fastest);
 }
 
-/* Keeps the impulses of equality rows that the first problem found, in `mean_impulse`, and removes
- * those of all other rows from the free velocities, which the second problem solves for anew.
- * Solving for equality rows again in their directions at the end of the part would lose energy, in
- * proportion to the square of the angle by which a direction turns. */
+/* Lets the second problem start from the extrapolated velocities, with the impulses of equality
+ * rows still in them: these impulses are kept in `mean_impulse`, and the rows' own are set to 0, so
+ * that the second problem finds only what has to be added. The impulses of all other rows are taken
+ * out of the free velocities, and solved for anew. (Solving for the whole impulses of equality rows
+ * in their directions at the end of the part would lose energy, in proportion to the square of the
+ * angle by which a direction turns.) */
 static void keep_lock_impulses(td_island_work *work) {
     td_direct *d = &work->problem;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -289,13 +293,14 @@ static bool has_only_locks_and_springs(const td_island_work *work) {
     return !any;
 }
 
-/* The second problem: velocities at the end of the part. They start from 2 v - v_before.
+/* The second problem: velocities at the end of the part, the time `end`. They start from 2 v -
+ * v_before.
  * - Where gaps were closed, all rows are solved for anew, from the velocities without impulses.
- * - Otherwise impulses of equality rows are kept, and the rest is solved for. In an island without
- *   contacts, limits and motors nothing is solved unless the velocities violate the joints' rows by
- *   more than TD_END_ERROR_MAX g h.
- * Returns the residual, as a speed. */
-static double solve_end_velocity(td_island_work *work, double start, double tolerance) {
+ * - Otherwise the impulses of equality rows are kept, and the problem is solved for what has to be
+ * added to them and for all other rows. With equality rows and springs alone, nothing is solved
+ * unless the velocities violate a row by more than TD_END_ERROR_MAX g h. Returns the residual, as a
+ * speed. */
+static double solve_end_velocity(td_island_work *work, double end, double tolerance) {
     td_direct *d = &work->problem;
     td_island_extrapolate(work);
     for (int i = 0; i < work->island->constraints; i++) {
@@ -303,11 +308,11 @@ static double solve_end_velocity(td_island_work *work, double start, double tole
     }
     if (closes_gaps(work, tolerance)) {
         work->closed = true;
-        update_joint_rows(work, start, true);
+        update_joint_rows(work, end, true);
         return solve_rows(work, tolerance);
     }
     keep_lock_impulses(work);
-    update_joint_rows(work, start, true);
+    update_joint_rows(work, end, true);
     bool stays = has_only_locks_and_springs(work) &&
                  td_direct_residual(d) <= TD_END_ERROR_MAX * d->unit_speed;
     double missing = stays ? 0.0 : solve_rows(work, tolerance);
@@ -315,8 +320,9 @@ static double solve_end_velocity(td_island_work *work, double start, double tole
     return missing;
 }
 
-/* Sets the velocity that gravity, forces and damping add in one of `parts` parts, and the closing
- * speeds of all rows. */
+/* Prepares the step for `parts` parts: what gravity, forces and damping add to the mean velocity of
+ * a part (gain), the moments of inertia without geometric stiffness, and the speeds at which
+ * overlaps of contacts are pushed apart (closing; those of joints are set with their rows). */
 static void begin_step(td_island_work *work, int parts) {
     for (int i = 0; i < work->island->constraints; i++) {
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
@@ -351,7 +357,8 @@ static void set_contact_speeds(td_island_work *work) {
     }
 }
 
-/* Begins a part with the velocities at the end of the part before. */
+/* Begins a part with the velocities at the end of the part before; the first one with those before
+ * the step, as td_island_set_up leaves them. */
 static void begin_part(td_island_work *work) {
     for (int i = 0; i < work->island->bodies; i++) {
         td_direct_body *b = &work->problem.bodies[i];
@@ -506,6 +513,8 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
             then = solve_end_velocity(work, (part + 1) * work->time, tolerance);
             missing = td_max_double(missing, then);
         }
+        /* The first problem of the next part starts from half of the impulses of the second one,
+         * since they act over half of the part. The caller expects those of the whole step. */
         scale_impulses(work, part + 1 < parts ? 0.5 : (double)parts);
     }
     work->w->islands.effort = work->problem.effort;

@@ -10,7 +10,8 @@ typedef struct td_island_energy {
     double start, now; /* kinetic energy before and after the step; `start` with what motors and
                           springs may add */
     double work;       /* of gravity, forces and damping in the step */
-    double free;       /* kinetic energy without constraints: the largest of all parts */
+    double free;       /* kinetic energy without constraints: that of the first or of the last part,
+                          whichever is larger */
     double pushed;     /* what closing gaps and overlaps may add */
 } td_island_energy;
 

@@ -181,7 +181,8 @@ static void add_contact(td_direct_body *b, td_awake_slot slot, td_lane at, int p
     add_impulse(b, y, -x, cross, has_friction ? impulse : 0.0);
 }
 
-/* Lists the contacts of a linkage behind its joints, each once. False where there are too many. */
+/* Appends the touching contacts of a linkage's bodies, each once, to its list of constraints, after
+ * its joints. False where there are more constraints than TD_RESOLVE_CONSTRAINTS_MAX. */
 static bool list_contacts(thud_world *w, td_island *linkage) {
     for (int i = 0; i < linkage->bodies; i++) {
         td_body_index body = td_body_of(w, td_slot_in(&w->islands.slots, i));

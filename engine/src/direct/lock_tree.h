@@ -95,8 +95,9 @@ typedef struct td_lock_trees {
     td_reals residual;        /* out: greatest speed that a joint has at the end of the step */
 } td_lock_trees;
 
-/* The result of a step: what is written to the world of a body and of the joint by which it hangs.
- * Impulses are those of a substep, along and across the joint's frame and its turn. */
+/* What a solved step writes to the world for one body, and for the joint by which the body hangs
+ * from its parent. `velocity` and `moved`: x, y and rotation. `impulse`: of one substep, along the
+ * x and the y axis of the joint's frame, and the angular impulse. */
 typedef struct td_lock_result {
     float velocity[3], moved[3];
     float impulse[3];

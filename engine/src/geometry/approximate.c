@@ -97,7 +97,8 @@ static bool keep_better(const work *w, const search *s, candidate *best, thud_ge
     return true;
 }
 
-/* Moves a circle, or changes its radius, by a step. */
+/* Tries to move the circle, or to change its radius, by a step, and keeps what is better. Whether
+ * anything was. */
 static bool improve_circle(const work *w, const search *s, candidate *best, double step) {
     bool better = false;
     for (int i = 0; i < 6; i++) {

@@ -18,14 +18,14 @@ typedef struct td_record_frame {
     struct td_record_frame *outer;  /* the call in one of whose callbacks it is; null: none */
     int call;                       /* number of its function, a td_call */
     const void *const *args;        /* td_codec_write */
-    size_t start;                   /* offset of its records in `records`, if it is opened */
-    bool opened;                    /* TD_RECORD_OPEN is written */
-    bool answering;                 /* TD_RECORD_CALLBACK of the callback under way is written */
-    bool locked;                    /* TD_RECORD_LOCKED has to be written before it */
-    uint64_t callbacks;             /* number of callbacks of this call so far */
-    uint64_t written;               /* number of the last callback with a record */
-    const thud_step_calls *steps;   /* the caller's own, of thud_world_advance_with */
-    thud_mover_pass_fn *pass;       /* the caller's callback of thud_mover_move */
+    size_t start;       /* offset of its records in thud_recorder.records, if it is opened */
+    bool opened;        /* TD_RECORD_OPEN is written */
+    bool answering;     /* TD_RECORD_CALLBACK of the callback under way is written */
+    bool locked;        /* TD_RECORD_LOCKED has to be written before it */
+    uint64_t callbacks; /* number of callbacks of this call so far */
+    uint64_t written;   /* number of the last callback with a record */
+    const thud_step_calls *steps; /* the caller's own, of thud_world_advance_with */
+    thud_mover_pass_fn *pass;     /* the caller's callback of thud_mover_move */
     void *pass_context;
 } td_record_frame;
 

@@ -93,12 +93,12 @@ int td_substeps_asked(const thud_world *w) {
  * give way under their load by more than the skin, 5 mm in a pyramid of 30 rows of 1 m. */
 enum { SUBSTEPS_MIN = 4 };
 
-/* `bisect` and `swept` let nothing overlap. Soft contacts under a load do overlap; gaps.c pushes
- * such shapes apart again, but without friction, so that a column falls that stands under
- * `continuous`. So these detections bring an island solver: it solves islands of contacts directly,
- * within the quality's limits, and they do not give way. Islands with joints are solved directly
- * only where the quality itself names an island solver. An island_limit of 1 keeps the soft solver
- * for all. */
+/* `bisect` and `swept` let nothing overlap. Soft contacts under a load do overlap. gaps.c pushes
+ * such shapes apart again, but without friction, so that a column which stands under `continuous`
+ * would fall. These two detections therefore bring an island solver of their own. Within the
+ * quality's limits it solves islands without joints directly, and their contacts do not give way.
+ * Islands with joints are solved directly only if the quality itself names an island solver. With
+ * an island_limit of 1 every island stays with the soft solver. */
 static void take_island_solver(thud_quality *q) {
     if (q->detection->islands && !q->islands && q->island_limit > 1) {
         q->islands = q->detection->islands;

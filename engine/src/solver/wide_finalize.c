@@ -1,14 +1,15 @@
-/* wide_finalize.c: the end of the step for bodies with one centred shape (its centre is the centre
- * of mass), eight at a time: pose, shape, idle time, and whether the shape left its fat bounds.
- * Other bodies (several shapes, values that are not finite, motion too large for the arithmetic
- * here) are listed in scratch.odd, and finalize.c does them one by one. */
+/* wide_finalize.c: the end of the step, for eight awake bodies at a time. For all bodies: clamps
+ * velocities, adds up kinetic energy and the work of gravity, and counts idle times. For bodies
+ * with one centred shape (its centre is the centre of mass): moves the pose, the shape and, where
+ * the shape left them, its fat bounds; lists those that moved far, for continuous detection. All
+ * other bodies (several shapes or none, values that are not finite, motion too large for the
+ * arithmetic here) are listed in scratch.odd, and finalize.c moves them one by one. */
 #include "solver/motion.h"
 #include "base/rotation.h"
 #include "solver/wide_energy.h"
 #include "state/shape.h"
 #include "state/world.h"
 
-#include <float.h>
 #include <stddef.h>
 
 /* Cosine and sine of eight angles, by the operations of td_angle_turn in the same order, so that
@@ -25,7 +26,9 @@ TD_INLINE void turn_of(u8 angle, f8 *c, f8 *s) {
     *s = f8_flip(f8_pick(odd, cosine, sine), (i8)((quarter & 2u) == 2u));
 }
 
-/* Radians, |radians| < pi / 2, to whole angle quanta. */
+/* Rotations in radians, |radians| < pi / 2, as whole angle quanta. TD_ROUND_SHIFT leaves the
+ * rounded integer in the low bits of a double; (l4) keeps the bits, and of these the low 32 are
+ * taken. (The low 32 bits of TD_ROUND_BITS are 0, so that nothing has to be subtracted.) */
 TD_INLINE u8 quanta_of(f8 radians) {
     d4 low = __builtin_convertvector(__builtin_shufflevector(radians, radians, 0, 1, 2, 3), d4);
     d4 high = __builtin_convertvector(__builtin_shufflevector(radians, radians, 4, 5, 6, 7), d4);
@@ -42,9 +45,10 @@ static void list_lanes(td_array *list, td_awake_slot first, unsigned bits) {
     }
 }
 
-/* Adds the time step to the idle times of bodies that are slower than TD_SLEEP_SPEED, at their
- * centre and by rotation at their farthest point (`max_extent`), and sets those of all others to 0.
- */
+/* Adds the time step to the idle time of each slow body, and sets that of every other body to 0. A
+ * body is slow if both its centre and, by rotation, its farthest point (at max_extent) move slower
+ * than TD_SLEEP_SPEED length scales a second. Of the lanes in `here`, counts the bodies that are
+ * idle long enough to sleep, and those that will be after one more step (drowsy). */
 TD_INLINE void count_idle(thud_world *w, td_finalize_part *part, td_awake_slot first,
                           const td_rows *v, f8 max_extent, i8 here) {
     f8 still = f8_all(TD_SLEEP_SPEED * w->length_scale), dt = f8_all((float)w->def.time_step);
@@ -66,7 +70,8 @@ TD_INLINE i8 wrap_add(i8 a, i8 b) {
 }
 
 /* Bounds around centres (x, y). `shape`: cosine, sine and half extents; a shape that does not turn
- * has c = 1 and s = 0. Two quanta of margin take up rounding. */
+ * has c = 1 and s = 0. Two quanta of margin take up rounding.
+ * The centres are rounded down, so that the maxima get one quantum more, as in td_bounds_about. */
 TD_INLINE bounds8 tight_bounds(i8 x, i8 y, const td_rows *shape, f8 to_coarse) {
     f8 ca = f8_abs(shape->x), sa = f8_abs(shape->y);
     f8 hx = ca * shape->z + sa * shape->w, hy = sa * shape->z + ca * shape->w;
@@ -82,7 +87,8 @@ TD_INLINE void renew_bounds(thud_world *w, td_array *moved, int shape, f4 fat) {
     __builtin_memcpy(td_fat_at(w, shape), &fat, sizeof fat);
 }
 
-/* Loads 16 bytes at `offset` of each of eight records, transposed; of any type. */
+/* Loads 16 bytes at `offset` of each of eight records of any type: the k-th words of all records
+ * are in the k-th row. */
 TD_INLINE td_rows load_eight(const void *const records[TD_LANES], size_t offset) {
     const float *r[TD_LANES];
     for (int i = 0; i < TD_LANES; i++) {
@@ -106,8 +112,8 @@ TD_INLINE void store_eight(void *const records[TD_LANES], size_t offset, td_rows
 #define TD_FIRST_HALF_SHIFT 0
 #endif
 
-/* Adds the motion of eight bodies to their positions. Returns the new positions in coarse quanta,
- * in which bounds are: x in .x and y in .z. */
+/* Adds the motion of eight bodies to their positions, and copies them to the centres of their
+ * shapes. Returns the new positions in coarse quanta, the unit of bounds: x in .x and y in .z. */
 TD_INLINE td_rows move_eight(const thud_world *w, td_awake_slot first, void *const poses[TD_LANES],
                              void *const proxies[TD_LANES]) {
     f4 coarse[TD_LANES];
@@ -115,7 +121,9 @@ TD_INLINE td_rows move_eight(const thud_world *w, td_awake_slot first, void *con
         const float *delta = td_row(&w->delta, (td_awake_slot){first.at + i});
         d2 quanta = {(double)delta[0], (double)delta[1]};
         l2 center;
-        /* Unsigned, since lanes of spare records and of odd bodies may wrap around. */
+        /* TD_ROUND_SHIFT leaves the rounded integer in the low bits of the double (base/fixed.h);
+         * the cast keeps the bits. Unsigned, since the motion of odd bodies, which are on spare
+         * records here, may wrap around. */
         v2 moved = (v2)(quanta * w->to_fixed + TD_ROUND_SHIFT) - (uint64_t)TD_ROUND_BITS;
         __builtin_memcpy(&center, poses[i], sizeof center);
         center = (l2)((v2)center + moved);
@@ -132,9 +140,9 @@ TD_INLINE td_rows move_eight(const thud_world *w, td_awake_slot first, void *con
     return td_transpose(r[0], r[1], r[2], r[3]);
 }
 
-/* Turns the rotations of eight bodies (cosines and sines in the first two rows) on by the angles
- * that their shapes have in the bodies' frames, in the lanes of `bits`; by the operations of
- * compute_place in shape_place.c. */
+/* Turns eight rotations (cosines and sines in the first two rows) further by the angles of the
+ * shapes in their bodies' frames, for the lanes in `bits`; by the operations of compute_place in
+ * shape_place.c. */
 TD_INLINE void turn_by_own_angles(const thud_world *w, const int32_t *shapes, unsigned bits,
                                   float *rows) {
     for (; bits; bits &= bits - 1) {
@@ -168,6 +176,8 @@ TD_INLINE void place_lanes(thud_world *w, td_finalize_part *part, td_awake_slot 
     store_eight(poses, offsetof(td_pose, angle), tail);
 
     td_rows shape = load_eight((const void *const *)proxies, offsetof(td_shape_proxy, c));
+    /* x, y, turns (0: the shape does not turn, 1: with its body, 2: it also has an angle of its
+     * own) and margin */
     td_rows rest = load_eight((const void *const *)proxies, offsetof(td_shape_proxy, x));
     i8 turns = rest.z > f8_all(0.0f);
     shape.x = f8_pick(turns, tail.y, f8_all(1.0f));
@@ -197,18 +207,15 @@ TD_INLINE void place_lanes(thud_world *w, td_finalize_part *part, td_awake_slot 
 }
 
 /* Clamps the finite velocities of the rows in `bits`, which the last relax pass may have left
- * beyond the bounds. An infinite one is left for finalize.c to find. True where one was clamped. */
-static bool clamp_speeds(float (*velocity)[4], unsigned bits, const float max[3]) {
-    bool clamped = false;
+ * beyond the bounds. A velocity that is not finite is left for finalize.c to find. */
+static void clamp_speeds(float (*velocity)[4], unsigned bits, const float max[3]) {
     for (; bits; bits &= bits - 1) {
         float *row = velocity[__builtin_ctz(bits)];
         bool finite = td_finite((double)row[0] + (double)row[1] + (double)row[2]);
         for (int k = 0; k < 3 && finite; k++) {
             row[k] = td_max_float(-max[k], td_min_float(row[k], max[k]));
         }
-        clamped |= finite;
     }
-    return clamped;
 }
 
 /* The rows whose velocity is beyond the bounds. */
@@ -224,6 +231,7 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w, td_finalize_part *part) {
     const float *mass = w->mass.data, *inertia = w->inertia.data,
                 *gravity_mass = w->gravity_mass.data;
     i8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
+    /* Motions below `far` are below the 2^51 quanta up to which TD_ROUND_SHIFT rounds. */
     f8 zero = f8_all(0.0f), far = f8_all((float)(0x1p50 / w->to_fixed));
     f8 gx = f8_all(w->def.gravity.x), gy = f8_all(w->def.gravity.y);
     td_energy_sums *sums = part->sums;
@@ -233,19 +241,19 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w, td_finalize_part *part) {
     for (td_awake_slot first = {part->first}; first.at < end; first.at += TD_LANES) {
         int at = first.at;
         i8 slot = i8_all(at) + lane, here = (slot > i8_all(0)) & (slot < i8_all(end));
-        td_rows v;
-        unsigned fast_rows;
-        do {
+        td_rows v = td_load_rows((const float(*)[4])velocity + at);
+        unsigned fast_rows = too_fast(v, here, max_speed);
+        if (fast_rows) {
+            clamp_speeds(velocity + at, fast_rows, max_speed);
             v = td_load_rows((const float(*)[4])velocity + at);
-            fast_rows = too_fast(v, here, max_speed);
-        } while (fast_rows && clamp_speeds(velocity + at, fast_rows, max_speed));
+        }
         td_rows d = td_load_rows(delta + at);
         f8 reach0 = f8_load(td_row(&w->reach, first));
         f8 reach1 = f8_load(td_row(&w->reach, first) + TD_LANES);
         f8 min_extent = __builtin_shufflevector(reach0, reach1, 0, 2, 4, 6, 8, 10, 12, 14);
         f8 max_extent = __builtin_shufflevector(reach0, reach1, 1, 3, 5, 7, 9, 11, 13, 15);
         f8 sum = v.x + v.y + v.z + (d.x + d.y + d.z);
-        i8 finite = sum - sum == zero;
+        i8 finite = sum - sum == zero; /* not where a number is infinite or not a number */
         f8 max = f8_all(TD_ENERGY_MAX);
         f8 fallen = f8_clamp(f8_load(gravity_mass + at) * (gx * d.x + gy * d.y), -max, max);
         f8 moving = td_kinetic_of(&v, mass + at, inertia + at);
@@ -255,10 +263,13 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w, td_finalize_part *part) {
         if (w->def.sleeping) {
             count_idle(w, part, first, &v, max_extent, here & finite);
         }
+        /* quanta_of converts rotations below pi / 2. */
         i8 easy = here & finite & (i8_load(TD_AT(int32_t, &w->lone, at)) >= i8_all(0)) &
                   (f8_abs(d.x) < far) & (f8_abs(d.y) < far) & (f8_abs(d.z) < f8_all(1.5f));
         list_lanes(part->odd, first, i8_bits(here & ~easy));
         if (w->detections[TD_RANK_CONTINUOUS]) {
+            /* Dynamic bodies (their inverse mass is above 0) that moved by more than half of their
+             * least extent. */
             i8 fast = easy & (v.w > zero) &
                       (d.x * d.x + d.y * d.y > f8_all(0.25f) * min_extent * min_extent);
             list_lanes(part->fast, first, i8_bits(fast));

@@ -162,9 +162,10 @@ TD_INLINE void warm_start_blocks(td_block *const *blocks, int count, const td_so
     }
 }
 
-/* The soft solve. The speeds of both points are computed from the velocities as the block was read,
- * and the change by the first point's impulse is added to the second one's speed (by_first): the
- * same as Gauss-Seidel, to rounding, with a shorter chain of dependent operations. */
+/* The soft solve. The speeds of both points are computed from the velocities as they were when the
+ * block was read, and the change by the first point's impulse is added to the second one's speed
+ * (by_first): the same as Gauss-Seidel, to rounding, with a shorter chain of dependent operations.
+ */
 TD_INLINE void solve_blocks(td_block *const *blocks, int count, const td_solve_context *c,
                             int points, td_arms arms, bool a_static) {
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), inv_h = f8_all(c->inv_h);

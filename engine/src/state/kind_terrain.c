@@ -1,4 +1,4 @@
-/* kind_terrain.c: plugs into a world the pair kinds and hooks that terrain need; called when the
+/* kind_terrain.c: plugs into a world the pair kinds and hooks that terrains need; called when the
  * first is made. See kinds.h. */
 #include "state/kinds.h"
 #include "contact/internal_edges.h"

@@ -291,9 +291,11 @@ typedef struct td_errors {
     double depth;            /* sum of penetration depths, in whole position quanta */
     float deepest, residual; /* greatest depth, length; greatest approach speed left, length/s */
     double energy_change, energy_decided;
-    float shortfall_squared; /* of the greatest motion that detection has cut off, length^2 */
-    int64_t projected; /* 1: gaps.c changed motions after points were counted, which are counted
-                          anew by td_errors_of_step; else 0 */
+    float
+        shortfall_squared; /* of the longest piece of a motion that detection has cut off, length^2
+                            */
+    int64_t projected;     /* 1: gaps.c changed motions after points were counted, which are counted
+                              anew by td_errors_of_step; else 0 */
 } td_errors;
 
 enum { TD_BUDGET_STEPS = 9 }; /* steps between two decisions of solver/budget.c. Chosen. */

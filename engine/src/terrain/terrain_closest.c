@@ -159,12 +159,12 @@ static bool overtakes(const td_piece *other, const td_piece *top, double x, doub
     return true;
 }
 
-/* The candidate at the point where the outline changes from one piece to the next, in a valley or
- * at a common end. Since x is rounded, the height is that of the flatter piece, whose height
- * depends less on x. The point on the ground is that of the piece whose normal is nearer to the
- * direction of moving out. */
-static void try_joint(const td_grown *k, const td_piece *top, const td_piece *next, double x,
-                      thud_closest *best) {
+/* Tries the point where the outline changes from one piece to the next: in a valley, or at their
+ * common end. x is rounded; so the height is taken from the flatter piece, whose height changes
+ * less with x. The point on the ground is taken from the piece whose normal is nearer to the
+ * direction from the shape's centre to this point, in which the shape would leave the ground. */
+static void try_corner(const td_grown *k, const td_piece *top, const td_piece *next, double x,
+                       thud_closest *best) {
     bool flatter = td_piece_steepness(next, x) < td_piece_steepness(top, x);
     thud_pos z = {x, td_piece_height(flatter ? next : top, x)};
     thud_pos n = td_piece_normal(top, z), m = td_piece_normal(next, z);
@@ -190,7 +190,7 @@ static void walk(const td_grown *k, td_piece top, double x, double tolerance, th
             }
         }
         try_foot(k, &top, x, stop, best);
-        try_joint(k, &top, &next, stop, best);
+        try_corner(k, &top, &next, stop, best);
         bool ended = stop >= top.q.x;
         x = stop > x ? stop : x + tolerance; /* advances in any case, so that rounding cannot make
                                                 the loop endless */
