@@ -72,6 +72,17 @@ thud_result match_advance(match *m) {
     return peer_advance(&m->peer);
 }
 
+void match_print_arrival(const match *m, int number, const char *what, bool is_playing,
+                         int missing) {
+    printf("player %d %s", number, what);
+    if (is_playing) {
+        printf(" at step %lld\n", (long long)thud_progress_of(m->peer.rollback).steps);
+    } else {
+        printf(", %d to come\n", missing);
+    }
+    fflush(stdout);
+}
+
 bool match_print(match *m) {
     peer *p = &m->peer;
     thud_rollback_progress now = thud_progress_of(p->rollback);

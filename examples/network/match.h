@@ -22,6 +22,11 @@ typedef struct match {
 bool match_open(match *m, const message_welcome *game, uint64_t seed);
 void match_close(match *m);
 
+/* Prints that a player or spectator has arrived: what it has done ("has joined"), and at which
+ * step, or, before the game begins, how many players are still `missing`. */
+void match_print_arrival(const match *m, int number, const char *what, bool is_playing,
+                         int missing);
+
 /* The time of a monotonic clock, s. */
 double match_now(void);
 

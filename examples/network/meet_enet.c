@@ -162,14 +162,10 @@ static void take_hello(meeting *m, ENetPeer *from, const unsigned char *bytes, i
     bool was_here = hello.token && m->clients[number].token == hello.token;
     m->clients[number] = (client){.peer = from, .token = hello.token};
     from->data = &m->clients[number];
-    printf("player %d has %s", number, was_here ? "come back" : "joined");
-    if (m->is_playing) {
-        printf(" at step %lld\n", (long long)thud_progress_of(m->match.peer.rollback).steps);
-    } else {
-        printf(", %d to come\n", count_missing(m));
-    }
-    fflush(stdout);
-    if (!m->is_playing && count_missing(m) == 0) {
+    int missing = count_missing(m);
+    match_print_arrival(&m->match, number, was_here ? "has come back" : "has joined", m->is_playing,
+                        missing);
+    if (!m->is_playing && missing == 0) {
         begin(m);
     }
 }

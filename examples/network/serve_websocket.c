@@ -237,14 +237,9 @@ static int join(server *s, struct lws *socket, int *number, const unsigned char 
     bool was_here = s->clients[*number].token && s->clients[*number].token == hello.token;
     s->clients[*number] = (client){.socket = socket, .token = hello.token};
     const char *what = hello.watches ? "watches" : was_here ? "has come back" : "has joined";
-    printf("player %d %s", *number, what);
-    if (s->is_playing) {
-        printf(" at step %lld\n", (long long)thud_progress_of(s->match.peer.rollback).steps);
-    } else {
-        printf(", %d to come\n", count_missing(s));
-    }
-    fflush(stdout);
-    if (!s->is_playing && count_missing(s) == 0) {
+    int missing = count_missing(s);
+    match_print_arrival(&s->match, *number, what, s->is_playing, missing);
+    if (!s->is_playing && missing == 0) {
         begin(s);
     }
     return 0;
