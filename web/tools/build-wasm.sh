@@ -1,6 +1,7 @@
 #!/bin/sh
 # Builds the WebAssembly modules with emcc: thud.wasm, thud-scalar.wasm, thud-threads.wasm and
-# thud-recorded.wasm into the package, thud-demo.wasm for the page. THUD_WASM_BUILD names another build directory than build/wasm.
+# thud-recorded.wasm into the package, thud-demo.wasm for the page. THUD_WASM_BUILD names another
+# build directory than build/wasm.
 set -eu
 cd "$(dirname "$0")/../.."
 build=${THUD_WASM_BUILD:-build/wasm}
@@ -39,6 +40,7 @@ if [ -n "$size" ] && [ -n "$speed" ]; then
     cat >"$launcher" <<END
 #!/bin/sh
 shift
+level=speed
 for option; do
     case \$option in
         -Oz) level=size ;;
