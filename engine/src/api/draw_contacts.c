@@ -75,7 +75,7 @@ void td_draw_colours(const td_drawing *d) {
     const td_constraint *c;
     for (int i = 0; (c = next_acting(d->w, &i)) != NULL;) {
         if (c->bin != TD_SLEEPING) {
-            int style = THUD_STYLE_COLOUR + c->bin % TD_COLOURS;
+            int style = THUD_STYLE_COLOUR + td_colour_of_bin(c->bin) % TD_COLOURS;
             td_drawing_pair(d, c, (thud_style)td_min_int(style, THUD_STYLE_COLOUR_LAST));
         }
     }

@@ -22,7 +22,7 @@
 
 #define TD_SNAPSHOT_MAGIC "thudsnap"
 
-enum { TD_SNAPSHOT_VERSION = 11 }; /* to be raised whenever the meaning of the bytes changes */
+enum { TD_SNAPSHOT_VERSION = 12 }; /* to be raised whenever the meaning of the bytes changes */
 
 /* Indices of td_snapshot_head.slots: arrays with free lists. */
 enum {
@@ -65,6 +65,7 @@ enum {
     TD_SNAPSHOT_MOVED = TD_SNAPSHOT_AWAKE + TD_AWAKE_ARRAY_COUNT,
     TD_SNAPSHOT_CHANGED,
     TD_SNAPSHOT_DEFERRED,
+    TD_SNAPSHOT_PLACED_BINS,
     TD_SNAPSHOT_WAITING, /* by kind of constraint */
     TD_SNAPSHOT_EVENTS = TD_SNAPSHOT_WAITING + TD_CONSTRAINT_KINDS,
     TD_SNAPSHOT_PUBLISHED = TD_SNAPSHOT_EVENTS + TD_EVENT_LIST_COUNT,

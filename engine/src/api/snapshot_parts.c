@@ -91,6 +91,7 @@ void td_snapshot_list_parts(thud_world *w, const td_snapshot_head *head,
     parts[TD_SNAPSHOT_MOVED] = list_of(&w->moved, shapes);
     parts[TD_SNAPSHOT_CHANGED] = list_of(&w->changed, bodies);
     parts[TD_SNAPSHOT_DEFERRED] = list_of(&w->deferred, 0);
+    parts[TD_SNAPSHOT_PLACED_BINS] = list_of(&w->placed_bins, 0);
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
         /* A step may move every constraint of the kind to this list without reserving. */
         parts[TD_SNAPSHOT_WAITING + kind] = list_of(&w->waiting[kind], head->constraints[kind]);

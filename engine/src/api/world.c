@@ -11,7 +11,7 @@
 #include "detection/collide.h"
 #include "state/handles.h"
 #include "state/shared_stages.h"
-#include "constraint/lanes.h"
+#include "constraint/chunks.h"
 #include "solver/quality.h"
 #include "api/step.h"
 #include "listeners/listener_hooks.h"
@@ -133,6 +133,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(moved, int),
     ARRAY(changed, td_body_index),
     ARRAY(deferred, td_deferred_edit),
+    ARRAY(placed_bins, td_placed_bin),
     ARRAY(poses, thud_pose),
     ARRAY(preview.shape, int),
     ARRAY(preview.proxy, td_shape_proxy),
@@ -149,6 +150,10 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.runs, td_run),
     ARRAY(scratch.separated, td_block *),
     ARRAY(scratch.chunks, td_chunk),
+    ARRAY(scratch.chunk_order, int),
+    ARRAY(scratch.phases, td_phase),
+    ARRAY(scratch.bounds, int),
+    ARRAY(scratch.place_blocks, int),
     ARRAY(scratch.begins, int),
     ARRAY(scratch.ends, int),
     ARRAY(scratch.parents, td_awake_slot),

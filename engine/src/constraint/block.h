@@ -245,12 +245,15 @@ static inline td_awake_slot td_slot_of_side(uint32_t side) {
 }
 
 /* Minimum and maximum number of blocks in a chunk, the piece of a run that a worker claims: enough
- * work to outweigh the cost of claiming it, and small enough, 22 to 36 KB, to be still in the cache
- * when the tally reads it. Runs that only one worker may solve are a single chunk of any size.
- * Chosen. Chunks begin at multiples of TD_CHUNK_UNIT blocks of their run, since depths of as many
- * blocks are rounded together (wide_tally.c): so a report does not depend on how runs are divided.
- */
-enum { TD_CHUNK_UNIT = 4, TD_CHUNK_BLOCKS_MIN = 8, TD_CHUNK_BLOCKS = 24 };
+ * work to outweigh the cost of claiming it, and small enough that another worker can take over a
+ * part of a share that takes long. Chosen. Chunks begin at multiples of TD_CHUNK_UNIT blocks of
+ * their run, since depths of as many blocks are rounded together (wide_tally.c): so a report does
+ * not depend on how runs are divided. */
+enum { TD_CHUNK_UNIT = 4, TD_CHUNK_BLOCKS_MIN = 8, TD_CHUNK_BLOCKS = 96 };
+
+/* Blocks that are solved and then added to the error statistics before the next ones: 22 to 36 KB,
+ * which are still in the cache then. Chosen; a multiple of TD_CHUNK_UNIT. */
+enum { TD_TALLY_BLOCKS = 24 };
 
 /* ---- the data after a block's points ---- */
 

@@ -6,6 +6,8 @@
  * (td_block.shared), and constraints of other bodies rarely need so high a colour. */
 #include "constraint/lanes.h"
 
+#include "constraint/chunks.h"
+
 #include <string.h>
 
 /* The pool from which the kind's blocks are taken. */
@@ -13,19 +15,32 @@ static td_slots *pool_of(thud_world *w, int kind) {
     return &w->pool[w->kinds[kind]->form];
 }
 
+/* A bin by its number (td_bin_of_place). Only contacts have bins by place. */
+static td_bin *bin_at(thud_world *w, int kind, int bin) {
+    int placed = bin - TD_BINS_A_KIND;
+    return placed < 0 ? &w->bins[kind][bin]
+                      : &TD_AT(td_placed_bin, &w->placed_bins, placed)->of[kind];
+}
+
 /* The awake slot of a dynamic body, which the solver moves; 0 for other bodies. */
 static td_awake_slot moving_slot(const td_body *body) {
     return body->kind == THUD_BODY_DYNAMIC && body->awake.at > 0 ? body->awake : (td_awake_slot){0};
+}
+
+/* Whether a bin is of the overflow colour. */
+static bool is_overflow(int bin) {
+    return td_colour_of_bin(bin) % TD_COLOURS == TD_OVERFLOW;
 }
 
 /* Sets or clears the colour of a bin at a body. Slot 0 and the bin of sleeping lanes have none. The
  * overflow colour, which several constraints of a body may have, stays marked until the body
  * sleeps. */
 static void mark_colour(thud_world *w, td_awake_slot slot, int bin, bool taken) {
-    if (slot.at > 0 && bin != TD_SLEEPING && (taken || bin % TD_COLOURS != TD_OVERFLOW)) {
+    if (slot.at > 0 && bin != TD_SLEEPING && (taken || !is_overflow(bin))) {
         td_colours *colours = td_colours_at(w, slot);
-        uint64_t *mask = bin < TD_COLOURS ? &colours->with_moving : &colours->with_static;
-        uint64_t bit = 1ull << (bin % TD_COLOURS);
+        int colour = td_colour_of_bin(bin);
+        uint64_t *mask = colour < TD_COLOURS ? &colours->with_moving : &colours->with_static;
+        uint64_t bit = 1ull << (colour % TD_COLOURS);
         *mask = taken ? *mask | bit : *mask & ~bit;
     }
 }
@@ -51,6 +66,10 @@ static int choose_bin(thud_world *w, const td_constraint *constraint) {
     int bin = colour + (a_static ? TD_COLOURS : 0);
     mark_colour(w, slot_a, bin, true);
     mark_colour(w, slot_b, bin, true);
+    if (bin < TD_PLACED_COLOURS && td_is_contact(constraint)) {
+        int place = td_min_int(slot_a.at, slot_b.at) / TD_PLACE_SLOTS;
+        bin = td_bin_of_place(bin, td_min_int(place, TD_PLACES_MAX - 1));
+    }
     return bin;
 }
 
@@ -62,7 +81,7 @@ static void release_bin(thud_world *w, const td_constraint *constraint, int bin)
 
 /* The number of lanes that blocks of the bin use. */
 static int lanes_a_block(int bin) {
-    return bin != TD_SLEEPING && bin % TD_COLOURS == TD_OVERFLOW ? 1 : TD_LANES;
+    return is_overflow(bin) ? 1 : TD_LANES;
 }
 
 /* Takes an empty block from the pool, where one must be reserved. Returns its index. */
@@ -111,7 +130,7 @@ static void clear_lane(td_block *block, int lane, int bytes) {
 
 /* Adds a lane to the end of a bin. Returns the index of its block; *lane is its number there. */
 static int bin_grow(thud_world *w, int kind, int index, int *lane) {
-    td_bin *bin = &w->bins[kind][index];
+    td_bin *bin = bin_at(w, kind, index);
     bool full = bin->lanes == 0 || td_block_at(w, kind, bin->tail)->used == lanes_a_block(index);
     if (full) {
         int block = take_block(w, kind);
@@ -126,8 +145,9 @@ static int bin_grow(thud_world *w, int kind, int index, int *lane) {
         bin->tail = block;
     }
     w->scratch.sequenced &= !full;
-    int *bin_end = &w->scratch.bin_end[index / TD_COLOURS];
-    *bin_end = td_max_int(*bin_end, index + 1);
+    int colour = td_colour_of_bin(index);
+    int *bin_end = &w->scratch.bin_end[colour / TD_COLOURS];
+    *bin_end = td_max_int(*bin_end, colour + 1);
     bin->lanes++;
     *lane = td_block_at(w, kind, bin->tail)->used++;
     return bin->tail;
@@ -135,7 +155,7 @@ static int bin_grow(thud_world *w, int kind, int index, int *lane) {
 
 /* Takes a lane out of its bin; the last lane of the bin moves into its place. */
 static void bin_shrink(thud_world *w, int kind, int index, int slot) {
-    td_bin *bin = &w->bins[kind][index];
+    td_bin *bin = bin_at(w, kind, index);
     td_slots *pool = pool_of(w, kind);
     int bytes = pool->stride;
     td_block *tail = td_block_at(w, kind, bin->tail);
@@ -217,8 +237,9 @@ bool td_lanes_reserve_sleeping(thud_world *w) {
     int more[TD_FORM_COUNT] = {0};
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
         int used = 0;
-        for (int bin = 0; bin < TD_SLEEPING; bin++) {
-            used += w->bins[kind][bin].lanes > 0;
+        int placed = kind < TD_PAIR_TOUCH_COUNT ? w->placed_bins.count : 0;
+        for (int bin = 0; bin < TD_BINS_A_KIND + placed; bin++) {
+            used += bin != TD_SLEEPING && bin_at(w, kind, bin)->lanes > 0;
         }
         if (used > 0) {
             more[w->kinds[kind]->form] += used + 1;
@@ -273,27 +294,48 @@ void td_constraints_fetch_ahead(const thud_world *w, const int *constraints, int
     }
 }
 
+/* Makes the bins of all places up to that of bin number `last`. False when memory is short. */
+static bool make_places(thud_world *w, int last) {
+    td_array *bins = &w->placed_bins;
+    int old = bins->count, places = (last - TD_BINS_A_KIND + TD_PLACED_COLOURS) / TD_PLACED_COLOURS;
+    int count = td_max_int(old, places * TD_PLACED_COLOURS);
+    if (!td_array_reserve(&w->memory, bins, count)) {
+        return false;
+    }
+    memset((td_placed_bin *)bins->data + old, 0, (size_t)(count - old) * sizeof(td_placed_bin));
+    bins->count = count;
+    return true;
+}
+
+/* Reserves the blocks that the constraints need beside those in use. It gives each constraint a
+ * lane of its bin, to see which need a new block, and takes the lanes back. False when memory is
+ * short. */
+static bool reserve_lanes(thud_world *w, const int *constraints, const int *bins, int count) {
+    int more[TD_FORM_COUNT] = {0};
+    for (int i = 0; i < count; i++) {
+        int kind = td_constraint_at(w, constraints[i])->kind;
+        td_bin *bin = bin_at(w, kind, bins[i]);
+        more[w->kinds[kind]->form] += bin->lanes++ % lanes_a_block(bins[i]) == 0;
+    }
+    for (int i = 0; i < count; i++) {
+        bin_at(w, td_constraint_at(w, constraints[i])->kind, bins[i])->lanes--;
+    }
+    return reserve_blocks(w, more);
+}
+
 bool td_lanes_place(thud_world *w, const int *constraints, int count) {
     if (count == 0) {
         return true;
     }
-    int lanes[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND]; /* lanes of the bins that get constraints; other
-                                                       elements are not set */
-    int more[TD_FORM_COUNT] = {0};
     if (!td_array_reserve(&w->memory, &w->scratch.lane_bins, count)) {
         return false;
     }
-    int *bins = w->scratch.lane_bins.data;
+    int *bins = w->scratch.lane_bins.data, last = 0;
     for (int i = 0; i < count; i++) {
-        const td_constraint *constraint = td_constraint_at(w, constraints[i]);
-        bins[i] = choose_bin(w, constraint);
-        lanes[constraint->kind][bins[i]] = w->bins[constraint->kind][bins[i]].lanes;
+        bins[i] = choose_bin(w, td_constraint_at(w, constraints[i]));
+        last = td_max_int(last, bins[i]);
     }
-    for (int i = 0; i < count; i++) {
-        int kind = td_constraint_at(w, constraints[i])->kind;
-        more[w->kinds[kind]->form] += lanes[kind][bins[i]]++ % lanes_a_block(bins[i]) == 0;
-    }
-    if (!reserve_blocks(w, more)) {
+    if (!make_places(w, last) || !reserve_lanes(w, constraints, bins, count)) {
         for (int i = 0; i < count; i++) {
             release_bin(w, td_constraint_at(w, constraints[i]), bins[i]);
         }
@@ -349,16 +391,21 @@ static void prefetch_listed(const td_array *blocks) {
     }
 }
 
-/* Appends the run of a kind's bin to scratch.runs, and its blocks to scratch.blocks. */
-static void list_bin(thud_world *w, int kind, int bin) {
-    if (!w->bins[kind][bin].lanes) {
+/* Appends the run of a kind's bin to scratch.runs, and its blocks to scratch.blocks. `colour`: as
+ * td_run.bin. */
+static void list_bin(thud_world *w, int kind, int bin, int colour, int place) {
+    const td_bin *from = bin_at(w, kind, bin);
+    if (!from->lanes) {
         return;
     }
     td_array *runs = &w->scratch.runs, *blocks = &w->scratch.blocks;
     td_run *run = &TD_PUSH(td_run, runs);
-    *run =
-        (td_run){.kind = kind, .a_static = bin >= TD_COLOURS, .bin = bin, .first = blocks->count};
-    for (int i = w->bins[kind][bin].head; i != TD_NONE;) {
+    *run = (td_run){.kind = kind,
+                    .a_static = colour >= TD_COLOURS,
+                    .bin = colour,
+                    .place = place,
+                    .first = blocks->count};
+    for (int i = from->head; i != TD_NONE;) {
         td_block *block = td_block_at(w, kind, i);
         TD_PUSH(td_block *, blocks) = block;
         prefetch_listed(blocks);
@@ -368,66 +415,6 @@ static void list_bin(thud_world *w, int kind, int bin) {
         i = block->next;
     }
     w->scratch.points += TD_HAS_THREADS ? run->count * td_form_points(w->kinds[kind]->form) : 0;
-}
-
-/* The number of blocks in each chunk of a run; the last chunk may have fewer. The run is divided
- * into a multiple of the number of workers, so that no worker waits while another one solves a
- * chunk that is left over. With a single worker, a chunk is a whole run. */
-static int chunk_size(const thud_world *w, const td_run *run) {
-    int workers = TD_HAS_THREADS ? w->def.job_system.workers : 1;
-    if (workers <= 1 || td_run_is_single(run)) {
-        return run->count;
-    }
-    int rounds = (run->count - 1) / (TD_CHUNK_BLOCKS * workers) + 1;
-    int size = (run->count - 1) / (rounds * workers * TD_CHUNK_UNIT) + 1;
-    return td_max_int(size * TD_CHUNK_UNIT, TD_CHUNK_BLOCKS_MIN);
-}
-
-/* Divides runs into chunks. False when memory is short. */
-static bool cut_chunks(thud_world *w) {
-    td_array *chunks = &w->scratch.chunks;
-    int chunks_max = w->scratch.runs.count + w->scratch.blocks.count / TD_CHUNK_BLOCKS_MIN;
-    if (!td_array_reserve(&w->memory, chunks, chunks_max)) {
-        return false;
-    }
-    chunks->count = 0;
-    for (int r = 0; r < w->scratch.runs.count; r++) {
-        const td_run *run = TD_AT(td_run, &w->scratch.runs, r);
-        int step = chunk_size(w, run);
-        for (int first = 0; first < run->count; first += step) {
-            TD_PUSH(td_chunk, chunks) = (td_chunk){.run = r,
-                                                   .first = run->first + first,
-                                                   .count = td_min_int(step, run->count - first)};
-        }
-    }
-    return true;
-}
-
-static const td_run *run_of_chunk(const thud_world *w, int chunk) {
-    return TD_AT(td_run, &w->scratch.runs, TD_AT(td_chunk, &w->scratch.chunks, chunk)->run);
-}
-
-/* The index after the last of the chunks from `first` on that workers may run at the same time. */
-static int end_of_colour(const thud_world *w, int first) {
-    const td_run *run = run_of_chunk(w, first);
-    int end = first + 1;
-    while (end < w->scratch.chunks.count && !td_run_is_single(run) &&
-           run_of_chunk(w, end)->bin == run->bin && !td_run_is_single(run_of_chunk(w, end))) {
-        end++;
-    }
-    return end;
-}
-
-td_phase td_phase_from(const thud_world *w, int first) {
-    td_phase phase = {.first = first, .end = end_of_colour(w, first)};
-    phase.parts = phase.end - first;
-    for (int next = phase.end; phase.parts == 1 && next < w->scratch.chunks.count; next++) {
-        if (end_of_colour(w, next) > next + 1) {
-            break;
-        }
-        phase.end = next + 1;
-    }
-    return phase;
 }
 
 /* Lists the kinds that have blocks, in the order of solving within a colour. Contacts come last, so
@@ -443,8 +430,25 @@ static int kinds_in_order(const thud_world *w, int kinds[TD_CONSTRAINT_KINDS]) {
     return count;
 }
 
+/* Lists the bins of a colour (as td_run.bin) of all kinds, place by place. */
+static void list_colour(thud_world *w, int colour, const int *kinds, int kind_count) {
+    bool placed = colour < TD_PLACED_COLOURS;
+    int places = placed ? 1 + w->placed_bins.count / TD_PLACED_COLOURS : 1;
+    for (int place = 0; place < places; place++) {
+        for (int i = 0; i < kind_count; i++) {
+            bool contacts = kinds[i] < TD_PAIR_TOUCH_COUNT;
+            if (contacts || place == 0) {
+                list_bin(w, kinds[i], td_bin_of_place(colour, place), colour,
+                         contacts && placed ? place : TD_NONE);
+            }
+        }
+    }
+}
+
 bool td_lanes_sequence(thud_world *w) {
     int blocks_max = 0;
+    int runs_max =
+        2 * TD_COLOURS * TD_CONSTRAINT_KINDS + w->placed_bins.count * TD_PAIR_TOUCH_COUNT;
     for (int form = 0; form < TD_FORM_COUNT; form++) {
         blocks_max += w->pool[form].live;
     }
@@ -453,7 +457,7 @@ bool td_lanes_sequence(thud_world *w) {
     }
     if (!td_array_reserve(&w->memory, &w->scratch.blocks, blocks_max) ||
         !td_array_reserve(&w->memory, &w->scratch.separated, 2 * blocks_max + 1) ||
-        !td_array_reserve(&w->memory, &w->scratch.runs, 2 * TD_COLOURS * TD_CONSTRAINT_KINDS)) {
+        !td_array_reserve(&w->memory, &w->scratch.runs, runs_max)) {
         return false;
     }
     w->scratch.blocks.count = 0;
@@ -461,18 +465,16 @@ bool td_lanes_sequence(thud_world *w) {
     w->scratch.points = 0;
     w->stats.colours = 0;
     int kinds[TD_CONSTRAINT_KINDS];
-    int used = kinds_in_order(w, kinds);
+    int kind_count = kinds_in_order(w, kinds);
     for (int half = 0; half < 2; half++) {
-        for (int bin = half * TD_COLOURS; bin < w->scratch.bin_end[half]; bin++) {
+        for (int colour = half * TD_COLOURS; colour < w->scratch.bin_end[half]; colour++) {
             int before = w->scratch.blocks.count;
-            for (int i = 0; i < used; i++) {
-                list_bin(w, kinds[i], bin);
-            }
+            list_colour(w, colour, kinds, kind_count);
             w->stats.colours += w->scratch.blocks.count > before;
         }
     }
     w->stats.blocks = w->scratch.blocks.count;
-    if (!cut_chunks(w)) {
+    if (!td_chunks_cut(w)) {
         return false;
     }
     w->scratch.sequenced = true;

@@ -6,6 +6,11 @@
  * one more bin of each kind has the lanes of sleeping bodies. A constraint that finds no free
  * colour goes to the overflow colour, whose blocks have one lane each.
  *
+ * The first colours of contacts of two moving bodies have a bin for each place (TD_PLACE_SLOTS),
+ * chosen by the lower of their awake slots when the lane is taken. Bodies near each other in the
+ * world mostly are so in slots too, so that the blocks of a place read and write the same few
+ * records, and workers that solve different places seldom write the same cache lines.
+ *
  * Invariants: all blocks of a bin but the last are full (when a lane becomes free, the bin's last
  * lane moves into it). Which lane a constraint has depends only on the history of the world, never
  * on addresses or workers. */
@@ -17,8 +22,9 @@
 /* A run of blocks of one bin, in the order of solving. */
 typedef struct td_run {
     int32_t kind, a_static; /* kind of the constraints; `a_static` 1: side a is static */
-    int32_t bin; /* colour, + TD_COLOURS where a_static: runs with equal `bin`, even of different
-                    kinds, have no moving body in common, except in the overflow colour */
+    int32_t bin;   /* colour, + TD_COLOURS where a_static: runs with equal `bin`, even of different
+                      kinds or places, have no moving body in common, except in the overflow colour */
+    int32_t place; /* number of its bin's place, or TD_NONE: the bin has blocks of all places */
     int32_t first, count; /* blocks, in scratch.blocks */
     int32_t has_offsets;  /* 1: one of its blocks has offsets (td_block.has_offsets) */
     int32_t shared;       /* 1: one of its blocks is shared, so that only one worker may solve it */
@@ -30,23 +36,20 @@ static inline bool td_run_is_single(const td_run *run) {
     return run->shared || run->bin % TD_COLOURS == TD_OVERFLOW;
 }
 
-/* A piece of a run, which one worker claims, and the result of its narrowphase. */
-typedef struct td_chunk {
-    int32_t run, first, count; /* index of the run; blocks, in scratch.blocks */
-    int32_t has_offsets;       /* 1: one of its blocks has offsets */
-    int32_t separated;         /* number of blocks with a lane that no longer touches */
-} td_chunk;
+/* The bins of one place and colour, by kind of contact. */
+typedef struct td_placed_bin {
+    td_bin of[TD_PAIR_TOUCH_COUNT];
+} td_placed_bin;
 
-/* The chunks between two barriers, at which workers wait for each other: from `first` to the one
- * before `end`. They are divided into `parts`, each of which one worker runs: one chunk a part, or
- * all chunks in a single part, one after the other. */
-typedef struct td_phase {
-    int first, end, parts;
-} td_phase;
+/* The number of the bin of a colour, below TD_PLACED_COLOURS, and a place. The bins of the first
+ * place have the numbers of their colours, as have bins that are not by place. */
+static inline int td_bin_of_place(int colour, int place) {
+    return place == 0 ? colour : TD_BINS_A_KIND + (place - 1) * TD_PLACED_COLOURS + colour;
+}
 
-/* How many chunks each part of the phase has. */
-static inline int td_phase_step(const td_phase *phase) {
-    return phase->parts == 1 ? phase->end - phase->first : 1;
+/* The colour (as td_run.bin) of a bin that is not TD_SLEEPING. */
+static inline int td_colour_of_bin(int bin) {
+    return bin < TD_BINS_A_KIND ? bin : (bin - TD_BINS_A_KIND) % TD_PLACED_COLOURS;
 }
 
 /* The block with this index in the pool of its kind's form. */
@@ -105,13 +108,6 @@ void td_lane_remove(thud_world *w, int constraint);
  * contacts with the ground are solved last and have the smallest remaining error. False when memory
  * is short. */
 bool td_lanes_sequence(thud_world *w);
-
-/* The phase of the solver that begins with chunk `first`, for several workers. Chunks of one bin
- * (graph colour) have no moving body in common: workers share them, each chunk a part. Small
- * colours, and runs whose blocks may share bodies (td_run_is_single), are one chunk. Such chunks
- * that follow each other are one part, since waiting for another worker between them would take
- * longer than they do. */
-td_phase td_phase_from(const thud_world *w, int first);
 
 /* Updates the awake slots and inverse inertias of a lane, after those of a body have changed. */
 void td_lane_refresh(thud_world *w, int constraint);

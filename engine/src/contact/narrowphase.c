@@ -8,7 +8,7 @@
 #include "contact/contact.h"
 #include "state/jobs.h"
 #include "state/handles.h"
-#include "constraint/lanes.h"
+#include "constraint/chunks.h"
 #include "contact/internal_edges.h"
 #include "contact/waiting.h"
 #include "state/shape.h"
@@ -87,15 +87,16 @@ typedef struct colliding {
     td_job job;
 } colliding;
 
-/* One worker's state: the phase of the chunks that it works on (td_phase). */
+/* One worker's state: the phase of the chunks that it works on. */
 typedef struct colliding_phase {
     thud_world *w;
-    td_phase phase;
+    const td_phase *phase;
 } colliding_phase;
 
 /* Chunks list blocks with separated lanes in disjoint pieces of one array: each has room for one
  * more than its blocks, hence `first + index`. */
-static void collide_chunk(thud_world *w, int index) {
+static void collide_chunk(void *world, int index) {
+    thud_world *w = world;
     td_chunk *chunk = TD_AT(td_chunk, &w->scratch.chunks, index);
     const td_run *run = TD_AT(td_run, &w->scratch.runs, chunk->run);
     td_block **separated = (td_block **)w->scratch.separated.data + chunk->first + index;
@@ -105,34 +106,27 @@ static void collide_chunk(thud_world *w, int index) {
                           chunk->count, separated, &chunk->separated);
 }
 
-static void collide_chunks(thud_world *w, int first, int end) {
-    for (int i = first; i < end; i++) {
-        collide_chunk(w, i);
-    }
-}
-
 /* Computes the manifolds of one part of a phase (a td_chunk_fn). */
 static void collide_part(void *work, int part) {
     const colliding_phase *c = work;
-    int first = c->phase.first + part;
-    collide_chunks(c->w, first, first + td_phase_step(&c->phase));
+    td_phase_run(c->w, c->phase, part, collide_chunk, c->w);
 }
 
-/* A worker: takes chunks until none is left. It takes them by the phases of the solver
- * (td_phase_from), so that the solver gives the same blocks to the same worker, in whose cache they
- * are. */
+/* A worker: takes chunks until none is left. It takes them by the phases of the solver (td_phase),
+ * so that the solver gives the same blocks to the same worker, in whose cache they are. */
 static void collide_as_worker(void *argument) {
     colliding *shared = argument;
     colliding_phase own = {.w = shared->w};
     td_worker worker = td_worker_arrive(&shared->job);
-    int chunks = own.w->scratch.chunks.count;
     if (!td_worker_shares(&worker)) {
-        collide_chunks(own.w, 0, chunks);
+        for (int i = 0; i < own.w->scratch.chunks.count; i++) {
+            collide_chunk(own.w, i);
+        }
         return;
     }
-    for (int first = 0; first < chunks; first = own.phase.end) {
-        own.phase = td_phase_from(own.w, first);
-        td_worker_take(&worker, own.phase.parts, collide_part, &own);
+    for (int i = 0; i < own.w->scratch.phases.count; i++) {
+        own.phase = TD_AT(td_phase, &own.w->scratch.phases, i);
+        td_worker_take(&worker, own.phase->shares, collide_part, &own);
     }
     td_worker_wait(&worker);
 }

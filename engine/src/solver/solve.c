@@ -17,7 +17,7 @@
 #include "solver/restitution.h"
 #include "state/kinds.h"
 #include "constraint/joint_hooks.h"
-#include "constraint/lanes.h"
+#include "constraint/chunks.h"
 #include "api/step.h"
 
 #include <string.h>
@@ -128,14 +128,16 @@ typedef struct solving {
     td_solve_context contacts;
     td_motion_context motion;
     td_tally_context tally;
-    td_tally *tallies; /* error statistics, by worker */
+    td_tally *tallies;      /* error statistics, by worker */
+    const int *body_shares; /* of the passes over bodies, in chunks of body_chunk slots */
+    int body_chunk;
     td_job *job;
     atomic_bool *bounced; /* a flag for each bounce pass: td_solve_context.bounced */
     atomic_flag *dummy;   /* a spin lock for the record of slot 0: see solve_in_turn */
     td_worker worker;
-    pass which;     /* the present pass */
-    td_phase phase; /* the present phase */
-    bool relaxed;   /* joints are braced after the relax pass of a substep, not before it */
+    pass which;            /* the present pass */
+    const td_phase *phase; /* the present phase */
+    bool relaxed;          /* joints are braced after the relax pass of a substep, not before it */
 } solving;
 
 /* Solves the last blocks of a run. The last one may have empty lanes, which read the record of slot
@@ -168,8 +170,8 @@ static void solve_and_tally(const solving *s, const td_run *run, td_solve_fn *so
                             td_block *const *blocks, int count) {
     int points = td_form_points(s->w->kinds[run->kind]->form);
     td_tally_fn *tally = s->w->error_hooks->tally[s->w->wide];
-    for (int i = 0; i < count; i += TD_CHUNK_BLOCKS) {
-        int part = td_min_int(count - i, TD_CHUNK_BLOCKS);
+    for (int i = 0; i < count; i += TD_TALLY_BLOCKS) {
+        int part = td_min_int(count - i, TD_TALLY_BLOCKS);
         solve_part(s, run, solve, blocks + i, part);
         tally(s->contacts.tally, blocks + i, part, points, &s->tally);
     }
@@ -185,7 +187,8 @@ static td_solve_fn *bounce_of(const thud_world *w, const td_run *run) {
 }
 
 /* Runs the present pass on one chunk. A kind of constraint that has no such pass is skipped. */
-static void solve_chunk(const solving *s, int index) {
+static void solve_chunk(void *work, int index) {
+    const solving *s = work;
     const thud_world *w = s->w;
     const td_chunk *chunk = TD_AT(td_chunk, &w->scratch.chunks, index);
     const td_run *run = TD_AT(td_run, &w->scratch.runs, chunk->run);
@@ -208,46 +211,39 @@ static void solve_chunk(const solving *s, int index) {
     }
 }
 
-static void solve_chunks(const solving *s, int first, int end) {
-    for (int i = first; i < end; i++) {
-        solve_chunk(s, i);
-    }
-}
-
 /* Runs the present pass on one part of the present phase (a td_chunk_fn). */
-static void solve_phase_part(void *work, int part) {
+static void solve_part_of_phase(void *work, int part) {
     const solving *s = work;
-    int first = s->phase.first + part;
-    solve_chunks(s, first, first + td_phase_step(&s->phase));
+    td_phase_run(s->w, s->phase, part, solve_chunk, work);
 }
 
 /* Runs a pass over all blocks: with several workers phase by phase. */
 static void walk(solving *s, pass which) {
-    int chunks = s->w->scratch.chunks.count;
     s->which = which;
     if (!td_worker_shares(&s->worker)) {
-        solve_chunks(s, 0, chunks);
+        for (int i = 0; i < s->w->scratch.chunks.count; i++) {
+            solve_chunk(s, i);
+        }
         return;
     }
-    for (int first = 0; first < chunks; first = s->phase.end) {
-        s->phase = td_phase_from(s->w, first);
-        td_worker_walk(&s->worker, s->phase.parts, solve_phase_part, s);
+    for (int i = 0; i < s->w->scratch.phases.count; i++) {
+        s->phase = TD_AT(td_phase, &s->w->scratch.phases, i);
+        td_worker_take(&s->worker, s->phase->shares, solve_part_of_phase, s);
+        td_worker_wait(&s->worker);
     }
 }
 
-/* Awake slots in a chunk of bodies, 8 KiB of velocities; a worker that is alone takes all at once.
- * Chosen. */
-enum { BODIES_OF_CHUNK = 512 };
-
-static int bodies_at_once(const solving *s) {
-    return td_worker_shares(&s->worker) ? BODIES_OF_CHUNK : s->motion.count;
+/* Runs a pass over all bodies. */
+static void walk_bodies(solving *s, td_chunk_fn *integrate) {
+    td_worker_take(&s->worker, s->body_shares, integrate, s);
+    td_worker_wait(&s->worker);
 }
 
 /* The motion context of one chunk of bodies. */
 static td_motion_context part_of(const solving *s, int chunk) {
     const td_motion_context *m = &s->motion;
     td_motion_context part = *m;
-    int size = bodies_at_once(s), first = chunk * size;
+    int size = s->body_chunk, first = chunk * size;
     part.velocity += first;
     part.delta += first;
     part.start += first;
@@ -353,13 +349,12 @@ static void relax_again(solving *s) {
 static void run_passes(void *argument) {
     solving own = *(const solving *)argument, *s = &own;
     s->worker = td_worker_arrive(s->job);
-    int bodies = (s->motion.count + bodies_at_once(s) - 1) / bodies_at_once(s);
     int last = s->w->substeps - 1;
     s->contacts.tally = &s->tallies[s->worker.index];
     bool bounced = bounce(s);
     for (int i = 0; i <= last; i++) {
         s->contacts.first = i == 0;
-        td_worker_walk(&s->worker, bodies, i ? velocities : first_velocities, s);
+        walk_bodies(s, i ? velocities : first_velocities);
         if (i == 0) {
             walk(s, WARM_START);
         }
@@ -371,7 +366,7 @@ static void run_passes(void *argument) {
         }
         walk(s, SOLVE);
         s->contacts.last = i == last;
-        td_worker_walk(&s->worker, bodies, positions, s);
+        walk_bodies(s, positions);
         walk(s, RELAX);
         s->relaxed = true;
         if (has_torn_joint(s) && s->w->joint_hooks->wide_open(s->w) && brace(s)) {
@@ -404,8 +399,10 @@ void td_solve(thud_world *w) {
     atomic_bool adds[2 * THUD_SUBSTEPS_MAX] = {false};
     atomic_flag dummy = ATOMIC_FLAG_INIT;
     float h = (float)(w->def.time_step / w->substeps);
+    int body_shares[THUD_WORKERS_MAX + 1];
     td_job job;
     td_job_begin(&job, workers_for(w));
+    td_share_bodies(w, job.workers, body_shares);
     solving s = {
         .w = w,
         .contacts = solve_context(w, h),
@@ -422,6 +419,8 @@ void td_solve(thud_world *w) {
                    .max_speed = w->def.maximum_speed * w->length_scale},
         .tally = {.skin = w->skin, .overlap = td_overlap_depth_min(w), .to_fixed = w->to_fixed},
         .tallies = tallies,
+        .body_shares = body_shares,
+        .body_chunk = td_body_chunk(w, job.workers),
         .job = &job,
         .bounced = bounced,
         .dummy = &dummy,

@@ -25,7 +25,7 @@ typedef struct td_tally_context {
     double to_fixed; /* position quanta in one unit of length */
 } td_tally_context;
 
-/* Adds the points of at most TD_CHUNK_BLOCKS blocks to `to`. The first block is at a multiple of
+/* Adds the points of at most TD_TALLY_BLOCKS blocks to `to`. The first block is at a multiple of
  * TD_CHUNK_UNIT in its run, so that the groups whose sums are rounded are the same for any number
  * of workers. It runs right after the pass that writes the separations, while they are in the
  * cache. */

@@ -40,26 +40,56 @@ static int run_part(atomic_int *taken, int before, int first, int end, td_chunk_
     return ran;
 }
 
+/* How many chunks of a part are not taken yet; see run_part for `before`. */
+static int chunks_left(atomic_int *taken, int before, int size) {
+    return before + size - atomic_load_explicit(taken, memory_order_relaxed);
+}
+
+/* Polls after which a worker takes chunks that another one still has not taken. Chosen: about as
+ * long as a chunk takes. */
+enum { POLLS_BEFORE_STEALING = 32 };
+
+/* Takes chunks of another worker's part: at once while that has more than a quarter of its part to
+ * do, but the last ones only where it has not taken one for a while. For in the next phase the data
+ * of a chunk that is taken from another worker travel back to it. Returns how many. */
+static int steal_part(atomic_int *taken, int before, int first, int end, td_chunk_fn *run,
+                      void *work) {
+    int size = end - first, ran = 0, polls = 0;
+    for (int left; (left = chunks_left(taken, before, size)) > 0;) {
+        int next = before + size - left;
+        if (left <= size / 4 + 1 && polls < POLLS_BEFORE_STEALING) {
+            td_pause();
+            polls++;
+        } else if (atomic_compare_exchange_weak_explicit(taken, &next, next + 1,
+                                                         memory_order_relaxed,
+                                                         memory_order_relaxed)) {
+            run(work, end - left);
+            ran++;
+            polls = 0;
+        }
+    }
+    return ran;
+}
+
 /* A phase for one worker: takes chunks of each part, its own first. It adds the number of its
  * chunks to td_job.done once, at the end, since an addition for each chunk would make the counter's
  * cache line move between processors each time. */
-void td_worker_take(td_worker *worker, int chunks, td_chunk_fn *run, void *work) {
+void td_worker_take(td_worker *worker, const int *shares, td_chunk_fn *run, void *work) {
     td_job *job = worker->job;
     if (!td_worker_shares(worker)) {
-        for (int i = 0; i < chunks; i++) {
+        for (int i = 0; i < shares[1]; i++) {
             run(work, i);
         }
         return;
     }
     int workers = job->workers, ran = 0;
     for (int k = 0; k < workers; k++) {
-        int part = (worker->index + k) % workers;
-        int first = chunks * part / workers, end = chunks * (part + 1) / workers;
-        int *before = &worker->before_of[part];
-        ran += run_part(&job->taken[part].value, *before, first, end, run, work);
-        *before += end - first;
+        int part = (worker->index + k) % workers, *before = &worker->before_of[part];
+        ran += (k == 0 ? run_part : steal_part)(&job->taken[part].value, *before, shares[part],
+                                                shares[part + 1], run, work);
+        *before += shares[part + 1] - shares[part];
     }
-    worker->before += chunks;
+    worker->before += shares[workers];
     if (ran > 0) {
         atomic_fetch_add_explicit(&job->done.value, ran, memory_order_acq_rel);
     }
@@ -74,7 +104,11 @@ void td_worker_wait(const td_worker *worker) {
 }
 
 void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work) {
-    td_worker_take(worker, chunks, run, work);
+    int shares[THUD_WORKERS_MAX + 1], workers = td_worker_shares(worker) ? worker->job->workers : 1;
+    for (int i = 0; i <= workers; i++) {
+        shares[i] = (int)((int64_t)chunks * i / workers);
+    }
+    td_worker_take(worker, shares, run, work);
     td_worker_wait(worker);
 }
 

@@ -67,12 +67,14 @@ static inline td_worker td_worker_arrive(td_job *job) {
                            td_job_is_shared(job) ? atomic_fetch_add(&job->arrived.value, 1) : 0};
 }
 
-/* Runs chunks of the worker's next phase until all of them are taken. Other workers may still be
+/* Runs chunks of the worker's next phase until all of them are taken. The part of worker i are the
+ * chunks from shares[i] to the one before shares[i + 1]; shares[0] is 0. Other workers may still be
  * running theirs when it returns. */
-void td_worker_take(td_worker *worker, int chunks, td_chunk_fn *run, void *work);
+void td_worker_take(td_worker *worker, const int *shares, td_chunk_fn *run, void *work);
 /* Returns when all chunks that have been taken are done. */
 void td_worker_wait(const td_worker *worker);
-/* td_worker_take, then td_worker_wait: returns when all chunks of the next phase are done. */
+/* td_worker_take with equal parts of so many chunks, then td_worker_wait: returns when all chunks
+ * of the next phase are done. */
 void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work);
 
 /* Calls run(argument) on every worker, and returns when all are done. */

@@ -23,6 +23,10 @@ typedef struct td_scratch {
                                      static one, asleep */
     td_array separated;           /* td_block *: with a lane whose shapes no longer touch */
     td_array chunks;              /* td_chunk: pieces of `runs`, which workers take one by one */
+    td_array chunk_order;         /* int: indices of `chunks`, by phase and worker */
+    td_array phases;              /* td_phase: constraint/chunks.h */
+    td_array bounds;              /* int, by worker: the first of its awake slots */
+    td_array place_blocks;        /* int: the number of blocks of each place */
     td_array begins, ends;        /* int: contacts that begin or end in this step */
     td_array parents;             /* td_awake_slot, by awake slot: union-find, see label.h */
     td_array lane_bins;           /* int: see td_lanes_place */

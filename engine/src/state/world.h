@@ -129,11 +129,12 @@ struct thud_world {
     td_array deferred;            /* td_deferred_edit, in the order of calls */
     td_slots pool[TD_FORM_COUNT]; /* td_block, by form (size of block) */
     td_bin bins[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND];
-    int touching;       /* lanes of contacts in use, of sleeping bodies too */
-    int bouncy;         /* lanes in use that have restitution */
-    int surface_speeds; /* lanes in use that have a surface speed */
-    int sensors;        /* shapes that are sensors */
-    int mobile_sensors; /* sensors that belong to dynamic bodies */
+    td_array placed_bins; /* td_placed_bin: by place from the second on, and colour */
+    int touching;         /* lanes of contacts in use, of sleeping bodies too */
+    int bouncy;           /* lanes in use that have restitution */
+    int surface_speeds;   /* lanes in use that have a surface speed */
+    int sensors;          /* shapes that are sensors */
+    int mobile_sensors;   /* sensors that belong to dynamic bodies */
     int constraint_count[TD_CONSTRAINT_KINDS]; /* live constraints of each kind */
     int damped;                                /* awake bodies with damping */
     bool substep_gain_stale;                   /* the array substep_gain must be recomputed */

@@ -2,12 +2,14 @@
  * chunks, and phases between which workers wait for each other. */
 #include "engine_support.h"
 
-#include "constraint/lanes.h"
+#include "constraint/chunks.h"
 
 #include "build_thud.h"
 #include "scenes.h"
 
 #include <thud/thud_testing.h>
+
+#include <stdlib.h>
 
 /* Calls the task once: the first worker to arrive runs all chunks. */
 static void alone(thud_task_fn *task, void *argument, int workers, void *context) {
@@ -62,52 +64,50 @@ static void pairs_of_kinematic_bodies_keep_no_other_runs_from_workers(void **sta
     thud_world_destroy(w);
 }
 
-/* Checks the chunks of a run, the first of which is `chunk`. Returns how many there are. */
-static int check_chunks(const thud_world *w, const td_run *run, int chunk, int workers) {
-    int count = 0, most = 0;
+static const td_chunk *chunk_at(const thud_world *w, int index) {
+    return TD_AT(td_chunk, &w->scratch.chunks, index);
+}
+
+static const td_run *run_of(const thud_world *w, int chunk) {
+    return TD_AT(td_run, &w->scratch.runs, chunk_at(w, chunk)->run);
+}
+
+/* Checks that the chunks from `chunk` on cover the run, and adds their blocks to those of their
+ * workers. Returns how many chunks there are. */
+static int check_chunks(const thud_world *w, int index, int chunk, int blocks_of[]) {
+    const td_run *run = TD_AT(td_run, &w->scratch.runs, index);
+    int count = 0, worker = 0;
     for (int blocks = 0; blocks < run->count; count++) {
-        const td_chunk *c = TD_AT(td_chunk, &w->scratch.chunks, chunk + count);
-        assert_ptr_equal(TD_AT(td_run, &w->scratch.runs, c->run), run);
+        const td_chunk *c = chunk_at(w, chunk + count);
+        assert_int_equal(c->run, index);
         assert_int_equal(c->first, run->first + blocks);
         assert_int_equal(blocks % TD_CHUNK_UNIT, 0);
         assert_in_range(c->count, 1, TD_CHUNK_BLOCKS);
-        most = td_max_int(most, c->count);
+        assert_in_range(c->worker, worker, w->def.job_system.workers - 1);
+        worker = c->worker;
+        blocks_of[worker] += c->count;
         blocks += c->count;
     }
-    /* A worker that takes its share of the chunks, rounded up, has not much more than its share of
-     * the blocks: a unit more for each chunk. */
-    int own = (count + workers - 1) / workers;
-    int least = td_max_int(run->count / workers + own * TD_CHUNK_UNIT, TD_CHUNK_BLOCKS_MIN);
-    assert_in_range(own * most, 1, least);
     return count;
 }
 
-static void runs_are_divided_evenly_among_workers(void **state) {
+static void blocks_are_divided_evenly_among_workers(void **state) {
     (void)state;
     const int workers[] = {2, 3, 5, THUD_WORKERS_MAX};
     for (size_t k = 0; k < sizeof workers / sizeof *workers; k++) {
         thud_world *w = world_of("pyramid", 60, 10, workers[k]);
-        int chunk = 0, divided = 0;
+        int chunk = 0, blocks_of[THUD_WORKERS_MAX] = {0};
         for (int r = 0; r < w->scratch.runs.count; r++) {
-            const td_run *run = TD_AT(td_run, &w->scratch.runs, r);
-            assert_false(td_run_is_single(run));
-            int count = check_chunks(w, run, chunk, workers[k]);
-            divided += count >= td_min_int(workers[k], run->count / TD_CHUNK_BLOCKS_MIN);
-            chunk += count;
+            assert_false(td_run_is_single(TD_AT(td_run, &w->scratch.runs, r)));
+            chunk += check_chunks(w, r, chunk, blocks_of);
         }
         assert_int_equal(chunk, w->scratch.chunks.count);
-        assert_int_equal(divided, w->scratch.runs.count);
+        for (int i = 0; i < workers[k] && workers[k] < THUD_WORKERS_MAX; i++) {
+            int share = w->scratch.blocks.count / workers[k];
+            assert_in_range(blocks_of[i], share * 4 / 5, share * 6 / 5);
+        }
         thud_world_destroy(w);
     }
-}
-
-/* Whether workers may run these two chunks at the same time. */
-static bool is_shared(const thud_world *w, int chunk, int other) {
-    const td_run *a =
-        TD_AT(td_run, &w->scratch.runs, TD_AT(td_chunk, &w->scratch.chunks, chunk)->run);
-    const td_run *b =
-        TD_AT(td_run, &w->scratch.runs, TD_AT(td_chunk, &w->scratch.chunks, other)->run);
-    return a->bin == b->bin && !td_run_is_single(a) && !td_run_is_single(b);
 }
 
 /* Phases follow each other without a gap. The parts of a phase share no moving body, and two
@@ -115,30 +115,113 @@ static bool is_shared(const thud_world *w, int chunk, int other) {
 static void small_colours_that_follow_each_other_are_one_phase(void **state) {
     (void)state;
     thud_world *w = world_of("tumbler", 1500, 120, 2);
-    int joined = 0;
+    int joined = 0, next = 0;
     bool single = false;
-    for (int first = 0; first < w->scratch.chunks.count;) {
-        td_phase phase = td_phase_from(w, first);
-        assert_int_equal(phase.first, first);
-        assert_in_range(phase.end, first + 1, w->scratch.chunks.count);
-        assert_false(single && phase.parts == 1);
-        single = phase.parts == 1;
-        assert_int_equal(td_phase_step(&phase) * phase.parts, phase.end - first);
-        for (int i = first + 1; i < phase.end; i++) {
-            assert_int_equal(is_shared(w, first, i), !single);
+    for (int i = 0; i < w->scratch.phases.count; i++) {
+        const td_phase *phase = TD_AT(td_phase, &w->scratch.phases, i);
+        assert_int_equal(phase->first, next);
+        assert_false(single && phase->parts == 1);
+        single = phase->parts == 1;
+        assert_int_equal(phase->parts, single ? 1 : phase->chunks);
+        next += phase->chunks;
+        for (int chunk = phase->first + 1; chunk < next; chunk++) {
+            const td_run *run = run_of(w, chunk), *first = run_of(w, phase->first);
+            bool apart =
+                run->bin == first->bin && !td_run_is_single(run) && !td_run_is_single(first);
+            assert_int_equal(apart, !single);
             joined += single;
         }
-        first = phase.end;
     }
+    assert_int_equal(next, w->scratch.chunks.count);
     assert_true(joined > 1);
+    thud_world_destroy(w);
+}
+
+/* Sets the bit of a chunk that a phase has handed out. */
+static void hand_out(void *handed, int chunk) {
+    assert_false(((bool *)handed)[chunk]);
+    ((bool *)handed)[chunk] = true;
+}
+
+static void a_phase_hands_out_each_chunk_once_and_first_to_its_worker(void **state) {
+    (void)state;
+    thud_world *w = world_of("circle_pit", 4000, 60, 3);
+    bool *handed = calloc((size_t)w->scratch.chunks.count, sizeof *handed);
+    assert_non_null(handed);
+    for (int i = 0; i < w->scratch.phases.count; i++) {
+        const td_phase *phase = TD_AT(td_phase, &w->scratch.phases, i);
+        assert_int_equal(phase->shares[0], 0);
+        assert_int_equal(phase->shares[3], phase->parts);
+        for (int worker = 0; worker < 3; worker++) {
+            for (int part = phase->shares[worker]; part < phase->shares[worker + 1]; part++) {
+                int chunk = *TD_AT(int, &w->scratch.chunk_order, phase->first + part);
+                assert_true(phase->parts == 1 || chunk_at(w, chunk)->worker == worker);
+                td_phase_run(w, phase, part, hand_out, handed);
+            }
+        }
+    }
+    for (int i = 0; i < w->scratch.chunks.count; i++) {
+        assert_true(handed[i]);
+    }
+    free(handed);
+    thud_world_destroy(w);
+}
+
+/* Whether the body of a lane's side is in another worker's range of awake slots. */
+static bool is_foreign(const thud_world *w, uint32_t side, int worker) {
+    const int *bounds = w->scratch.bounds.data;
+    int slot = td_slot_of_side(side).at;
+    return slot > 0 && (slot < bounds[worker] || slot >= bounds[worker + 1]);
+}
+
+/* Circles that have fallen among each other: without bins by place, a fifth of the bodies of each
+ * worker's blocks are another worker's. */
+static void workers_solve_blocks_of_their_own_bodies(void **state) {
+    (void)state;
+    thud_world *w = world_of("circle_pit", 10000, 200, 2);
+    int foreign = 0, all = 0, shares[THUD_WORKERS_MAX + 1];
+    for (int i = 0; i < w->scratch.chunks.count; i++) {
+        const td_chunk *chunk = chunk_at(w, i);
+        for (int b = chunk->first; b < chunk->first + chunk->count; b++) {
+            const td_block *block = block_of(w, b);
+            for (int lane = 0; lane < block->used; lane++) {
+                foreign += is_foreign(w, block->a[lane], chunk->worker) +
+                           is_foreign(w, block->b[lane], chunk->worker);
+                all += (block->a[lane] > 0) + (block->b[lane] > 0);
+            }
+        }
+    }
+    assert_true(all > 20000);
+    print_message("%d of %d bodies are another worker's\n", foreign, all);
+    assert_in_range(foreign, 0, all / 20);
+    td_share_bodies(w, 2, shares);
+    const int *bounds = w->scratch.bounds.data;
+    assert_int_equal(shares[1] * td_body_chunk(w, 2), bounds[1]);
+    thud_world_destroy(w);
+}
+
+/* A few bodies in a heap among many that fly: the heap's blocks are not those of half the bodies,
+ * so that the passes over bodies divide these evenly. */
+static void bodies_are_divided_evenly_where_few_of_them_touch(void **state) {
+    (void)state;
+    thud_world *w = world_of("gas", 8000, 30, 2);
+    int *bounds = w->scratch.bounds.data, shares[THUD_WORKERS_MAX + 1];
+    bounds[1] = w->body_of.count / 8;
+    td_share_bodies(w, 2, shares);
+    assert_int_equal(shares[1], shares[2] / 2);
+    assert_in_range(shares[2] * td_body_chunk(w, 2), w->body_of.count,
+                    w->body_of.count + td_body_chunk(w, 2));
     thud_world_destroy(w);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pairs_of_kinematic_bodies_keep_no_other_runs_from_workers),
-        cmocka_unit_test(runs_are_divided_evenly_among_workers),
+        cmocka_unit_test(blocks_are_divided_evenly_among_workers),
         cmocka_unit_test(small_colours_that_follow_each_other_are_one_phase),
+        cmocka_unit_test(a_phase_hands_out_each_chunk_once_and_first_to_its_worker),
+        cmocka_unit_test(workers_solve_blocks_of_their_own_bodies),
+        cmocka_unit_test(bodies_are_divided_evenly_where_few_of_them_touch),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

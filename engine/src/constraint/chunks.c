@@ -1,0 +1,215 @@
+/* chunks.c: see chunks.h. */
+#include "constraint/chunks.h"
+
+#include <string.h>
+
+/* ---- which slots a worker has ---- */
+
+/* The workers' ranges begin and end at multiples of so many awake slots, a few KiB of velocities.
+ * Chosen: the larger one where every worker has several of them. */
+enum { SLOTS_UNIT = 512, SLOTS_UNIT_SMALL = 64, UNITS_MIN = 4 };
+
+int td_body_chunk(const thud_world *w, int workers) {
+    int slots = w->body_of.count;
+    return workers <= 1                                ? slots
+           : slots >= workers * UNITS_MIN * SLOTS_UNIT ? SLOTS_UNIT
+                                                       : SLOTS_UNIT_SMALL;
+}
+
+/* A boundary between workers lies between two places if that gives none of them more than a twelfth
+ * of a share too much: the blocks of a place are in the order in which their contacts began, so
+ * that workers that share a place write the same cache lines. Chosen. */
+enum { UNEVEN = 12 };
+
+/* The awake slots of a place. */
+static int slots_of_place(const thud_world *w, int place) {
+    return td_max_int(0, td_min_int(w->body_of.count - place * TD_PLACE_SLOTS, TD_PLACE_SLOTS));
+}
+
+/* Counts the blocks of each place, in scratch.place_blocks. Returns how many these are. */
+static int count_by_place(thud_world *w) {
+    int *blocks = w->scratch.place_blocks.data, sum = 0;
+    memset(blocks, 0, (size_t)w->scratch.place_blocks.count * sizeof *blocks);
+    for (int i = 0; i < w->scratch.runs.count; i++) {
+        const td_run *run = TD_AT(td_run, &w->scratch.runs, i);
+        if (run->place != TD_NONE) {
+            blocks[run->place] += run->count;
+            sum += run->count;
+        }
+    }
+    return sum;
+}
+
+/* Sets scratch.bounds: worker i has the slots from element i to the one before element i + 1. The
+ * blocks of all places are divided evenly; in a world without any, the slots. */
+static void set_bounds(thud_world *w, int workers) {
+    const int *blocks = w->scratch.place_blocks.data;
+    int *bounds = w->scratch.bounds.data, slots = w->body_of.count;
+    int sum = count_by_place(w), unit = td_body_chunk(w, workers), place = 0, before = 0;
+    bounds[0] = 0;
+    for (int i = 1; i < workers; i++) {
+        int bound = (int)((int64_t)slots * i / workers), wanted = (int)((int64_t)sum * i / workers);
+        if (sum > 0) {
+            while (before + blocks[place] < wanted) {
+                before += blocks[place++];
+            }
+            int within = wanted - before, slack = sum / workers / UNEVEN;
+            within = within <= slack ? 0 : blocks[place] - within <= slack ? blocks[place] : within;
+            bound = place * TD_PLACE_SLOTS + (int)((int64_t)slots_of_place(w, place) * within /
+                                                   td_max_int(1, blocks[place]));
+        }
+        bounds[i] = td_max_int(bounds[i - 1], (bound + unit / 2) / unit * unit);
+    }
+    bounds[workers] = slots;
+}
+
+void td_share_bodies(const thud_world *w, int workers, int shares[THUD_WORKERS_MAX + 1]) {
+    int slots = w->body_of.count, unit = td_body_chunk(w, workers);
+    int chunks = unit ? (slots + unit - 1) / unit : 0, most = 0;
+    const int *bounds = w->scratch.bounds.data;
+    for (int i = 0; i < workers && workers > 1; i++) {
+        most = td_max_int(most, bounds[i + 1] - bounds[i]);
+    }
+    /* Where the blocks are those of few bodies, the slots are divided evenly instead. */
+    bool even = workers == 1 || (int64_t)most * workers * 4 > (int64_t)slots * 5;
+    for (int i = 0; i <= workers; i++) {
+        int chunk = even ? (int)((int64_t)chunks * i / workers) : bounds[i] / unit;
+        shares[i] = i == workers ? chunks : td_min_int(chunk, chunks);
+    }
+}
+
+/* ---- chunks ---- */
+
+/* The block of the run with which the share of a worker begins: at multiples of TD_CHUNK_UNIT, and
+ * runs that are too short to be divided belong to one worker. */
+static int share_begins(const thud_world *w, const td_run *run, int worker, int workers) {
+    int count = run->count;
+    if (worker == 0 || worker == workers || td_run_is_single(run)) {
+        return worker == 0 ? 0 : count;
+    }
+    if (run->place == TD_NONE) {
+        int even = ((count - 1) / workers / TD_CHUNK_UNIT + 1) * TD_CHUNK_UNIT;
+        return td_min_int(worker * td_max_int(even, TD_CHUNK_BLOCKS_MIN), count);
+    }
+    int slots = td_max_int(1, slots_of_place(w, run->place));
+    int bound = *TD_AT(int, &w->scratch.bounds, worker) - run->place * TD_PLACE_SLOTS;
+    bound = td_max_int(0, td_min_int(bound, slots));
+    if (count < 2 * TD_CHUNK_BLOCKS_MIN) {
+        return 2 * bound < slots ? 0 : count;
+    }
+    int begin = (int)((int64_t)count * bound / slots);
+    return bound == slots ? count : (begin + TD_CHUNK_UNIT / 2) / TD_CHUNK_UNIT * TD_CHUNK_UNIT;
+}
+
+/* Divides a run into chunks, for which there is room. */
+static void cut_run(thud_world *w, int index, int workers) {
+    const td_run *run = TD_AT(td_run, &w->scratch.runs, index);
+    bool whole = workers == 1 || td_run_is_single(run);
+    for (int i = 0; i < workers; i++) {
+        int end = share_begins(w, run, i + 1, workers);
+        int size = whole ? run->count : TD_CHUNK_BLOCKS;
+        for (int first = share_begins(w, run, i, workers); first < end; first += size) {
+            TD_PUSH(td_chunk, &w->scratch.chunks) =
+                (td_chunk){.run = index,
+                           .first = run->first + first,
+                           .count = td_min_int(size, end - first),
+                           .worker = i};
+        }
+    }
+}
+
+/* ---- phases ---- */
+
+static const td_chunk *chunk_at(const thud_world *w, int index) {
+    return TD_AT(td_chunk, &w->scratch.chunks, index);
+}
+
+static const td_run *run_of_chunk(const thud_world *w, int chunk) {
+    return TD_AT(td_run, &w->scratch.runs, chunk_at(w, chunk)->run);
+}
+
+/* The index after the last of the chunks from `first` on that workers may run at the same time. */
+static int end_of_colour(const thud_world *w, int first) {
+    const td_run *run = run_of_chunk(w, first);
+    int end = first + 1;
+    while (end < w->scratch.chunks.count && !td_run_is_single(run) &&
+           run_of_chunk(w, end)->bin == run->bin && !td_run_is_single(run_of_chunk(w, end))) {
+        end++;
+    }
+    return end;
+}
+
+/* Sorts the chunks from `first` on by worker: sets their elements of scratch.chunk_order, and the
+ * phase's shares. */
+static void share_chunks(thud_world *w, td_phase *phase, int workers) {
+    int *order = w->scratch.chunk_order.data, *shares = phase->shares;
+    memset(shares, 0, sizeof phase->shares);
+    for (int i = phase->first; i < phase->first + phase->chunks; i++) {
+        shares[chunk_at(w, i)->worker + 1]++;
+    }
+    int next[THUD_WORKERS_MAX];
+    for (int i = 0; i < workers; i++) {
+        next[i] = phase->first + shares[i];
+        shares[i + 1] += shares[i];
+    }
+    for (int i = phase->first; i < phase->first + phase->chunks; i++) {
+        order[next[chunk_at(w, i)->worker]++] = i;
+    }
+}
+
+/* Lists the phases. False when memory is short. */
+static bool list_phases(thud_world *w, int workers) {
+    td_array *phases = &w->scratch.phases;
+    int *order = w->scratch.chunk_order.data, chunks = w->scratch.chunks.count;
+    td_phase *last = NULL;
+    phases->count = 0;
+    for (int first = 0; first < chunks;) {
+        int count = end_of_colour(w, first) - first;
+        if (count == 1 && last && last->parts == 1) {
+            order[first] = first;
+            last->chunks++;
+        } else {
+            if (!td_array_reserve(&w->memory, phases, phases->count + 1)) {
+                return false;
+            }
+            last = &TD_PUSH(td_phase, phases);
+            *last = (td_phase){.first = first, .chunks = count, .parts = count};
+            share_chunks(w, last, workers);
+        }
+        first += count;
+    }
+    return true;
+}
+
+bool td_chunks_cut(thud_world *w) {
+    int workers = TD_HAS_THREADS ? td_max_int(1, w->def.job_system.workers) : 1;
+    int runs = w->scratch.runs.count;
+    int chunks_max = runs * workers + w->scratch.blocks.count / TD_CHUNK_BLOCKS;
+    int places = 1 + w->placed_bins.count / TD_PLACED_COLOURS;
+    if (!td_array_reserve(&w->memory, &w->scratch.chunks, chunks_max)) {
+        return false;
+    }
+    if (workers > 1) {
+        if (!td_array_reserve(&w->memory, &w->scratch.chunk_order, chunks_max) ||
+            !td_array_reserve(&w->memory, &w->scratch.place_blocks, places) ||
+            !td_array_reserve(&w->memory, &w->scratch.bounds, THUD_WORKERS_MAX + 1)) {
+            return false;
+        }
+        w->scratch.place_blocks.count = places;
+        set_bounds(w, workers);
+    }
+    w->scratch.chunks.count = 0;
+    for (int i = 0; i < runs; i++) {
+        cut_run(w, i, workers);
+    }
+    return workers == 1 || list_phases(w, workers);
+}
+
+void td_phase_run(const thud_world *w, const td_phase *phase, int part, td_chunk_fn *run,
+                  void *work) {
+    const int *order = w->scratch.chunk_order.data;
+    int count = phase->parts == 1 ? phase->chunks : 1;
+    for (int i = phase->first + part; i < phase->first + part + count; i++) {
+        run(work, order[i]);
+    }
+}
