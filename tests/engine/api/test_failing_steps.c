@@ -379,10 +379,69 @@ static void advance_out_of_memory_tells_how_many_steps_it_made(void **state) {
     thud_world_destroy(world);
 }
 
+/* Workers that a single thread plays one after the other. */
+static void one_after_the_other(thud_task_fn *task, void *argument, int workers, void *context) {
+    (void)context;
+    for (int i = 0; i < workers; i++) {
+        task(argument);
+    }
+}
+
+/* A heap of circles that fall on each other, of several places (TD_PLACE_SLOTS), with workers. */
+static void make_large(side *s, thud_allocator allocator) {
+    enum { COLUMNS = 50, ROWS = 50 };
+    thud_world_def def = thud_default_world_def();
+    thud_shape_def shape = thud_default_shape_def();
+    def.allocator = allocator;
+    def.job_system = (thud_job_system){.run = one_after_the_other, .workers = 3};
+    *s = (side){.world = make_world(def)};
+    add_floor(s->world, NULL);
+    for (int i = 0; i < COLUMNS * ROWS; i++) {
+        double x = 0.99 * (i % COLUMNS - COLUMNS / 2), y = 0.51 + 0.99 * (i / COLUMNS);
+        thud_body_id body = add_body(s->world, THUD_BODY_DYNAMIC, x, y, 0);
+        add_shape(s->world, body, 0.5f, 0, false, &shape);
+    }
+}
+
+/* Makes one step with so many attempts that each allocation but the first fails once. */
+static long step_by_single_allocations(side *s) {
+    uint64_t hash = thud_hash_of(s->world);
+    for (long failures = 0;; failures++) {
+        memory_allowed = 1;
+        thud_result result = thud_world_step(s->world);
+        memory_allowed = -1;
+        if (result == THUD_OK) {
+            return failures;
+        }
+        assert_int_equal(result, THUD_ERROR_MEMORY);
+        assert_true(thud_hash_of(s->world) == hash);
+    }
+}
+
+static void large_worlds_with_workers_run_out_of_memory_too(void **state) {
+    (void)state;
+    side here, twin;
+    long failures = 0;
+    memory_allowed = -1;
+    make_large(&here, hostile_memory());
+    make_large(&twin, (thud_allocator){0});
+    for (int i = 0; i < 12; i++) {
+        OK(thud_world_step(twin.world));
+        failures += step_by_single_allocations(&here);
+        assert_true(thud_hash_of(here.world) == thud_hash_of(twin.world));
+    }
+    assert_true(thud_stats_of(here.world).contacts > 4000);
+    assert_true(failures > 40);
+    thud_world_destroy(here.world);
+    thud_world_destroy(twin.world);
+    assert_int_equal(memory_held, 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(steps_that_ran_out_of_memory_end_as_if_they_had_not),
         cmocka_unit_test(advance_out_of_memory_tells_how_many_steps_it_made),
+        cmocka_unit_test(large_worlds_with_workers_run_out_of_memory_too),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

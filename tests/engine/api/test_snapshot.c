@@ -65,6 +65,30 @@ static void every_scene_restored_goes_the_same_way(void **state) {
     }
 }
 
+/* A world so large that its contacts have blocks by place (TD_PLACE_SLOTS), restored into itself
+ * and into a small one. */
+static void contacts_of_several_places_are_restored(void **state) {
+    (void)state;
+    scene s;
+    thud_world *world;
+    float scale;
+    assert_true(scenes_fill(scenes_find("circle_pit"), 3000, &s));
+    OK(scene_build_thud(&s, NULL, &world, NULL, NULL));
+    scene_free(&s);
+    run(world, 80);
+    saved snapshot = save(world);
+    trail first = walk(world, 40);
+    back_to(world, snapshot);
+    walks_again(world, &first, "the same world");
+    thud_world *other = scene_world(scenes_find("circle_pit"), NULL, &scale);
+    run(other, 30);
+    back_to(other, snapshot);
+    walks_again(other, &first, "a small world");
+    thud_world_destroy(other);
+    thud_world_destroy(world);
+    free(snapshot.bytes);
+}
+
 /* A world that differs from the scenes as much as possible: large; thin, damped and belted bodies,
  * kinematic ones and sleeping ones; and a setting that may be pending for the next step. */
 static thud_world *wild_world(thud_world_def def, int steps) {
@@ -400,6 +424,7 @@ static void poses_and_time_left_over_are_restored(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_scene_restored_goes_the_same_way),
+        cmocka_unit_test(contacts_of_several_places_are_restored),
         cmocka_unit_test(unlike_worlds_restored_from_each_other_go_the_same_ways),
         cmocka_unit_test(every_setting_restored_goes_the_same_way),
         cmocka_unit_test(sleeping_island_restored_sleeps_and_wakes_as_before),
