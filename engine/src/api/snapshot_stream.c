@@ -4,6 +4,7 @@
 #include "api/snapshot.h"
 
 #include "constraint/joint_hooks.h"
+#include "constraint/lanes.h"
 #include "contact/sensors.h"
 #include "solver/error.h"
 #include "solver/restitution.h"
@@ -334,6 +335,10 @@ static void serialize_bins(stream *t, thud_world *w, int count) {
     td_bin *bins = &w->bins[0][0];
     if (!t->to) {
         memset(bins, 0, sizeof w->bins);
+        td_array *placed = &w->placed_bins; /* the snapshot's bins by place are among its parts */
+        if (placed->count) {
+            memset(placed->data, 0, (size_t)placed->count * sizeof(td_placed_bin));
+        }
     }
     for (int32_t i = 0; t->to && i < BIN_COUNT; i++) {
         if (bins[i].lanes) {

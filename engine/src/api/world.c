@@ -153,7 +153,6 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.chunk_order, int),
     ARRAY(scratch.phases, td_phase),
     ARRAY(scratch.bounds, int),
-    ARRAY(scratch.place_blocks, int),
     ARRAY(scratch.begins, int),
     ARRAY(scratch.ends, int),
     ARRAY(scratch.parents, td_awake_slot),

@@ -11,9 +11,7 @@ enum { SLOTS_UNIT = 512, SLOTS_UNIT_SMALL = 64, UNITS_MIN = 4 };
 
 int td_body_chunk(const thud_world *w, int workers) {
     int slots = w->body_of.count;
-    return workers <= 1                                ? slots
-           : slots >= workers * UNITS_MIN * SLOTS_UNIT ? SLOTS_UNIT
-                                                       : SLOTS_UNIT_SMALL;
+    return slots >= workers * UNITS_MIN * SLOTS_UNIT ? SLOTS_UNIT : SLOTS_UNIT_SMALL;
 }
 
 /* A boundary between workers lies between two places if that gives none of them more than a twelfth
@@ -26,13 +24,13 @@ static int slots_of_place(const thud_world *w, int place) {
     return td_max_int(0, td_min_int(w->body_of.count - place * TD_PLACE_SLOTS, TD_PLACE_SLOTS));
 }
 
-/* Counts the blocks of each place, in scratch.place_blocks. Returns how many these are. */
+/* Counts the blocks of each place, in scratch.order (int). Returns how many these are. */
 static int count_by_place(thud_world *w) {
-    int *blocks = w->scratch.place_blocks.data, sum = 0;
-    memset(blocks, 0, (size_t)w->scratch.place_blocks.count * sizeof *blocks);
+    int *blocks = w->scratch.order.data, sum = 0;
+    memset(blocks, 0, (size_t)w->scratch.order.count * sizeof *blocks);
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, i);
-        if (run->place != TD_NONE) {
+        if (run->bin < TD_PLACED_COLOURS) {
             blocks[run->place] += run->count;
             sum += run->count;
         }
@@ -43,7 +41,7 @@ static int count_by_place(thud_world *w) {
 /* Sets scratch.bounds: worker i has the slots from element i to the one before element i + 1. The
  * blocks of all places are divided evenly; in a world without any, the slots. */
 static void set_bounds(thud_world *w, int workers) {
-    const int *blocks = w->scratch.place_blocks.data;
+    const int *blocks = w->scratch.order.data;
     int *bounds = w->scratch.bounds.data, slots = w->body_of.count;
     int sum = count_by_place(w), unit = td_body_chunk(w, workers), place = 0, before = 0;
     bounds[0] = 0;
@@ -63,18 +61,24 @@ static void set_bounds(thud_world *w, int workers) {
     bounds[workers] = slots;
 }
 
-void td_share_bodies(const thud_world *w, int workers, int shares[THUD_WORKERS_MAX + 1]) {
-    int slots = w->body_of.count, unit = td_body_chunk(w, workers);
-    int chunks = unit ? (slots + unit - 1) / unit : 0, most = 0;
-    const int *bounds = w->scratch.bounds.data;
-    for (int i = 0; i < workers && workers > 1; i++) {
-        most = td_max_int(most, bounds[i + 1] - bounds[i]);
-    }
-    /* Where the blocks are those of few bodies, the slots are divided evenly instead. */
-    bool even = workers == 1 || (int64_t)most * workers * 4 > (int64_t)slots * 5;
+/* Divides chunks evenly. */
+static void share_evenly(int chunks, int workers, int shares[THUD_WORKERS_MAX + 1]) {
     for (int i = 0; i <= workers; i++) {
-        int chunk = even ? (int)((int64_t)chunks * i / workers) : bounds[i] / unit;
-        shares[i] = i == workers ? chunks : td_min_int(chunk, chunks);
+        shares[i] = (int)((int64_t)chunks * i / workers);
+    }
+}
+
+void td_share_bodies(const thud_world *w, int workers, int shares[THUD_WORKERS_MAX + 1]) {
+    const int *bounds = w->scratch.bounds.data;
+    int slots = w->body_of.count, unit = td_body_chunk(w, workers), most = 0;
+    for (int i = 0; i < workers; i++) {
+        most = td_max_int(most, bounds[i + 1] - bounds[i]);
+        shares[i] = td_min_int(bounds[i], slots) / unit;
+    }
+    shares[workers] = (slots + unit - 1) / unit;
+    /* Where the blocks are those of few bodies, the slots are divided evenly instead. */
+    if ((int64_t)most * workers * 4 > (int64_t)slots * 5) {
+        share_evenly(shares[workers], workers, shares);
     }
 }
 
@@ -87,7 +91,7 @@ static int share_begins(const thud_world *w, const td_run *run, int worker, int 
     if (worker == 0 || worker == workers || td_run_is_single(run)) {
         return worker == 0 ? 0 : count;
     }
-    if (run->place == TD_NONE) {
+    if (run->bin >= TD_PLACED_COLOURS) {
         int even = ((count - 1) / workers / TD_CHUNK_UNIT + 1) * TD_CHUNK_UNIT;
         return td_min_int(worker * td_max_int(even, TD_CHUNK_BLOCKS_MIN), count);
     }
@@ -101,20 +105,15 @@ static int share_begins(const thud_world *w, const td_run *run, int worker, int 
     return bound == slots ? count : (begin + TD_CHUNK_UNIT / 2) / TD_CHUNK_UNIT * TD_CHUNK_UNIT;
 }
 
-/* Divides a run into chunks, for which there is room. */
-static void cut_run(thud_world *w, int index, int workers) {
-    const td_run *run = TD_AT(td_run, &w->scratch.runs, index);
-    bool whole = workers == 1 || td_run_is_single(run);
-    for (int i = 0; i < workers; i++) {
-        int end = share_begins(w, run, i + 1, workers);
-        int size = whole ? run->count : TD_CHUNK_BLOCKS;
-        for (int first = share_begins(w, run, i, workers); first < end; first += size) {
-            TD_PUSH(td_chunk, &w->scratch.chunks) =
-                (td_chunk){.run = index,
-                           .first = run->first + first,
-                           .count = td_min_int(size, end - first),
-                           .worker = i};
-        }
+/* Appends the blocks of a run from `first` to the one before `end` as chunks of a worker's share,
+ * of at most `size` blocks. There is room for them. */
+static void add_chunks(thud_world *w, int run, int first, int end, int size, int worker) {
+    for (; first < end; first += size) {
+        int blocks = TD_AT(td_run, &w->scratch.runs, run)->first;
+        TD_PUSH(td_chunk, &w->scratch.chunks) = (td_chunk){.run = run,
+                                                           .first = blocks + first,
+                                                           .count = td_min_int(size, end - first),
+                                                           .worker = worker};
     }
 }
 
@@ -181,28 +180,47 @@ static bool list_phases(thud_world *w, int workers) {
     return true;
 }
 
+/* Divides all runs among several workers. False when memory is short. */
+static bool cut_for_workers(thud_world *w, int workers) {
+    int places = 1 + w->placed_bins.count / TD_PLACED_COLOURS;
+    if (!td_array_reserve(&w->memory, &w->scratch.chunk_order, w->scratch.chunks.capacity) ||
+        !td_array_reserve(&w->memory, &w->scratch.order, places) ||
+        !td_array_reserve(&w->memory, &w->scratch.bounds, THUD_WORKERS_MAX + 1)) {
+        return false;
+    }
+    w->scratch.order.count = places;
+    set_bounds(w, workers);
+    for (int i = 0; i < w->scratch.runs.count; i++) {
+        const td_run *run = TD_AT(td_run, &w->scratch.runs, i);
+        int size = td_run_is_single(run) ? run->count : TD_CHUNK_BLOCKS;
+        for (int k = 0; k < workers; k++) {
+            add_chunks(w, i, share_begins(w, run, k, workers), share_begins(w, run, k + 1, workers),
+                       size, k);
+        }
+    }
+    return list_phases(w, workers);
+}
+
 bool td_chunks_cut(thud_world *w) {
     int workers = TD_HAS_THREADS ? td_max_int(1, w->def.job_system.workers) : 1;
     int runs = w->scratch.runs.count;
-    int chunks_max = runs * workers + w->scratch.blocks.count / TD_CHUNK_BLOCKS;
-    int places = 1 + w->placed_bins.count / TD_PLACED_COLOURS;
-    if (!td_array_reserve(&w->memory, &w->scratch.chunks, chunks_max)) {
+    int most = runs;
+    if (workers > 1) {
+        most = runs * workers + w->scratch.blocks.count / TD_CHUNK_BLOCKS;
+    }
+    if (!td_array_reserve(&w->memory, &w->scratch.chunks, most)) {
         return false;
     }
-    if (workers > 1) {
-        if (!td_array_reserve(&w->memory, &w->scratch.chunk_order, chunks_max) ||
-            !td_array_reserve(&w->memory, &w->scratch.place_blocks, places) ||
-            !td_array_reserve(&w->memory, &w->scratch.bounds, THUD_WORKERS_MAX + 1)) {
-            return false;
-        }
-        w->scratch.place_blocks.count = places;
-        set_bounds(w, workers);
-    }
     w->scratch.chunks.count = 0;
-    for (int i = 0; i < runs; i++) {
-        cut_run(w, i, workers);
+    if (workers > 1) {
+        return cut_for_workers(w, workers);
     }
-    return workers == 1 || list_phases(w, workers);
+    for (int i = 0; i < runs; i++) {
+        const td_run *run = TD_AT(td_run, &w->scratch.runs, i);
+        TD_PUSH(td_chunk, &w->scratch.chunks) =
+            (td_chunk){.run = i, .first = run->first, .count = run->count};
+    }
+    return true;
 }
 
 void td_phase_run(const thud_world *w, const td_phase *phase, int part, td_chunk_fn *run,

@@ -37,8 +37,7 @@ bool td_chunks_cut(thud_world *w);
 void td_phase_run(const thud_world *w, const td_phase *phase, int part, td_chunk_fn *run,
                   void *work);
 
-/* Awake slots that a worker takes at once in a pass over bodies; a worker that is alone takes all.
- */
+/* Awake slots that one of several workers takes at once in a pass over bodies. */
 int td_body_chunk(const thud_world *w, int workers);
 /* Sets the shares (td_worker_take) of the passes over bodies, in chunks of td_body_chunk. */
 void td_share_bodies(const thud_world *w, int workers, int shares[THUD_WORKERS_MAX + 1]);

@@ -15,7 +15,7 @@ static td_slots *pool_of(thud_world *w, int kind) {
     return &w->pool[w->kinds[kind]->form];
 }
 
-/* A bin by its number (td_bin_of_place). Only contacts have bins by place. */
+/* A bin by its number (td_bin_of_place). */
 static td_bin *bin_at(thud_world *w, int kind, int bin) {
     int placed = bin - TD_BINS_A_KIND;
     return placed < 0 ? &w->bins[kind][bin]
@@ -66,9 +66,9 @@ static int choose_bin(thud_world *w, const td_constraint *constraint) {
     int bin = colour + (a_static ? TD_COLOURS : 0);
     mark_colour(w, slot_a, bin, true);
     mark_colour(w, slot_b, bin, true);
-    if (bin < TD_PLACED_COLOURS && td_is_contact(constraint)) {
-        int place = td_min_int(slot_a.at, slot_b.at) / TD_PLACE_SLOTS;
-        bin = td_bin_of_place(bin, td_min_int(place, TD_PLACES_MAX - 1));
+    if (bin < TD_PLACED_COLOURS) {
+        int slot = td_min_int(slot_a.at, slot_b.at);
+        bin = td_bin_of_place(bin, slot / TD_PLACE_SLOTS % TD_PLACES_MAX);
     }
     return bin;
 }
@@ -131,8 +131,11 @@ static void clear_lane(td_block *block, int lane, int bytes) {
 /* Adds a lane to the end of a bin. Returns the index of its block; *lane is its number there. */
 static int bin_grow(thud_world *w, int kind, int index, int *lane) {
     td_bin *bin = bin_at(w, kind, index);
-    bool full = bin->lanes == 0 || td_block_at(w, kind, bin->tail)->used == lanes_a_block(index);
-    if (full) {
+    if (bin->lanes % lanes_a_block(index) == 0) { /* all blocks of the bin are full */
+        w->scratch.sequenced = false;
+        int colour = td_colour_of_bin(index);
+        int *bin_end = &w->scratch.bin_end[colour / TD_COLOURS];
+        *bin_end = td_max_int(*bin_end, colour + 1);
         int block = take_block(w, kind);
         td_block *new_block = td_block_at(w, kind, block);
         new_block->next = TD_NONE;
@@ -144,10 +147,6 @@ static int bin_grow(thud_world *w, int kind, int index, int *lane) {
         }
         bin->tail = block;
     }
-    w->scratch.sequenced &= !full;
-    int colour = td_colour_of_bin(index);
-    int *bin_end = &w->scratch.bin_end[colour / TD_COLOURS];
-    *bin_end = td_max_int(*bin_end, colour + 1);
     bin->lanes++;
     *lane = td_block_at(w, kind, bin->tail)->used++;
     return bin->tail;
@@ -237,9 +236,8 @@ bool td_lanes_reserve_sleeping(thud_world *w) {
     int more[TD_FORM_COUNT] = {0};
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
         int used = 0;
-        int placed = kind < TD_PAIR_TOUCH_COUNT ? w->placed_bins.count : 0;
-        for (int bin = 0; bin < TD_BINS_A_KIND + placed; bin++) {
-            used += bin != TD_SLEEPING && bin_at(w, kind, bin)->lanes > 0;
+        for (int bin = 0; bin < TD_BINS_A_KIND + w->placed_bins.count; bin++) {
+            used += bin_at(w, kind, bin)->lanes > 0;
         }
         if (used > 0) {
             more[w->kinds[kind]->form] += used + 1;
@@ -294,51 +292,43 @@ void td_constraints_fetch_ahead(const thud_world *w, const int *constraints, int
     }
 }
 
-/* Makes the bins of all places up to that of bin number `last`. False when memory is short. */
-static bool make_places(thud_world *w, int last) {
+/* Makes the bins of the places of all awake slots; new elements of an array are zeroed, which are
+ * empty bins. False when memory is short. */
+static bool make_places(thud_world *w) {
     td_array *bins = &w->placed_bins;
-    int old = bins->count, places = (last - TD_BINS_A_KIND + TD_PLACED_COLOURS) / TD_PLACED_COLOURS;
-    int count = td_max_int(old, places * TD_PLACED_COLOURS);
+    int places = w->body_of.count / TD_PLACE_SLOTS; /* but the first one */
+    int count = td_max_int(bins->count, places * TD_PLACED_COLOURS);
     if (!td_array_reserve(&w->memory, bins, count)) {
         return false;
     }
-    memset((td_placed_bin *)bins->data + old, 0, (size_t)(count - old) * sizeof(td_placed_bin));
     bins->count = count;
     return true;
-}
-
-/* Reserves the blocks that the constraints need beside those in use. It gives each constraint a
- * lane of its bin, to see which need a new block, and takes the lanes back. False when memory is
- * short. */
-static bool reserve_lanes(thud_world *w, const int *constraints, const int *bins, int count) {
-    int more[TD_FORM_COUNT] = {0};
-    for (int i = 0; i < count; i++) {
-        int kind = td_constraint_at(w, constraints[i])->kind;
-        td_bin *bin = bin_at(w, kind, bins[i]);
-        more[w->kinds[kind]->form] += bin->lanes++ % lanes_a_block(bins[i]) == 0;
-    }
-    for (int i = 0; i < count; i++) {
-        bin_at(w, td_constraint_at(w, constraints[i])->kind, bins[i])->lanes--;
-    }
-    return reserve_blocks(w, more);
 }
 
 bool td_lanes_place(thud_world *w, const int *constraints, int count) {
     if (count == 0) {
         return true;
     }
-    if (!td_array_reserve(&w->memory, &w->scratch.lane_bins, count)) {
+    if (!td_array_reserve(&w->memory, &w->scratch.lane_bins, count) || !make_places(w)) {
         return false;
     }
-    int *bins = w->scratch.lane_bins.data, last = 0;
+    /* Gives each constraint a lane of its bin, to count the blocks that are needed, and takes the
+     * lanes back. */
+    int *bins = w->scratch.lane_bins.data, more[TD_FORM_COUNT] = {0};
     for (int i = 0; i < count; i++) {
-        bins[i] = choose_bin(w, td_constraint_at(w, constraints[i]));
-        last = td_max_int(last, bins[i]);
+        const td_constraint *constraint = td_constraint_at(w, constraints[i]);
+        int kind = constraint->kind, bin = bins[i] = choose_bin(w, constraint);
+        more[w->kinds[kind]->form] += bin_at(w, kind, bin)->lanes++ % lanes_a_block(bin) == 0;
     }
-    if (!make_places(w, last) || !reserve_lanes(w, constraints, bins, count)) {
-        for (int i = 0; i < count; i++) {
-            release_bin(w, td_constraint_at(w, constraints[i]), bins[i]);
+    bool reserved = reserve_blocks(w, more);
+    for (int i = 0; i < count; i++) {
+        const td_constraint *constraint = td_constraint_at(w, constraints[i]);
+        bin_at(w, constraint->kind, bins[i])->lanes--;
+        if (!reserved) {
+            release_bin(w, constraint, bins[i]);
         }
+    }
+    if (!reserved) {
         return false;
     }
     for (int i = 0; i < count; i++) {
@@ -391,11 +381,11 @@ static void prefetch_listed(const td_array *blocks) {
     }
 }
 
-/* Appends the run of a kind's bin to scratch.runs, and its blocks to scratch.blocks. `colour`: as
- * td_run.bin. */
-static void list_bin(thud_world *w, int kind, int bin, int colour, int place) {
-    const td_bin *from = bin_at(w, kind, bin);
-    if (!from->lanes) {
+/* Appends the run of the bin of a kind, colour (as td_run.bin) and place to scratch.runs, and its
+ * blocks to scratch.blocks. */
+static void list_bin(thud_world *w, int kind, int colour, int place) {
+    const td_bin *bin = bin_at(w, kind, td_bin_of_place(colour, place));
+    if (!bin->lanes) {
         return;
     }
     td_array *runs = &w->scratch.runs, *blocks = &w->scratch.blocks;
@@ -405,7 +395,7 @@ static void list_bin(thud_world *w, int kind, int bin, int colour, int place) {
                     .bin = colour,
                     .place = place,
                     .first = blocks->count};
-    for (int i = from->head; i != TD_NONE;) {
+    for (int i = bin->head; i != TD_NONE;) {
         td_block *block = td_block_at(w, kind, i);
         TD_PUSH(td_block *, blocks) = block;
         prefetch_listed(blocks);
@@ -430,30 +420,24 @@ static int kinds_in_order(const thud_world *w, int kinds[TD_CONSTRAINT_KINDS]) {
     return count;
 }
 
-/* Lists the bins of a colour (as td_run.bin) of all kinds, place by place. */
+/* Lists the bins of a colour of all kinds, place by place. */
 static void list_colour(thud_world *w, int colour, const int *kinds, int kind_count) {
-    bool placed = colour < TD_PLACED_COLOURS;
-    int places = placed ? 1 + w->placed_bins.count / TD_PLACED_COLOURS : 1;
-    for (int place = 0; place < places; place++) {
+    int more = colour < TD_PLACED_COLOURS ? w->placed_bins.count / TD_PLACED_COLOURS : 0;
+    for (int place = 0; place <= more; place++) {
         for (int i = 0; i < kind_count; i++) {
-            bool contacts = kinds[i] < TD_PAIR_TOUCH_COUNT;
-            if (contacts || place == 0) {
-                list_bin(w, kinds[i], td_bin_of_place(colour, place), colour,
-                         contacts && placed ? place : TD_NONE);
-            }
+            list_bin(w, kinds[i], colour, place);
         }
     }
 }
 
 bool td_lanes_sequence(thud_world *w) {
-    int blocks_max = 0;
-    int runs_max =
-        2 * TD_COLOURS * TD_CONSTRAINT_KINDS + w->placed_bins.count * TD_PAIR_TOUCH_COUNT;
-    for (int form = 0; form < TD_FORM_COUNT; form++) {
-        blocks_max += w->pool[form].live;
-    }
     if (w->scratch.sequenced) {
         return true;
+    }
+    int blocks_max = 0;
+    int runs_max = (2 * TD_COLOURS + w->placed_bins.count) * TD_CONSTRAINT_KINDS;
+    for (int form = 0; form < TD_FORM_COUNT; form++) {
+        blocks_max += w->pool[form].live;
     }
     if (!td_array_reserve(&w->memory, &w->scratch.blocks, blocks_max) ||
         !td_array_reserve(&w->memory, &w->scratch.separated, 2 * blocks_max + 1) ||

@@ -6,7 +6,7 @@
  * one more bin of each kind has the lanes of sleeping bodies. A constraint that finds no free
  * colour goes to the overflow colour, whose blocks have one lane each.
  *
- * The first colours of contacts of two moving bodies have a bin for each place (TD_PLACE_SLOTS),
+ * The first colours of two moving bodies have a bin for each place (TD_PLACE_SLOTS),
  * chosen by the lower of their awake slots when the lane is taken. Bodies near each other in the
  * world mostly are so in slots too, so that the blocks of a place read and write the same few
  * records, and workers that solve different places seldom write the same cache lines.
@@ -24,7 +24,7 @@ typedef struct td_run {
     int32_t kind, a_static; /* kind of the constraints; `a_static` 1: side a is static */
     int32_t bin;   /* colour, + TD_COLOURS where a_static: runs with equal `bin`, even of different
                       kinds or places, have no moving body in common, except in the overflow colour */
-    int32_t place; /* number of its bin's place, or TD_NONE: the bin has blocks of all places */
+    int32_t place; /* number of its bin's place; 0 where the bins of the colour have none */
     int32_t first, count; /* blocks, in scratch.blocks */
     int32_t has_offsets;  /* 1: one of its blocks has offsets (td_block.has_offsets) */
     int32_t shared;       /* 1: one of its blocks is shared, so that only one worker may solve it */
@@ -36,9 +36,9 @@ static inline bool td_run_is_single(const td_run *run) {
     return run->shared || run->bin % TD_COLOURS == TD_OVERFLOW;
 }
 
-/* The bins of one place and colour, by kind of contact. */
+/* The bins of one place and colour, by kind. */
 typedef struct td_placed_bin {
-    td_bin of[TD_PAIR_TOUCH_COUNT];
+    td_bin of[TD_CONSTRAINT_KINDS];
 } td_placed_bin;
 
 /* The number of the bin of a colour, below TD_PLACED_COLOURS, and a place. The bins of the first

@@ -235,22 +235,27 @@ static void walk(solving *s, pass which) {
 
 /* Runs a pass over all bodies. */
 static void walk_bodies(solving *s, td_chunk_fn *integrate) {
+    if (!td_worker_shares(&s->worker)) {
+        integrate(s, 0);
+        return;
+    }
     td_worker_take(&s->worker, s->body_shares, integrate, s);
     td_worker_wait(&s->worker);
 }
 
-/* The motion context of one chunk of bodies. */
+/* The motion context of one chunk of bodies; a worker that is alone has them all in one. */
 static td_motion_context part_of(const solving *s, int chunk) {
-    const td_motion_context *m = &s->motion;
-    td_motion_context part = *m;
-    int size = s->body_chunk, first = chunk * size;
-    part.velocity += first;
-    part.delta += first;
-    part.start += first;
-    part.substep_gain += first;
-    part.damping = m->damping ? m->damping + first : NULL;
-    part.colours += first;
-    part.count = td_min_int(m->count - first, size);
+    td_motion_context part = s->motion;
+    if (td_worker_shares(&s->worker)) {
+        int first = chunk * s->body_chunk;
+        part.velocity += first;
+        part.delta += first;
+        part.start += first;
+        part.substep_gain += first;
+        part.damping = part.damping ? part.damping + first : NULL;
+        part.colours += first;
+        part.count = td_min_int(part.count - first, s->body_chunk);
+    }
     return part;
 }
 
@@ -399,10 +404,13 @@ void td_solve(thud_world *w) {
     atomic_bool adds[2 * THUD_SUBSTEPS_MAX] = {false};
     atomic_flag dummy = ATOMIC_FLAG_INIT;
     float h = (float)(w->def.time_step / w->substeps);
-    int body_shares[THUD_WORKERS_MAX + 1];
+    int body_shares[THUD_WORKERS_MAX + 1], body_chunk = 0;
     td_job job;
     td_job_begin(&job, workers_for(w));
-    td_share_bodies(w, job.workers, body_shares);
+    if (td_job_is_shared(&job)) {
+        body_chunk = td_body_chunk(w, job.workers);
+        td_share_bodies(w, job.workers, body_shares);
+    }
     solving s = {
         .w = w,
         .contacts = solve_context(w, h),
@@ -420,7 +428,7 @@ void td_solve(thud_world *w) {
         .tally = {.skin = w->skin, .overlap = td_overlap_depth_min(w), .to_fixed = w->to_fixed},
         .tallies = tallies,
         .body_shares = body_shares,
-        .body_chunk = td_body_chunk(w, job.workers),
+        .body_chunk = body_chunk,
         .job = &job,
         .bounced = bounced,
         .dummy = &dummy,

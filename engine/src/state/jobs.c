@@ -1,26 +1,12 @@
 /* jobs.c: distributes the chunks of each phase among workers by atomic counters; see jobs.h. */
 #include "state/jobs.h"
 
-/* Points of blocks (td_scratch.points) from which on a task over them is shared. Sharing costs time
- * in each phase, since the data of bodies move between the caches of processors. Measured with two
- * threads: at 400 to 500 points it takes as long as one thread. A greater value leaves more worlds
- * to one thread. */
-enum { SHARED_POINTS_MIN = 512 };
-
-void td_job_begin(td_job *job, int workers) {
-    job->workers = workers;
-    if (td_job_is_shared(job)) {
-        atomic_init(&job->arrived.value, 0);
-        atomic_init(&job->done.value, 0);
-        for (int i = 0; i < workers; i++) {
-            atomic_init(&job->taken[i].value, 0);
-        }
+void td_job_begin_shared(td_job *job) {
+    atomic_init(&job->arrived.value, 0);
+    atomic_init(&job->done.value, 0);
+    for (int i = 0; i < job->workers; i++) {
+        atomic_init(&job->taken[i].value, 0);
     }
-}
-
-int td_workers_for_blocks(const thud_world *w) {
-    bool shared = TD_HAS_THREADS && w->scratch.points >= SHARED_POINTS_MIN;
-    return shared ? td_max_int(1, w->def.job_system.workers) : 1;
 }
 
 /* Takes and runs chunks of one part of the phase, [first, end), until none is left. Returns how
@@ -76,12 +62,6 @@ static int steal_part(atomic_int *taken, int before, int first, int end, td_chun
  * cache line move between processors each time. */
 void td_worker_take(td_worker *worker, const int *shares, td_chunk_fn *run, void *work) {
     td_job *job = worker->job;
-    if (!td_worker_shares(worker)) {
-        for (int i = 0; i < shares[1]; i++) {
-            run(work, i);
-        }
-        return;
-    }
     int workers = job->workers, ran = 0;
     for (int k = 0; k < workers; k++) {
         int part = (worker->index + k) % workers, *before = &worker->before_of[part];
@@ -104,7 +84,13 @@ void td_worker_wait(const td_worker *worker) {
 }
 
 void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work) {
-    int shares[THUD_WORKERS_MAX + 1], workers = td_worker_shares(worker) ? worker->job->workers : 1;
+    if (!td_worker_shares(worker)) {
+        for (int i = 0; i < chunks; i++) {
+            run(work, i);
+        }
+        return;
+    }
+    int shares[THUD_WORKERS_MAX + 1], workers = worker->job->workers;
     for (int i = 0; i <= workers; i++) {
         shares[i] = (int)((int64_t)chunks * i / workers);
     }
@@ -125,12 +111,8 @@ static void run_in_own_float_mode(void *work) {
     shared->run(shared->argument);
 }
 
-void td_job_run(const thud_world *w, const td_job *job, thud_task_fn *run, void *argument) {
+void td_job_run_shared(const thud_world *w, const td_job *job, thud_task_fn *task, void *argument) {
     const thud_job_system *job_system = &w->def.job_system;
-    if (td_job_is_shared(job)) {
-        shared_work shared = {run, argument};
-        job_system->run(run_in_own_float_mode, &shared, job->workers, job_system->context);
-    } else {
-        run(argument);
-    }
+    shared_work shared = {task, argument};
+    job_system->run(run_in_own_float_mode, &shared, job->workers, job_system->context);
 }

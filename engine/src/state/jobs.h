@@ -44,15 +44,32 @@ typedef struct td_worker {
 /* Runs one chunk of a phase. */
 typedef void td_chunk_fn(void *work, int chunk);
 
-/* Begins a task for so many workers. */
-void td_job_begin(td_job *job, int workers);
+/* Points of blocks (td_scratch.points) from which on a task over them is shared. Sharing costs time
+ * in each phase, since the data of bodies move between the caches of processors. Measured with two
+ * threads: at 400 to 500 points it takes as long as one thread. A greater value leaves more worlds
+ * to one thread. */
+enum { TD_SHARED_POINTS_MIN = 512 };
+
 /* How many workers shall share a task over the blocks of scratch.blocks: those of the job system,
- * or 1 where the blocks have fewer than SHARED_POINTS_MIN points. */
-int td_workers_for_blocks(const thud_world *w);
+ * or 1 where the blocks have fewer than TD_SHARED_POINTS_MIN points. */
+static inline int td_workers_for_blocks(const thud_world *w) {
+    bool shared = TD_HAS_THREADS && w->scratch.points >= TD_SHARED_POINTS_MIN;
+    return shared ? td_max_int(1, w->def.job_system.workers) : 1;
+}
 
 /* Whether several workers run the task. */
 static inline bool td_job_is_shared(const td_job *job) {
     return TD_HAS_THREADS && job->workers > 1;
+}
+
+void td_job_begin_shared(td_job *job);
+
+/* Begins a task for so many workers. */
+static inline void td_job_begin(td_job *job, int workers) {
+    job->workers = TD_HAS_THREADS ? workers : 1;
+    if (td_job_is_shared(job)) {
+        td_job_begin_shared(job);
+    }
 }
 
 /* Whether the worker has others beside it. */
@@ -67,9 +84,9 @@ static inline td_worker td_worker_arrive(td_job *job) {
                            td_job_is_shared(job) ? atomic_fetch_add(&job->arrived.value, 1) : 0};
 }
 
-/* Runs chunks of the worker's next phase until all of them are taken. The part of worker i are the
- * chunks from shares[i] to the one before shares[i + 1]; shares[0] is 0. Other workers may still be
- * running theirs when it returns. */
+/* Runs chunks of the next phase of one of several workers until all of them are taken. The part of
+ * worker i are the chunks from shares[i] to the one before shares[i + 1]; shares[0] is 0. Other
+ * workers may still be running theirs when it returns. */
 void td_worker_take(td_worker *worker, const int *shares, td_chunk_fn *run, void *work);
 /* Returns when all chunks that have been taken are done. */
 void td_worker_wait(const td_worker *worker);
@@ -77,7 +94,16 @@ void td_worker_wait(const td_worker *worker);
  * of the next phase are done. */
 void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work);
 
-/* Calls run(argument) on every worker, and returns when all are done. */
-void td_job_run(const thud_world *w, const td_job *job, thud_task_fn *run, void *argument);
+void td_job_run_shared(const thud_world *w, const td_job *job, thud_task_fn *task, void *argument);
+
+/* Calls task(argument) on every worker, and returns when all are done. */
+static inline void td_job_run(const thud_world *w, const td_job *job, thud_task_fn *task,
+                              void *argument) {
+    if (td_job_is_shared(job)) {
+        td_job_run_shared(w, job, task, argument);
+    } else {
+        task(argument);
+    }
+}
 
 #endif

@@ -18,10 +18,10 @@ enum {
     TD_SLEEPING = 2 * TD_COLOURS         /* the bin of sleeping lanes */
 };
 
-/* A place is a range of so many awake slots. The first colours of contacts of two moving bodies,
- * which hold nearly all lanes of a large world, have a bin for each place (constraint/lanes.h).
- * Both numbers are chosen: with larger places workers share more cache lines, with smaller places
- * and with more colours more blocks have empty lanes. */
+/* A place is a range of so many awake slots. The first colours of two moving bodies, which hold
+ * nearly all lanes of a large world, have a bin for each place (constraint/lanes.h). Chosen: with
+ * larger places workers share more cache lines, with smaller places and with more colours more
+ * blocks have empty lanes. */
 enum { TD_PLACE_SLOTS = 1024, TD_PLACED_COLOURS = 8, TD_PLACES_MAX = 8192 };
 
 typedef struct td_pose {

@@ -26,7 +26,6 @@ typedef struct td_scratch {
     td_array chunk_order;         /* int: indices of `chunks`, by phase and worker */
     td_array phases;              /* td_phase: constraint/chunks.h */
     td_array bounds;              /* int, by worker: the first of its awake slots */
-    td_array place_blocks;        /* int: the number of blocks of each place */
     td_array begins, ends;        /* int: contacts that begin or end in this step */
     td_array parents;             /* td_awake_slot, by awake slot: union-find, see label.h */
     td_array lane_bins;           /* int: see td_lanes_place */
@@ -53,7 +52,7 @@ typedef struct td_scratch {
     td_array sensing;      /* td_awake_slot: awake bodies with sensors */
     int sensed_room;       /* new sensor pairs for which this step has reserved memory; 0:
                               it began without sensors */
-    td_array order;        /* any type: while a proxy set is sorted */
+    td_array order;        /* any type: while a proxy set is sorted, or chunks are cut */
 } td_scratch;
 
 #endif
