@@ -203,7 +203,7 @@ td_snapshot_head td_snapshot_head_of(thud_world *w) {
                              .points = points_of(w)};
     strncpy(head.broadphase, w->def.broadphase->name, sizeof head.broadphase - 1);
     memcpy(head.constraints, w->constraint_count, sizeof head.constraints);
-    const td_bin *bins = &w->bins[0][0];
+    const td_bin *bins = w->bins[0].of;
     for (int i = 0; i < BIN_COUNT; i++) {
         head.bins += bins[i].lanes > 0;
     }
@@ -332,12 +332,12 @@ static void serialize_table(stream *t, thud_world *w) {
 
 /* Writes or reads the bins that have lanes, each after its index. */
 static void serialize_bins(stream *t, thud_world *w, int count) {
-    td_bin *bins = &w->bins[0][0];
+    td_bin *bins = w->bins[0].of;
     if (!t->to) {
         memset(bins, 0, sizeof w->bins);
         td_array *placed = &w->placed_bins; /* the snapshot's bins by place are among its parts */
         if (placed->count) {
-            memset(placed->data, 0, (size_t)placed->count * sizeof(td_placed_bin));
+            memset(placed->data, 0, (size_t)placed->count * sizeof(td_bins));
         }
     }
     for (int32_t i = 0; t->to && i < BIN_COUNT; i++) {

@@ -133,7 +133,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(moved, int),
     ARRAY(changed, td_body_index),
     ARRAY(deferred, td_deferred_edit),
-    ARRAY(placed_bins, td_placed_bin),
+    ARRAY(placed_bins, td_bins),
     ARRAY(poses, thud_pose),
     ARRAY(preview.shape, int),
     ARRAY(preview.proxy, td_shape_proxy),

@@ -15,11 +15,14 @@ static td_slots *pool_of(thud_world *w, int kind) {
     return &w->pool[w->kinds[kind]->form];
 }
 
-/* A bin by its number (td_bin_of_place). */
-static td_bin *bin_at(thud_world *w, int kind, int bin) {
+/* The bins of one number (td_bin_of_place). */
+static td_bins *bins_at(thud_world *w, int bin) {
     int placed = bin - TD_BINS_A_KIND;
-    return placed < 0 ? &w->bins[kind][bin]
-                      : &TD_AT(td_placed_bin, &w->placed_bins, placed)->of[kind];
+    return placed < 0 ? &w->bins[bin] : TD_AT(td_bins, &w->placed_bins, placed);
+}
+
+static td_bin *bin_at(thud_world *w, int kind, int bin) {
+    return &bins_at(w, bin)->of[kind];
 }
 
 /* The awake slot of a dynamic body, which the solver moves; 0 for other bodies. */
@@ -136,6 +139,8 @@ static int bin_grow(thud_world *w, int kind, int index, int *lane) {
         int colour = td_colour_of_bin(index);
         int *bin_end = &w->scratch.bin_end[colour / TD_COLOURS];
         *bin_end = td_max_int(*bin_end, colour + 1);
+        int place = (index - TD_BINS_A_KIND + TD_PLACED_COLOURS) / TD_PLACED_COLOURS;
+        w->scratch.last_place = td_max_int(w->scratch.last_place, place);
         int block = take_block(w, kind);
         td_block *new_block = td_block_at(w, kind, block);
         new_block->next = TD_NONE;
@@ -381,15 +386,12 @@ static void prefetch_listed(const td_array *blocks) {
     }
 }
 
-/* Appends the run of the bin of a kind, colour (as td_run.bin) and place to scratch.runs, and its
- * blocks to scratch.blocks. */
-static void list_bin(thud_world *w, int kind, int colour, int place) {
-    const td_bin *bin = bin_at(w, kind, td_bin_of_place(colour, place));
-    if (!bin->lanes) {
-        return;
-    }
+/* Appends the run of a bin to scratch.runs, and its blocks to scratch.blocks. `colour` as
+ * td_run.bin. */
+static void list_bin(thud_world *w, const td_bin *bin, int kind, int colour, int place) {
     td_array *runs = &w->scratch.runs, *blocks = &w->scratch.blocks;
     td_run *run = &TD_PUSH(td_run, runs);
+    w->scratch.last_place = td_max_int(w->scratch.last_place, place);
     *run = (td_run){.kind = kind,
                     .a_static = colour >= TD_COLOURS,
                     .bin = colour,
@@ -407,25 +409,17 @@ static void list_bin(thud_world *w, int kind, int colour, int place) {
     w->scratch.points += TD_HAS_THREADS ? run->count * td_form_points(w->kinds[kind]->form) : 0;
 }
 
-/* Lists the kinds that have blocks, in the order of solving within a colour. Contacts come last, so
- * that joints do not push bodies back into an overlap that contacts have corrected. */
-static int kinds_in_order(const thud_world *w, int kinds[TD_CONSTRAINT_KINDS]) {
-    int count = 0;
-    for (int i = 0; i < TD_CONSTRAINT_KINDS; i++) {
-        int kind = (TD_PAIR_COUNT + i) % TD_CONSTRAINT_KINDS;
-        if (w->kinds[kind] && w->pool[w->kinds[kind]->form].live) {
-            kinds[count++] = kind;
-        }
-    }
-    return count;
-}
-
-/* Lists the bins of a colour of all kinds, place by place. */
-static void list_colour(thud_world *w, int colour, const int *kinds, int kind_count) {
-    int more = colour < TD_PLACED_COLOURS ? w->placed_bins.count / TD_PLACED_COLOURS : 0;
-    for (int place = 0; place <= more; place++) {
-        for (int i = 0; i < kind_count; i++) {
-            list_bin(w, kinds[i], colour, place);
+/* Lists the bins of a colour, place by place up to the last one that may have lanes. Of a place,
+ * contacts come last, so that joints do not push bodies back into an overlap that contacts have
+ * corrected. */
+static void list_colour(thud_world *w, int colour, int last_place) {
+    for (int place = 0; place <= (colour < TD_PLACED_COLOURS ? last_place : 0); place++) {
+        const td_bins *bins = bins_at(w, td_bin_of_place(colour, place));
+        for (int i = 0; i < TD_CONSTRAINT_KINDS; i++) {
+            int kind = (TD_PAIR_COUNT + i) % TD_CONSTRAINT_KINDS;
+            if (bins->of[kind].lanes) {
+                list_bin(w, &bins->of[kind], kind, colour, place);
+            }
         }
     }
 }
@@ -448,12 +442,12 @@ bool td_lanes_sequence(thud_world *w) {
     w->scratch.runs.count = 0;
     w->scratch.points = 0;
     w->stats.colours = 0;
-    int kinds[TD_CONSTRAINT_KINDS];
-    int kind_count = kinds_in_order(w, kinds);
+    int last_place = w->scratch.last_place;
+    w->scratch.last_place = 0;
     for (int half = 0; half < 2; half++) {
         for (int colour = half * TD_COLOURS; colour < w->scratch.bin_end[half]; colour++) {
             int before = w->scratch.blocks.count;
-            list_colour(w, colour, kinds, kind_count);
+            list_colour(w, colour, last_place);
             w->stats.colours += w->scratch.blocks.count > before;
         }
     }

@@ -36,11 +36,6 @@ static inline bool td_run_is_single(const td_run *run) {
     return run->shared || run->bin % TD_COLOURS == TD_OVERFLOW;
 }
 
-/* The bins of one place and colour, by kind. */
-typedef struct td_placed_bin {
-    td_bin of[TD_CONSTRAINT_KINDS];
-} td_placed_bin;
-
 /* The number of the bin of a colour, below TD_PLACED_COLOURS, and a place. The bins of the first
  * place have the numbers of their colours, as have bins that are not by place. */
 static inline int td_bin_of_place(int colour, int place) {

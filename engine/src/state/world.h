@@ -51,6 +51,11 @@ typedef struct td_preview {
     bool stale;      /* edits have been made since the copies were */
 } td_preview;
 
+/* The bins of one number (constraint/lanes.h), by kind of constraint. */
+typedef struct td_bins {
+    td_bin of[TD_CONSTRAINT_KINDS];
+} td_bins;
+
 struct thud_world {
     /* Configuration: not part of a snapshot. */
     thud_world_def def;
@@ -128,8 +133,8 @@ struct thud_world {
     td_array changed;             /* td_body_index: bodies with pending changes, the change list */
     td_array deferred;            /* td_deferred_edit, in the order of calls */
     td_slots pool[TD_FORM_COUNT]; /* td_block, by form (size of block) */
-    td_bin bins[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND];
-    td_array placed_bins; /* td_placed_bin: by place from the second on, and colour */
+    td_bins bins[TD_BINS_A_KIND];
+    td_array placed_bins; /* td_bins: by place from the second on, and colour */
     int touching;         /* lanes of contacts in use, of sleeping bodies too */
     int bouncy;           /* lanes in use that have restitution */
     int surface_speeds;   /* lanes in use that have a surface speed */
