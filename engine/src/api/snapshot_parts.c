@@ -91,7 +91,6 @@ void td_snapshot_list_parts(thud_world *w, const td_snapshot_head *head,
     parts[TD_SNAPSHOT_MOVED] = list_of(&w->moved, shapes);
     parts[TD_SNAPSHOT_CHANGED] = list_of(&w->changed, bodies);
     parts[TD_SNAPSHOT_DEFERRED] = list_of(&w->deferred, 0);
-    parts[TD_SNAPSHOT_PLACED_BINS] = list_of(&w->placed_bins, 0);
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
         /* A step may move every constraint of the kind to this list without reserving. */
         parts[TD_SNAPSHOT_WAITING + kind] = list_of(&w->waiting[kind], head->constraints[kind]);
@@ -103,6 +102,7 @@ void td_snapshot_list_parts(thud_world *w, const td_snapshot_head *head,
     parts[TD_SNAPSHOT_GATHERED_BROKEN] = list_of(&w->gathered.broken, 0);
     parts[TD_SNAPSHOT_GATHERED_IMPULSES] = list_of(&w->gathered.impulses, 0);
     parts[TD_SNAPSHOT_FORCE_RECORDS] = list_of(&w->force_records, 0);
+    parts[TD_SNAPSHOT_PLACED_BINS] = list_of(&w->placed_bins, 0);
     list_proxy_set(w, &w->awake_shapes, parts + TD_SNAPSHOT_PROXY_SETS);
     list_proxy_set(w, &w->rest_shapes,
                    parts + TD_SNAPSHOT_PROXY_SETS + TD_SNAPSHOT_PROXY_SET_PARTS);

@@ -32,7 +32,7 @@ static td_awake_slot moving_slot(const td_body *body) {
 
 /* Whether a bin is of the overflow colour. */
 static bool is_overflow(int bin) {
-    return td_colour_of_bin(bin) % TD_COLOURS == TD_OVERFLOW;
+    return bin < TD_SLEEPING && bin % TD_COLOURS == TD_OVERFLOW;
 }
 
 /* Sets or clears the colour of a bin at a body. Slot 0 and the bin of sleeping lanes have none. The
@@ -48,8 +48,9 @@ static void mark_colour(thud_world *w, td_awake_slot slot, int bin, bool taken) 
     }
 }
 
-/* Chooses the bin of a constraint, and takes its colour at both bodies. */
-static int choose_bin(thud_world *w, const td_constraint *constraint) {
+/* Chooses the bin of a constraint, and takes its colour at both bodies. `place_slots`: awake slots
+ * of a place. */
+static int choose_bin(thud_world *w, const td_constraint *constraint, int place_slots) {
     const td_body *a = td_body_at(w, constraint->body[0]);
     const td_body *b = td_body_at(w, constraint->body[1]);
     bool a_static = a->kind == THUD_BODY_STATIC;
@@ -71,7 +72,7 @@ static int choose_bin(thud_world *w, const td_constraint *constraint) {
     mark_colour(w, slot_b, bin, true);
     if (bin < TD_PLACED_COLOURS) {
         int slot = td_min_int(slot_a.at, slot_b.at);
-        bin = td_bin_of_place(bin, slot / TD_PLACE_SLOTS % TD_PLACES_MAX);
+        bin = td_bin_of_place(bin, slot / place_slots & (TD_PLACES_MAX - 1));
     }
     return bin;
 }
@@ -139,8 +140,7 @@ static int bin_grow(thud_world *w, int kind, int index, int *lane) {
         int colour = td_colour_of_bin(index);
         int *bin_end = &w->scratch.bin_end[colour / TD_COLOURS];
         *bin_end = td_max_int(*bin_end, colour + 1);
-        int place = (index - TD_BINS_A_KIND + TD_PLACED_COLOURS) / TD_PLACED_COLOURS;
-        w->scratch.last_place = td_max_int(w->scratch.last_place, place);
+        w->scratch.placed_end = td_max_int(w->scratch.placed_end, index + 1);
         int block = take_block(w, kind);
         td_block *new_block = td_block_at(w, kind, block);
         new_block->next = TD_NONE;
@@ -310,6 +310,10 @@ static bool make_places(thud_world *w) {
     return true;
 }
 
+/* In a world where fewer than one body in so many has a contact, all bins are those of the first
+ * place, since blocks by place would mostly be empty. Chosen. */
+enum { BODIES_A_CONTACT = 8 };
+
 bool td_lanes_place(thud_world *w, const int *constraints, int count) {
     if (count == 0) {
         return true;
@@ -320,9 +324,11 @@ bool td_lanes_place(thud_world *w, const int *constraints, int count) {
     /* Gives each constraint a lane of its bin, to count the blocks that are needed, and takes the
      * lanes back. */
     int *bins = w->scratch.lane_bins.data, more[TD_FORM_COUNT] = {0};
+    bool few = (w->touching + count) * BODIES_A_CONTACT < w->body_of.count;
+    int place_slots = few ? INT32_MAX : TD_PLACE_SLOTS;
     for (int i = 0; i < count; i++) {
         const td_constraint *constraint = td_constraint_at(w, constraints[i]);
-        int kind = constraint->kind, bin = bins[i] = choose_bin(w, constraint);
+        int kind = constraint->kind, bin = bins[i] = choose_bin(w, constraint, place_slots);
         more[w->kinds[kind]->form] += bin_at(w, kind, bin)->lanes++ % lanes_a_block(bin) == 0;
     }
     bool reserved = reserve_blocks(w, more);
@@ -391,7 +397,6 @@ static void prefetch_listed(const td_array *blocks) {
 static void list_bin(thud_world *w, const td_bin *bin, int kind, int colour, int place) {
     td_array *runs = &w->scratch.runs, *blocks = &w->scratch.blocks;
     td_run *run = &TD_PUSH(td_run, runs);
-    w->scratch.last_place = td_max_int(w->scratch.last_place, place);
     *run = (td_run){.kind = kind,
                     .a_static = colour >= TD_COLOURS,
                     .bin = colour,
@@ -412,16 +417,19 @@ static void list_bin(thud_world *w, const td_bin *bin, int kind, int colour, int
 /* Lists the bins of a colour, place by place up to the last one that may have lanes. Of a place,
  * contacts come last, so that joints do not push bodies back into an overlap that contacts have
  * corrected. */
-static void list_colour(thud_world *w, int colour, int last_place) {
-    for (int place = 0; place <= (colour < TD_PLACED_COLOURS ? last_place : 0); place++) {
-        const td_bins *bins = bins_at(w, td_bin_of_place(colour, place));
+static void list_colour(thud_world *w, int colour, int placed_end) {
+    int place = 0, bin = colour;
+    do {
+        const td_bins *bins = bins_at(w, bin);
         for (int i = 0; i < TD_CONSTRAINT_KINDS; i++) {
             int kind = (TD_PAIR_COUNT + i) % TD_CONSTRAINT_KINDS;
             if (bins->of[kind].lanes) {
                 list_bin(w, &bins->of[kind], kind, colour, place);
+                w->scratch.placed_end = td_max_int(w->scratch.placed_end, bin + 1);
             }
         }
-    }
+        bin = td_bin_of_place(colour, ++place);
+    } while (colour < TD_PLACED_COLOURS && bin < placed_end);
 }
 
 bool td_lanes_sequence(thud_world *w) {
@@ -442,12 +450,12 @@ bool td_lanes_sequence(thud_world *w) {
     w->scratch.runs.count = 0;
     w->scratch.points = 0;
     w->stats.colours = 0;
-    int last_place = w->scratch.last_place;
-    w->scratch.last_place = 0;
+    int placed_end = w->scratch.placed_end;
+    w->scratch.placed_end = 0;
     for (int half = 0; half < 2; half++) {
         for (int colour = half * TD_COLOURS; colour < w->scratch.bin_end[half]; colour++) {
             int before = w->scratch.blocks.count;
-            list_colour(w, colour, last_place);
+            list_colour(w, colour, placed_end);
             w->stats.colours += w->scratch.blocks.count > before;
         }
     }

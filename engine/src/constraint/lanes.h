@@ -44,7 +44,7 @@ static inline int td_bin_of_place(int colour, int place) {
 
 /* The colour (as td_run.bin) of a bin that is not TD_SLEEPING. */
 static inline int td_colour_of_bin(int bin) {
-    return bin < TD_BINS_A_KIND ? bin : (bin - TD_BINS_A_KIND) % TD_PLACED_COLOURS;
+    return bin < TD_BINS_A_KIND ? bin : (bin - TD_BINS_A_KIND) & (TD_PLACED_COLOURS - 1);
 }
 
 /* The block with this index in the pool of its kind's form. */

@@ -404,13 +404,9 @@ void td_solve(thud_world *w) {
     atomic_bool adds[2 * THUD_SUBSTEPS_MAX] = {false};
     atomic_flag dummy = ATOMIC_FLAG_INIT;
     float h = (float)(w->def.time_step / w->substeps);
-    int body_shares[THUD_WORKERS_MAX + 1], body_chunk = 0;
+    int body_shares[THUD_WORKERS_MAX + 1];
     td_job job;
     td_job_begin(&job, workers_for(w));
-    if (td_job_is_shared(&job)) {
-        body_chunk = td_body_chunk(w, job.workers);
-        td_share_bodies(w, job.workers, body_shares);
-    }
     solving s = {
         .w = w,
         .contacts = solve_context(w, h),
@@ -427,14 +423,17 @@ void td_solve(thud_world *w) {
                    .max_speed = w->def.maximum_speed * w->length_scale},
         .tally = {.skin = w->skin, .overlap = td_overlap_depth_min(w), .to_fixed = w->to_fixed},
         .tallies = tallies,
-        .body_shares = body_shares,
-        .body_chunk = body_chunk,
         .job = &job,
         .bounced = bounced,
         .dummy = &dummy,
     };
     s.contacts.torn = &torn;
     s.contacts.adds = adds;
+    if (td_job_is_shared(&job)) {
+        td_share_bodies(w, job.workers, body_shares);
+        s.body_shares = body_shares;
+        s.body_chunk = td_body_chunk(w, job.workers);
+    }
     memset(tallies, 0, (size_t)job.workers * sizeof *tallies);
     if (w->error_hooks) {
         w->error_hooks->begin(w);

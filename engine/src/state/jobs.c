@@ -83,13 +83,7 @@ void td_worker_wait(const td_worker *worker) {
     }
 }
 
-void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work) {
-    if (!td_worker_shares(worker)) {
-        for (int i = 0; i < chunks; i++) {
-            run(work, i);
-        }
-        return;
-    }
+void td_worker_walk_shared(td_worker *worker, int chunks, td_chunk_fn *run, void *work) {
     int shares[THUD_WORKERS_MAX + 1], workers = worker->job->workers;
     for (int i = 0; i <= workers; i++) {
         shares[i] = (int)((int64_t)chunks * i / workers);

@@ -2,10 +2,10 @@
  *
  * A task is a sequence of phases, each of a number of chunks. Every worker goes through all phases
  * in the same order. In a phase it takes chunks that are not taken yet: first those of its own
- * part, an equal share of consecutive chunks, so that the same data come to the same processor in
- * every phase; then those of the other parts (work stealing). When none is left it waits in a spin
- * loop until the chunks taken by other workers are done, which is the barrier between phases. A
- * worker that starts late finds the early phases done.
+ * part, chosen so that the same data come to the same processor in every phase; then those of the
+ * other parts (work stealing), of which it leaves the last ones to their owner for a while. When
+ * none is left it waits in a spin loop until the chunks taken by other workers are done, which is
+ * the barrier between phases. A worker that starts late finds the early phases done.
  *
  * Chunks of a phase write no common data, but for the dummy, awake slot 0, so the result does not
  * depend on which worker runs which chunk. */
@@ -90,9 +90,20 @@ static inline td_worker td_worker_arrive(td_job *job) {
 void td_worker_take(td_worker *worker, const int *shares, td_chunk_fn *run, void *work);
 /* Returns when all chunks that have been taken are done. */
 void td_worker_wait(const td_worker *worker);
+void td_worker_walk_shared(td_worker *worker, int chunks, td_chunk_fn *run, void *work);
+
 /* td_worker_take with equal parts of so many chunks, then td_worker_wait: returns when all chunks
- * of the next phase are done. */
-void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work);
+ * of the next phase are done. A worker that is alone runs them all. */
+static inline void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run_chunk,
+                                  void *work) {
+    if (td_worker_shares(worker)) {
+        td_worker_walk_shared(worker, chunks, run_chunk, work);
+        return;
+    }
+    for (int i = 0; i < chunks; i++) {
+        run_chunk(work, i);
+    }
+}
 
 void td_job_run_shared(const thud_world *w, const td_job *job, thud_task_fn *task, void *argument);
 

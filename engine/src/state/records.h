@@ -22,7 +22,7 @@ enum {
  * nearly all lanes of a large world, have a bin for each place (constraint/lanes.h). Chosen: with
  * larger places workers share more cache lines, with smaller places and with more colours more
  * blocks have empty lanes. */
-enum { TD_PLACE_SLOTS = 1024, TD_PLACED_COLOURS = 8, TD_PLACES_MAX = 8192 };
+enum { TD_PLACE_SLOTS = 1024, TD_PLACED_COLOURS = 8, TD_PLACES_MAX = 8192 }; /* powers of two */
 
 typedef struct td_pose {
     td_position center; /* centre of mass */

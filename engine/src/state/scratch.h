@@ -21,8 +21,7 @@ typedef struct td_scratch {
     bool sequenced;               /* `blocks` and `runs` list all blocks of the awake bins */
     int bin_end[3];               /* bins from here on have no lanes: of two moving bodies, of a
                                      static one, asleep */
-    int last_place;               /* bins of later places (records.h: TD_PLACE_SLOTS) have no lanes
-                                   */
+    int placed_end;               /* bins by place from here on have no lanes */
     td_array separated;           /* td_block *: with a lane whose shapes no longer touch */
     td_array chunks;              /* td_chunk: pieces of `runs`, which workers take one by one */
     td_array chunk_order;         /* int: indices of `chunks`, by phase and worker */
