@@ -1,7 +1,8 @@
 /**
  * Rooms in which browsers that want to play together leave each other an invitation and its answer
  * (web/src/panels/match/meet.ts). `rooms/NAME/offer` and `rooms/NAME/answer` are put as text, and
- * taken by GET: 204 where nothing lies there. All is in memory, and nothing is kept for long.
+ * taken by GET: 204 where nothing lies there. An invitation that somebody has taken and not answered
+ * for a while may be taken by another. All is in memory, and nothing is kept for long.
  */
 import { ISOLATION } from "./headers.mjs";
 
@@ -11,11 +12,24 @@ const PATH = /^rooms\/([a-z0-9-]{1,40})\/(offer|answer)$/;
 const LARGEST = 4000;
 const MOST_ROOMS = 1000;
 const KEPT = 6000;
+/** Milliseconds after which an invitation that was taken and not answered lies there again. An answer
+ * takes a second or two, and who comes looks for an invitation for ten (meet.ts). Chosen. */
+const UNANSWERED = 8000;
 const METHODS = ["GET", "PUT", "DELETE"];
 
 /** Returns a function that answers a request for a path, or returns false where it is none of rooms. */
 export function createRooms(now = Date.now) {
   const rooms = new Map();
+  const takeAnswer = (room) => {
+    const { answer } = room;
+    Object.assign(room, { answer: undefined, asked: now() });
+    return answer;
+  };
+  const takeOffer = (room) => {
+    if (now() - room.taken <= UNANSWERED) return undefined;
+    room.taken = now();
+    return room.offer;
+  };
   return (path, request, response) => {
     const reply = (status, text = "", headers = {}) => {
       const type = { "Content-Type": "text/plain; charset=utf-8", "Cache-Control": "no-store" };
@@ -35,17 +49,15 @@ export function createRooms(now = Date.now) {
       rooms.delete(name);
       reply(204);
     } else if (request.method === "GET") {
-      if (room && what === "answer") room.asked = now();
-      const text = room?.[what];
-      if (room) room[what] = undefined;
+      const text = room && (what === "answer" ? takeAnswer(room) : takeOffer(room));
       if (text) reply(200, text);
       else reply(204);
     } else if (what === "answer" ? !room : !room && rooms.size >= MOST_ROOMS) reply(503);
     else
       read(request).then(
         (text) => {
-          if (what === "offer") rooms.set(name, { offer: text, asked: now() });
-          else room.answer = text;
+          if (what === "offer") rooms.set(name, { offer: text, asked: now(), taken: -Infinity });
+          else Object.assign(room, { answer: text, offer: undefined });
           reply(204);
         },
         () => reply(413, "", { Connection: "close" }),

@@ -140,18 +140,39 @@ test("server_keeps_what_browsers_leave_in_rooms_until_it_is_taken", async (t) =>
   assert.deepEqual(await ask("a/offer"), [204, ""], "it was closed");
 });
 
+/** Asks for something of room "a", without a server. */
+function askRoom(rooms, what, method, texts = []) {
+  let told;
+  return new Promise((end) => {
+    const response = { writeHead: (status) => (told = status), end: (text) => end([told, text]) };
+    const request = { method, [Symbol.asyncIterator]: () => texts.values() };
+    assert.ok(rooms(`rooms/a/${what}`, request, response));
+  });
+}
+
+test("invitation_that_nobody_answers_is_given_to_the_next", async () => {
+  let now = 0;
+  const rooms = createRooms(() => now);
+  const ask = (...of) => askRoom(rooms, ...of);
+  await ask("offer", "PUT", ["come"]);
+  assert.deepEqual(await ask("offer", "GET"), [200, "come"]);
+  now += 5000;
+  assert.deepEqual(await ask("answer", "GET"), [204, ""]);
+  assert.deepEqual(await ask("offer", "GET"), [204, ""], "it may still be answered");
+  now += 4000;
+  assert.deepEqual(await ask("offer", "GET"), [200, "come"], "to somebody else");
+  await ask("answer", "PUT", ["I do"]);
+  now += 1000;
+  assert.deepEqual(await ask("answer", "GET"), [200, "I do"]);
+  now += 9000;
+  await ask("answer", "GET");
+  assert.deepEqual(await ask("offer", "GET"), [204, ""], "it was answered");
+});
+
 test("room_whose_host_asks_no_more_is_closed", async () => {
   let now = 0;
   const rooms = createRooms(() => now);
-  const ask = async (what, method, texts = []) => {
-    let told;
-    const done = new Promise((end) => {
-      const response = { writeHead: (status) => (told = status), end: (text) => end([told, text]) };
-      const request = { method, [Symbol.asyncIterator]: () => texts.values() };
-      assert.ok(rooms(`rooms/a/${what}`, request, response));
-    });
-    return done;
-  };
+  const ask = (...of) => askRoom(rooms, ...of);
   await ask("offer", "PUT", ["come"]);
   for (let i = 0; i < 5; i++) {
     now += 5000;
