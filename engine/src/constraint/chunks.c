@@ -39,7 +39,9 @@ static int count_by_place(thud_world *w) {
 }
 
 /* Sets scratch.bounds: worker i has the slots from element i to the one before element i + 1. The
- * blocks of all places are divided evenly; in a world without any, the slots. */
+ * blocks of all places are divided evenly; in a world without any, the slots. Where few bodies
+ * touch, all blocks are of the first place (td_lanes_place), within which all boundaries then lie.
+ */
 static void set_bounds(thud_world *w, int workers) {
     const int *blocks = w->scratch.order.data;
     int *bounds = w->scratch.bounds.data, slots = w->body_of.count;
@@ -61,13 +63,6 @@ static void set_bounds(thud_world *w, int workers) {
     bounds[workers] = slots;
 }
 
-/* Divides chunks evenly. */
-static void share_evenly(int chunks, int workers, int shares[THUD_WORKERS_MAX + 1]) {
-    for (int i = 0; i <= workers; i++) {
-        shares[i] = (int)((int64_t)chunks * i / workers);
-    }
-}
-
 void td_share_bodies(const thud_world *w, int workers, int shares[THUD_WORKERS_MAX + 1]) {
     const int *bounds = w->scratch.bounds.data;
     int slots = w->body_of.count, unit = td_body_chunk(w, workers), most = 0;
@@ -78,7 +73,7 @@ void td_share_bodies(const thud_world *w, int workers, int shares[THUD_WORKERS_M
     shares[workers] = (slots + unit - 1) / unit;
     /* Where the blocks are those of few bodies, the slots are divided evenly instead. */
     if ((int64_t)most * workers * 4 > (int64_t)slots * 5) {
-        share_evenly(shares[workers], workers, shares);
+        td_share_evenly(shares[workers], workers, shares);
     }
 }
 

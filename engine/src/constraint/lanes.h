@@ -6,10 +6,11 @@
  * one more bin of each kind has the lanes of sleeping bodies. A constraint that finds no free
  * colour goes to the overflow colour, whose blocks have one lane each.
  *
- * The first colours of two moving bodies have a bin for each place (TD_PLACE_SLOTS),
- * chosen by the lower of their awake slots when the lane is taken. Bodies near each other in the
- * world mostly are so in slots too, so that the blocks of a place read and write the same few
- * records, and workers that solve different places seldom write the same cache lines.
+ * Constraints of two moving bodies that have one of the first colours have a bin for each place
+ * (TD_PLACE_SLOTS), chosen by the lower of their awake slots when the lane is taken. Bodies that
+ * are near each other in the world mostly have near slots, too. So the blocks of a place read and
+ * write the same few records, and workers that solve different places seldom write the same cache
+ * lines.
  *
  * Invariants: all blocks of a bin but the last are full (when a lane becomes free, the bin's last
  * lane moves into it). Which lane a constraint has depends only on the history of the world, never

@@ -83,11 +83,15 @@ void td_worker_wait(const td_worker *worker) {
     }
 }
 
-void td_worker_walk_shared(td_worker *worker, int chunks, td_chunk_fn *run, void *work) {
-    int shares[THUD_WORKERS_MAX + 1], workers = worker->job->workers;
+void td_share_evenly(int chunks, int workers, int *shares) {
     for (int i = 0; i <= workers; i++) {
         shares[i] = (int)((int64_t)chunks * i / workers);
     }
+}
+
+void td_worker_walk_shared(td_worker *worker, int chunks, td_chunk_fn *run, void *work) {
+    int shares[THUD_WORKERS_MAX + 1], workers = worker->job->workers;
+    td_share_evenly(chunks, workers, shares);
     td_worker_take(worker, shares, run, work);
     td_worker_wait(worker);
 }

@@ -90,6 +90,8 @@ static inline td_worker td_worker_arrive(td_job *job) {
 void td_worker_take(td_worker *worker, const int *shares, td_chunk_fn *run, void *work);
 /* Returns when all chunks that have been taken are done. */
 void td_worker_wait(const td_worker *worker);
+/* Sets shares (td_worker_take) of so many chunks that differ by at most one. */
+void td_share_evenly(int chunks, int workers, int *shares);
 void td_worker_walk_shared(td_worker *worker, int chunks, td_chunk_fn *run, void *work);
 
 /* td_worker_take with equal parts of so many chunks, then td_worker_wait: returns when all chunks

@@ -192,7 +192,6 @@ static void workers_solve_blocks_of_their_own_bodies(void **state) {
         }
     }
     assert_true(all > 20000);
-    print_message("%d of %d bodies are another worker's\n", foreign, all);
     assert_in_range(foreign, 0, all / 20);
     td_share_bodies(w, 2, shares);
     const int *bounds = w->scratch.bounds.data;
