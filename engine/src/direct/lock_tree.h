@@ -47,12 +47,13 @@ typedef struct td_lock_body {
     td_reals arm[2];     /* from the centre of mass to the anchor, at the start of the step */
     td_reals holder[2];  /* the lever arm of the parent likewise */
     td_reals axis[2];    /* of the joint's frame, along which gaps close: joint.h */
+    td_reals sweeps;     /* 1 where the body's rotation moves an anchor, else 0 */
     td_reals gap[2], turn_gap; /* at the start of the step; turn_gap of a weld, rad */
+    td_reals gain[3];          /* what forces add to the mean velocity in the step */
 
     /* ---- a part of the step ---- */
     td_reals velocity[3];                     /* x, y, turn */
     td_reals before[3];                       /* velocity at the start of the part */
-    td_reals gain[3];                         /* what forces add to the velocity in a part */
     td_reals moved[3];                        /* motion since the start of the step */
     td_reals arm_before[2], holder_before[2]; /* lever arms at the start of the part */
     td_reals rotation[2];                     /* cosine and sine by which they are turned */
@@ -75,23 +76,24 @@ typedef struct td_lock_body {
 /* What the world gives the step of trees; speeds in length/s. */
 typedef struct td_lock_step {
     const struct thud_world *world;
-    double time;          /* the step, s */
-    double tolerance;     /* td_island_tolerance */
-    double enough;        /* residual at which Newton's method ends */
-    double end_enough;    /* speed that joints may have at the end of a part */
-    double speed_max;     /* of a body */
-    double gravity_speed; /* td_gravity_speed */
+    const struct td_island *island; /* one of the islands */
+    double time;                    /* the step, s */
+    double tolerance;               /* td_island_tolerance */
+    double enough;                  /* residual at which Newton's method ends */
+    double end_enough;              /* speed that joints may have at the end of a part */
+    double speed_max;               /* of a body */
+    double gravity_speed;           /* td_gravity_speed */
 } td_lock_step;
 
-/* Trees of the same shape, whose step is solved in the same number of parts. */
+/* Trees of the same shape. */
 typedef struct td_lock_trees {
     td_lock_body *bodies;
-    int count; /* bodies of a tree */
-    int parts;
+    int count;                /* bodies of a tree */
     int factorings[TD_TREES]; /* out: solutions for each tree */
     bool solved[TD_TREES];    /* out: the result is good */
     bool used[TD_TREES];      /* in: false for lanes without a tree */
     td_reals closing;         /* in: greatest speed at which a gap may be closed */
+    td_reals share;           /* out: length of the last part, as a share of the step */
     td_reals residual;        /* out: greatest speed that a joint has at the end of the step */
 } td_lock_trees;
 

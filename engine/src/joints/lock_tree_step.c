@@ -212,12 +212,6 @@ static bool take_tree(const thud_world *w, const td_island *island, const td_dir
     return sound;
 }
 
-/* The number of parts that velocities require whose fastest rotation that moves an anchor is
- * `fastest`, rad/s. */
-static int parts_for(const thud_world *w, const td_island *island, double fastest) {
-    return td_parts_of(w, island, fastest, true, 0.0);
-}
-
 /* The number of parts that the velocities before the step require; 0: too many. */
 static int parts_before(const thud_world *w, const td_island *island, const td_listed_body *list) {
     double fastest = 0.0;
@@ -225,7 +219,7 @@ static int parts_before(const thud_world *w, const td_island *island, const td_l
         double rate = td_abs(list[i].velocity[2]);
         fastest = list[i].sweeps ? td_max_double(fastest, rate) : fastest;
     }
-    return parts_for(w, island, fastest);
+    return td_parts_of(w, island, fastest, true, 0.0);
 }
 
 /* ---- a group ---- */
@@ -257,9 +251,8 @@ static bool are_alike(const td_listed_body *one, const td_listed_body *other, in
 
 /* Sets the shape of the trees from the list of one of them, and clears what set_lane does not set.
  */
-static void set_shape(tree_group *g, const td_listed_body *list, int parts) {
+static void set_shape(tree_group *g, const td_listed_body *list) {
     td_reals zero = {0.0};
-    g->trees.parts = parts;
     memset(g->trees.used, 0, sizeof g->trees.used);
     for (int i = 0; i < g->trees.count; i++) {
         td_lock_body *t = &g->trees.bodies[i];
@@ -286,6 +279,7 @@ static void set_lane(tree_group *g, int tree) {
         td_lock_body *t = &g->trees.bodies[i];
         t->mass[tree] = from->mass;
         t->inertia[tree] = from->inertia;
+        t->sweeps[tree] = from->sweeps;
         for (int k = 0; k < 3; k++) {
             t->velocity[k][tree] = from->velocity[k];
             t->gain[k][tree] = from->gain[k];
@@ -309,17 +303,6 @@ static void set_lane(tree_group *g, int tree) {
     double most = (double)(TD_JOINT_CLOSING_SPEED * g->w->length_scale);
     g->trees.closing[tree] = td_min_double(closing, most);
     g->trees.used[tree] = true;
-}
-
-/* The number of parts that the velocities after the step require. */
-static int parts_after(const tree_group *g, int tree) {
-    const td_listed_body *list = g->list[tree];
-    double fastest = 0.0;
-    for (int i = 0; i < g->trees.count; i++) {
-        double rate = td_abs(g->trees.bodies[i].velocity[2][tree]);
-        fastest = list[i].sweeps ? td_max_double(fastest, rate) : fastest;
-    }
-    return parts_for(g->w, g->island[tree], fastest);
 }
 
 /* The gap of a body's joint after the step: what both bodies have moved, and the lever arms. */
@@ -351,7 +334,7 @@ static void keep_result(const tree_group *g, int i, int tree, td_lock_result *re
     }
     double x = from->axis[0], y = from->axis[1], sign = from->sign;
     double turn_sign = sign * (double)td_lock_rows_at(from->block)->turn_sign[from->lane];
-    double of_substep = (double)g->trees.parts / w->substeps;
+    double of_substep = 1.0 / (g->trees.share[tree] * w->substeps);
     double along = t->impulse[0][tree], across = t->impulse[1][tree];
     double gap_x = gap_after(&g->trees, t, 0, tree, g->step.time);
     double gap_y = gap_after(&g->trees, t, 1, tree, g->step.time);
@@ -375,55 +358,22 @@ static void keep_tree(tree_group *g, int tree) {
     g->kept[tree] = true;
 }
 
-/* Solves the trees whose lanes are set. Keeps their results; where velocities after the step
- * require more parts than it had, sets their number in `parts` instead, else 0. */
-static void run(tree_group *g, int parts[TD_TREES]) {
-    TD_PICK_WIDE(g->w, td_lock_tree_parts)(&g->trees, &g->step);
-    for (int tree = 0; tree < TD_TREES; tree++) {
-        parts[tree] = 0;
-        if (!g->trees.used[tree]) {
-            continue;
-        }
-        int solutions = g->trees.factorings[tree];
-        g->w->stats.factorings += solutions;
-        g->w->stats.island_work += (int64_t)solutions * TREE_COST * g->trees.count;
-        int required = g->trees.solved[tree] ? parts_after(g, tree) : 0;
-        if (required > g->trees.parts) {
-            parts[tree] = required;
-        } else if (required > 0) {
-            keep_tree(g, tree);
-        }
-    }
-}
-
-/* Solves the trees of the group. Those whose velocities after the step require more parts are
- * solved once more, in as many; then the result is kept whatever it would require. */
-static void solve_group(tree_group *g, int parts) {
-    int more[TD_TREES], ignored[TD_TREES];
+/* Solves the trees of the group, and keeps their results. */
+static void solve_group(tree_group *g) {
     g->trees.count = g->island[0]->bodies;
-    set_shape(g, g->list[0], parts);
+    g->step.island = g->island[0];
+    set_shape(g, g->list[0]);
     for (int tree = 0; tree < g->used; tree++) {
         g->kept[tree] = false;
         set_lane(g, tree);
     }
-    run(g, more);
-    for (int first = 0; first < g->used; first++) {
-        int required = more[first];
-        if (required == 0) {
-            continue;
-        }
-        set_shape(g, g->list[first], required);
-        for (int tree = first; tree < g->used; tree++) {
-            if (more[tree] == required) {
-                set_lane(g, tree);
-                more[tree] = 0;
-            }
-        }
-        run(g, ignored);
-        for (int tree = first; tree < g->used; tree++) {
-            if (ignored[tree] > 0) {
-                keep_tree(g, tree);
-            }
+    TD_PICK_WIDE(g->w, td_lock_tree_parts)(&g->trees, &g->step);
+    for (int tree = 0; tree < g->used; tree++) {
+        int solutions = g->trees.factorings[tree];
+        g->w->stats.factorings += solutions;
+        g->w->stats.island_work += (int64_t)solutions * TREE_COST * g->trees.count;
+        if (g->trees.solved[tree]) {
+            keep_tree(g, tree);
         }
     }
 }
@@ -442,7 +392,7 @@ td_tree_outcome td_lock_tree_step(thud_world *w, const td_island *island,
     g.island[0] = island;
     g.list[0] = list;
     g.used = 1;
-    solve_group(&g, parts);
+    solve_group(&g);
     return g.kept[0] ? TD_TREE_SOLVED : TD_TREE_REFUSED;
 }
 
@@ -471,27 +421,40 @@ static void take_trees(thud_world *w) {
 /* Islands after the first of a group among which the others are looked for. Chosen. */
 enum { ISLANDS_AHEAD = 64 };
 
+/* Adds to the group trees of the shape of its first one, if any, from island `first` on: those that
+ * require as many parts as that island, or with `any_parts` all. */
+static void join_alike(tree_group *g, td_island *members[TD_TREES], int first, int parts,
+                       bool any_parts) {
+    thud_world *w = g->w;
+    int end = td_min_int(first + ISLANDS_AHEAD, w->islands.island.count);
+    for (int j = first; j < end && g->used < TD_TREES; j++) {
+        td_island *island = TD_AT(td_island, &w->islands.island, j);
+        const td_listed_body *list = list_at(w, island);
+        bool fits = island->parts == parts || (any_parts && island->parts > 0);
+        if (fits && (!g->used || (island->bodies == members[0]->bodies &&
+                                  are_alike(g->list[0], list, island->bodies)))) {
+            g->island[g->used] = members[g->used] = island;
+            g->list[g->used++] = list;
+            island->parts = 0;
+        }
+    }
+}
+
+/* Trees that begin with as many parts mostly end together, so that no lane waits for another. Lanes
+ * that are left over are filled with other trees, since a vector takes as long with one tree. */
 void td_lock_trees_step(thud_world *w) {
     tree_group g = group_of(w);
     take_trees(w);
-    td_island *islands = w->islands.island.data;
     for (int i = 0; i < w->islands.island.count; i++) {
-        td_island *members[TD_TREES], *first = &islands[i];
-        int end = td_min_int(i + ISLANDS_AHEAD, w->islands.island.count), parts = first->parts;
+        td_island *members[TD_TREES];
+        int parts = TD_AT(td_island, &w->islands.island, i)->parts;
+        if (parts == 0) {
+            continue;
+        }
         g.used = 0;
-        for (int j = i; j < end && parts > 0 && g.used < TD_TREES; j++) {
-            td_island *island = &islands[j];
-            const td_listed_body *list = list_at(w, island);
-            if (island->parts == parts && island->bodies == first->bodies &&
-                are_alike(list_at(w, first), list, island->bodies)) {
-                g.island[g.used] = members[g.used] = island;
-                g.list[g.used++] = list;
-                island->parts = 0;
-            }
-        }
-        if (g.used) {
-            solve_group(&g, parts);
-        }
+        join_alike(&g, members, i, parts, false);
+        join_alike(&g, members, i, parts, true);
+        solve_group(&g);
         for (int tree = 0; tree < g.used; tree++) {
             members[tree]->tree = g.kept[tree] ? TD_TREE_SOLVED : TD_TREE_REFUSED;
         }

@@ -1,5 +1,5 @@
 /* test_lock_tree.c: trees of hinges and welds satisfy their joints and the equations of motion,
- * and move as they do where the general method solves them. */
+ * and move as they do where the general method solves them; each tree chooses its own parts. */
 #include "joint_support.h"
 
 #include "direct/lock_tree.h"
@@ -232,12 +232,91 @@ static void tree_moves_as_by_the_general_method(void **state) {
     }
 }
 
+enum { LINKS_MOST = 50 };
+
+/* A rope of `links` bars that reaches to the right from a point at (0, y) and turns about it at
+ * `rate`, rad/s. */
+static void add_rope(thud_world *world, double y, float rate, int links, thud_body_id *bars) {
+    thud_body_id holder = add_body(world, THUD_BODY_STATIC, 0, y, 0);
+    for (int i = 0; i < links; i++) {
+        bars[i] = add_box(world, 0.5 + i, y, 0.5f, 0.05f);
+        OK(thud_body_set_velocity(world, bars[i], (thud_vec2){0, rate * (0.5f + (float)i)}, rate));
+        make(world, between(THUD_JOINT_HINGE, i ? bars[i - 1] : holder, bars[i],
+                            (thud_vec2){i ? 0.5f : 0, 0}, (thud_vec2){-0.5f, 0}));
+    }
+}
+
+static thud_world *world_of_ropes(void) {
+    thud_world_def def = def_of(&thud_quality_default);
+    def.gravity = (thud_vec2){0, -10};
+    def.sleeping = false;
+    return make_world(def);
+}
+
+/* The parts of a step that the fastest rotation of a bar requires: one for each 0.1 rad. */
+static double parts_of(const thud_world *world, const thud_body_id *bars) {
+    double fastest = 0;
+    for (int i = 0; i < LINKS_MOST; i++) {
+        fastest = fmax(fastest, fabs((double)state_of(world, bars[i]).angular_velocity));
+    }
+    return ceil(fastest / 60 / 0.1);
+}
+
+/* The end of a rope that swings cracks like a whip: within a step it turns faster and faster. What
+ * is solved of the step is kept then, and what is left of it is divided into more parts, each of
+ * which takes three solutions, some a few more. */
+static void step_of_a_whip_is_solved_once(void **state) {
+    (void)state;
+    thud_world *world = world_of_ropes();
+    thud_body_id bars[LINKS_MOST];
+    add_rope(world, 0, 0, LINKS_MOST, bars);
+    double most = 0, before = 0;
+    for (int i = 0; i < 400; i++) {
+        OK(thud_world_step(world));
+        double after = parts_of(world, bars), parts = fmax(before, after);
+        assert_true(thud_stats_of(world).factorings <= 3.5 * parts + 5);
+        most = fmax(most, parts);
+        before = after;
+    }
+    assert_true(most >= 8);
+    thud_world_destroy(world);
+}
+
+/* Ropes that turn at different rates are solved side by side, in more parts or fewer: each moves to
+ * the bit as it does alone. */
+static void ropes_side_by_side_do_not_depend_on_each_other(void **state) {
+    (void)state;
+    enum { LINKS = 10, ROPES = 4 };
+    thud_world *alone = world_of_ropes(), *together = world_of_ropes();
+    thud_body_id one[LINKS], bars[ROPES][LINKS];
+    add_rope(alone, 0, 4, LINKS, one);
+    for (int i = 0; i < ROPES; i++) {
+        add_rope(together, 50 * i, (float)(4 + 10 * i), LINKS, bars[i]);
+    }
+    for (int i = 0; i < 120; i++) {
+        OK(thud_world_step(alone));
+        OK(thud_world_step(together));
+        thud_stats stats = thud_stats_of(together);
+        assert_int_equal(stats.direct_islands - stats.soft_islands, ROPES);
+        for (int k = 0; k < LINKS; k++) {
+            thud_body_state a = state_of(alone, one[k]), b = state_of(together, bars[0][k]);
+            assert_true(a.position.x == b.position.x && a.position.y == b.position.y);
+            assert_true(a.velocity.x == b.velocity.x && a.velocity.y == b.velocity.y);
+            assert_true(a.angular_velocity == b.angular_velocity);
+        }
+    }
+    thud_world_destroy(alone);
+    thud_world_destroy(together);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_trees_keep_their_joints_and_their_balance),
         cmocka_unit_test(trees_side_by_side_do_not_depend_on_each_other),
         cmocka_unit_test(what_has_no_finite_solution_is_refused),
         cmocka_unit_test(tree_moves_as_by_the_general_method),
+        cmocka_unit_test(step_of_a_whip_is_solved_once),
+        cmocka_unit_test(ropes_side_by_side_do_not_depend_on_each_other),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
