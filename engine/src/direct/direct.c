@@ -30,23 +30,33 @@ static void set_effective_masses(td_direct *d) {
  * motion take 8 to 17, so that a solve with fewer would most likely fail. */
 enum { INTERIOR_FACTORINGS_MIN = 8 };
 
-double td_direct_solve(td_direct *d, double tolerance) {
+double td_direct_approach(td_direct *d, double tolerance) {
     set_effective_masses(d);
     td_direct_update_friction(d);
     d->factored = false;
     if (!td_direct_solve_active_set(d, tolerance)) {
-        td_direct_restore(d);
-        /* The first pass uses friction bounds from the warm start; the second uses bounds from the
-         * first pass's normal impulses. One pass alone lets a slide at 20 degrees run 8 % too
-         * long. */
-        for (int pass = 0; pass < 2; pass++) {
-            if (d->factoring_budget - d->factorings < INTERIOR_FACTORINGS_MIN ||
-                !td_direct_solve_interior_point(d, tolerance)) {
-                return __builtin_inf();
-            }
-            td_direct_update_friction(d);
-        }
+        return __builtin_inf();
     }
     td_direct_update_speeds(d);
     return td_direct_residual(d);
+}
+
+/* The first pass uses friction bounds from the warm start; the second uses bounds from the first
+ * pass's normal impulses. One pass alone lets a slide at 20 degrees run 8 % too long. */
+double td_direct_fall_back(td_direct *d, double tolerance) {
+    td_direct_restore(d);
+    for (int pass = 0; pass < 2; pass++) {
+        if (d->factoring_budget - d->factorings < INTERIOR_FACTORINGS_MIN ||
+            !td_direct_solve_interior_point(d, tolerance)) {
+            return __builtin_inf();
+        }
+        td_direct_update_friction(d);
+    }
+    td_direct_update_speeds(d);
+    return td_direct_residual(d);
+}
+
+double td_direct_solve(td_direct *d, double tolerance) {
+    double residual = td_direct_approach(d, tolerance);
+    return td_finite(residual) ? residual : td_direct_fall_back(d, tolerance);
 }

@@ -141,6 +141,11 @@ typedef struct td_direct {
  * speed by which a row misses its target speed, at most `tolerance` where a method converged, and
  * infinite where neither did. */
 double td_direct_solve(td_direct *d, double tolerance);
+/* The two halves of td_direct_solve. The first one is the active set alone; where it is not found,
+ * the result is infinite, and velocities and impulses are those of the last Newton step. */
+double td_direct_approach(td_direct *d, double tolerance);
+/* The interior point, after td_direct_approach did not find the active set. */
+double td_direct_fall_back(td_direct *d, double tolerance);
 
 /* ---- the two methods ---- */
 
