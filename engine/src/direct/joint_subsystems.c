@@ -6,9 +6,9 @@
  * solver found, as known forces; and each contact is also a unilateral row that keeps its gap from
  * closing further than in the soft solver's result; bodies outside of the linkage move as in that
  * result. So a body on a bridge does not sink into it while the gaps of the bridge's joints close.
- * Where no velocities are found that satisfy both joints and contacts, the joints are solved alone
- * with the known forces, if they are hinges and welds that form a tree; otherwise the soft solver's
- * result is kept.
+ * Where no velocities are found that satisfy both joints and contacts, or there are no contacts,
+ * the joints are solved alone with the known forces, if they are hinges and welds that form a tree;
+ * otherwise the soft solver's result is kept.
  *
  * This is for machines beside or on a heap. A linkage with more contacts than bodies stays with the
  * soft solver: there the contacts, whose impulses are taken as known, determine the motion. */
@@ -265,9 +265,8 @@ static bool gains_energy(const td_island_work *work, double pushed) {
 /* Solves the joints of a linkage alone, as a tree of locks, under the known impulses of its
  * contacts. A contact may then overlap further than in the soft solver's result, since its impulse
  * is that of other velocities; the next step pushes it apart. False where the joints form no such
- * tree, or the result is refused. */
-static bool solve_as_tree(td_island_work *work, const td_island *joints, double pushed) {
-    thud_world *w = work->w;
+ * tree, or that fails. */
+static bool solve_as_tree(td_island_work *work, thud_world *w, const td_island *joints) {
     *work = td_island_set_up(w, joints);
     add_contacts(work);
     td_direct_body *bodies = work->problem.bodies;
@@ -283,7 +282,16 @@ static bool solve_as_tree(td_island_work *work, const td_island *joints, double 
             b->moved[k] = (double)results[i].moved[k];
         }
     }
-    return !gains_energy(work, pushed);
+    return true;
+}
+
+/* Solves the joints of a linkage with rows for its contacts. False where that fails. */
+static bool solve_with_contacts(td_island_work *work, thud_world *w, const td_island *linkage) {
+    *work = td_island_set_up(w, linkage);
+    work->problem.factoring_budget = LINKAGE_FACTORINGS;
+    add_contacts(work);
+    set_contact_rows(work);
+    return td_island_compute(work);
 }
 
 /* Solves the linkage of a body. Velocities and motions are overwritten; the joints' impulses stay
@@ -302,12 +310,11 @@ static void solve_one(thud_world *w, td_awake_slot seed) {
     }
     joints.system = linkage.system;
     td_island_work work = td_island_set_up(w, &linkage);
-    work.problem.factoring_budget = LINKAGE_FACTORINGS;
     double pushed = work.correction_speed + work.problem.unit_speed;
-    add_contacts(&work);
-    set_contact_rows(&work);
-    bool solved = (td_island_compute(&work) && !gains_energy(&work, pushed)) ||
-                  solve_as_tree(&work, &joints, pushed);
+    bool alone = joints.constraints == linkage.constraints; /* it has no contacts */
+    bool solved = (alone && solve_as_tree(&work, w, &joints)) ||
+                  (solve_with_contacts(&work, w, &linkage) && !gains_energy(&work, pushed)) ||
+                  (!alone && solve_as_tree(&work, w, &joints) && !gains_energy(&work, pushed));
     note_outcome(w, &linkage, solved);
     if (solved) {
         td_island_write_bodies(&work);
