@@ -176,7 +176,6 @@ static double solve_rows(td_island_work *work, double tolerance) {
 static double approach_rows(td_island_work *work, double tolerance, int n, bool far, bool *rough) {
     td_direct *d = &work->problem;
     double residual;
-    bool was_rough = *rough;
     *rough = false;
     if (td_joint_tree_solve(d, work->w->islands.tree.data, tolerance, &residual)) {
         return residual;
@@ -185,7 +184,7 @@ static double approach_rows(td_island_work *work, double tolerance, int n, bool 
     if (!td_finite(residual)) {
         bool little_left = d->factoring_budget - d->factorings < FAR_BUDGET_MIN;
         *rough = n == 0 && little_left && !td_island_is_joints(work);
-        bool give_up = was_rough && far && little_left;
+        bool give_up = n > 0 && far && little_left;
         residual = *rough || give_up ? residual : td_direct_fall_back(d, tolerance);
     }
     return residual;

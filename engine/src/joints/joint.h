@@ -177,9 +177,24 @@ double td_joint_closing_speed(double gap, double unit, double time);
  * 1 - x^2 / 6, here within 2e-13 of 1. Avoids 0 / 0. */
 #define TD_CHORD_IS_ARC 1e-12
 
+/* Gaps up to this width, in length scales or radians, are not closed: they come from the rounding
+ * of lever arms and motions to single precision (2^-24 = 6e-8 of each, several of them added). In a
+ * loop with redundant locks, closing all of them would cause impulses against each other. Measured:
+ * at 0 pendulum_keeps_time_by_its_substeps (test_joints_phase.c) and
+ * chain_swings_without_stretching (test_joint_scenes.c) fail. */
+#define TD_GAP_IGNORED 1e-6
+
+/* The share of a wider gap that closes in a whole step, and a width that closes in every part on
+ * top of it, in length scales or radians, so that small gaps close completely. A chain with many
+ * open gaps would be flung away if all of them closed at once. Measured on the tests of joints: all
+ * pass at half and double the share, and at a width of 0; lorry_crosses_the_bridge
+ * (test_joint_scenes.c) fails at a share of 1 and at ten times the width. */
+#define TD_GAP_SHARE_PER_STEP 0.2
+#define TD_GAP_CLOSED_MIN 1e-4
+
 /* joint_rows.c. The speed at which a gap closes in a part of the step that lasts `time` (s): the
  * part closes a share of the gap, and a small width on top, but at no more than
- * TD_JOINT_CLOSING_SPEED. */
+ * TD_JOINT_CLOSING_SPEED. (closing_of in wide_lock_tree_parts.c is the same for several gaps.) */
 double td_joint_part_closing(const thud_world *w, double gap, double unit, double time);
 
 /* arm x (x, y) */

@@ -58,26 +58,11 @@ static double displacement_along(const td_direct_row *row, const td_span *s) {
     return sum;
 }
 
-/* Gaps up to this width, in length scales or radians, are not closed: they come from the rounding
- * of lever arms and motions to single precision (2^-24 = 6e-8 of each, several of them added). In a
- * loop with redundant locks, closing all of them would cause impulses against each other. Measured:
- * at 0 pendulum_keeps_time_by_its_substeps (test_joints_phase.c) and
- * chain_swings_without_stretching (test_joint_scenes.c) fail. */
-#define GAP_IGNORED 1e-6
-
-/* The share of a wider gap that closes in a whole step, and a width that closes in every part on
- * top of it, in length scales or radians, so that small gaps close completely. A chain with many
- * open gaps would be flung away if all of them closed at once. Measured on the tests of joints: all
- * pass at half and double the share, and at a width of 0; lorry_crosses_the_bridge
- * (test_joint_scenes.c) fails at a share of 1 and at ten times the width. */
-#define GAP_SHARE_PER_STEP 0.2
-#define GAP_CLOSED_MIN 1e-4
-
 double td_joint_part_closing(const thud_world *w, double gap, double unit, double time) {
     double width = td_abs(gap), change = 0.0;
-    if (width > GAP_IGNORED * unit) {
+    if (width > TD_GAP_IGNORED * unit) {
         double max_change = (double)TD_JOINT_CLOSING_SPEED * unit * time;
-        change = width * (GAP_SHARE_PER_STEP * time / w->def.time_step) + GAP_CLOSED_MIN * unit;
+        change = width * (TD_GAP_SHARE_PER_STEP * time / w->def.time_step) + TD_GAP_CLOSED_MIN * unit;
         change = td_min_double(td_min_double(max_change, change), width);
     }
     return gap > 0.0 ? -change / time : change / time;

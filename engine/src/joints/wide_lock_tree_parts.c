@@ -26,7 +26,6 @@ typedef struct tree_step {
     td_choice shorter; /* trees whose part is begun once more */
     td_reals share;    /* length of the part, as a share of the step */
     td_reals part;     /* the same, s; 0 of a tree that is done */
-    td_reals grown;    /* length of the part over that of the part before */
     td_reals half_of;  /* the impulses of joints are half of those of this share of the step */
     td_reals ended;    /* what is solved of the step, as a share of it */
     td_reals elapsed;  /* the same, s */
@@ -124,23 +123,33 @@ TD_INLINE void scale_impulse(td_lock_body *t, td_reals by) {
     t->turn_impulse *= by;
 }
 
-TD_INLINE td_reals closing_of(const tree_step *s, td_reals gap, double unit) {
-    td_reals closing = td_reals_all(0.0);
-    for (int i = 0; i < TD_TREES; i++) {
-        closing[i] =
-            s->within[i] ? td_joint_part_closing(s->of->world, gap[i], unit, s->part[i]) : 0.0;
-    }
-    return closing;
+TD_INLINE td_reals least_of(td_reals a, td_reals b) {
+    return td_reals_pick((td_choice)(a < b), a, b);
 }
 
-/* The number of parts of the step that the rates of turning now require, 0: too many. */
-TD_INLINE int parts_required(const tree_step *s, int tree) {
-    double fastest = 0.0;
+/* td_joint_part_closing, for the trees that are within the step; else 0. */
+TD_INLINE td_reals closing_of(const tree_step *s, td_reals gap, double unit) {
+    td_reals width = td_reals_abs(gap), zero = td_reals_all(0.0);
+    td_reals change =
+        width * (TD_GAP_SHARE_PER_STEP * s->part / s->of->time) + TD_GAP_CLOSED_MIN * unit;
+    change = least_of(least_of((double)TD_JOINT_CLOSING_SPEED * unit * s->part, change), width);
+    td_reals speed = change / s->part;
+    td_choice closes = s->within & (td_choice)(width > TD_GAP_IGNORED * unit);
+    return td_reals_pick(closes, td_reals_pick((td_choice)(gap > zero), -speed, speed), zero);
+}
+
+/* The numbers of parts of the step that the present rates of turning require, of the trees of
+ * `which`; 0: too many. */
+TD_INLINE void require_parts(const tree_step *s, td_choice which, int required[TD_TREES]) {
+    td_reals fastest = td_reals_all(0.0);
     for (int i = 0; i < s->count; i++) {
         const td_lock_body *t = &s->bodies[i];
-        fastest = td_max_double(fastest, td_abs(t->velocity[2][tree]) * t->sweeps[tree]);
+        fastest = td_reals_max(td_reals_abs(t->velocity[2]) * t->sweeps, fastest);
     }
-    return td_parts_of(s->of->world, s->of->island, fastest, true, 0.0);
+    for (int i = 0; i < TD_TREES; i++) {
+        required[i] = which[i] ? td_parts_of(s->of->world, s->of->island, fastest[i], true, 0.0)
+                               : required[i];
+    }
 }
 
 /* Chooses the length of the next part of each tree, dividing evenly what is left of the step, and
@@ -159,7 +168,6 @@ static void choose_parts(tree_step *s, const int required[TD_TREES]) {
             s->share[i] = left / td_max_double(parts, 1.0);
             s->part[i] = s->share[i] * s->of->time;
             scale[i] = s->share[i] / s->half_of[i];
-            s->grown[i] = 2.0 * scale[i];
             s->half_of[i] = s->share[i];
         }
     }
@@ -169,19 +177,15 @@ static void choose_parts(tree_step *s, const int required[TD_TREES]) {
 }
 
 /* Begins a part with the velocities at the end of the part before, and sets the speeds at which the
- * gaps close in it. Newton's method starts from velocities that change on as they did in the part
- * before. */
+ * gaps close in it. */
 static void begin_part(const tree_step *s) {
     double unit = (double)s->of->world->length_scale;
     td_choice first = (td_choice)(s->ended == td_reals_all(0.0));
-    td_choice follows = s->within & ~first & ~s->shorter;
     for (int i = 0; i < s->count; i++) {
         td_lock_body *t = &s->bodies[i];
         td_reals gap[2], x = t->axis[0], y = t->axis[1];
         for (int k = 0; k < 3; k++) {
-            td_reals was = t->before[k], now = t->velocity[k];
-            t->before[k] = td_reals_pick(s->within, now, was);
-            t->velocity[k] = td_reals_pick(follows, now + 0.5 * s->grown * (now - was), now);
+            t->before[k] = td_reals_pick(s->within, t->velocity[k], t->before[k]);
         }
         for (int k = 0; k < 2; k++) {
             t->arm_before[k] = td_reals_pick(first, t->arm[k], t->arm_now[k]);
@@ -315,13 +319,10 @@ TD_INLINE td_reals clamp_component(const tree_step *s, td_reals speed, int k) {
  * numbers of parts that the mean velocities require are in `required` then. */
 static void refuse_long_parts(tree_step *s, int required[TD_TREES]) {
     td_choice refused = s->within & ~s->shorter;
-    for (int i = 0; i < TD_TREES && td_choice_any(refused); i++) {
-        if (refused[i]) {
-            int parts = parts_required(s, i);
-            bool fits = parts > 0 && parts * s->share[i] <= TURN_EXCEEDED_MAX;
-            refused[i] = fits ? 0 : -1;
-            required[i] = fits ? required[i] : parts;
-        }
+    require_parts(s, refused, required);
+    for (int i = 0; i < TD_TREES; i++) {
+        bool fits = required[i] > 0 && required[i] * s->share[i] <= TURN_EXCEEDED_MAX;
+        refused[i] = fits ? 0 : refused[i];
     }
     s->shorter = refused;
     if (td_choice_any(refused)) {
@@ -412,11 +413,7 @@ static void solve_end_velocity(tree_step *s) {
 static void solve_parts(tree_step *s) {
     int required[TD_TREES] = {0};
     while (td_choice_any(s->within)) {
-        for (int i = 0; i < TD_TREES; i++) {
-            if (s->within[i] && !s->shorter[i]) {
-                required[i] = parts_required(s, i);
-            }
-        }
+        require_parts(s, s->within & ~s->shorter, required);
         choose_parts(s, required);
         begin_part(s);
         solve_mean_velocity(s);
@@ -425,10 +422,9 @@ static void solve_parts(tree_step *s) {
         solve_end_velocity(s);
         s->within &= (td_choice)(s->ended < td_reals_all(1.0));
     }
+    require_parts(s, s->going, required);
     for (int i = 0; i < TD_TREES; i++) {
-        if (s->going[i] && parts_required(s, i) == 0) {
-            s->going[i] = 0;
-        }
+        s->going[i] = required[i] > 0 ? s->going[i] : 0;
     }
 }
 
