@@ -94,7 +94,11 @@ typedef struct td_direct_row {
     double speed;       /* J v + known */
     double force;       /* impulse on the right-hand side of the Newton step's equations */
     double change;      /* J dv: change of the speed by the whole Newton step */
-    double slack[2]; /* interior point: slack of the speed (unilateral), of both bounds (others) */
+    union {
+        double
+            slack[2]; /* interior point: slack of the speed (unilateral), of both bounds (others) */
+        double turn;  /* active set: the last change of a friction row's bound */
+    };
     double direction[3]; /* interior point: Newton step of the impulse and of the slacks;
                             conjugate_gradients.c: [0] is the search direction */
 } td_direct_row;
@@ -129,7 +133,8 @@ typedef struct td_direct {
     int factorings;       /* factorisations so far */
     int factoring_budget; /* budget of factorisations */
     int64_t effort;       /* budget of work that is left, in operations on 3 x 3 blocks */
-    bool spent;           /* the budget of work was too small, so that the solve failed */
+    bool line_search; /* in: the active set's Newton steps are shortened where they go too far */
+    bool spent;       /* the budget of work was too small, so that the solve failed */
     bool soft_warm_start; /* the warm start comes from the soft solver, or the impulses are 0 */
     bool measured;        /* in: speeds are those of the present rows and velocities already;
                              td_direct_solve sets it to false */

@@ -62,7 +62,8 @@ double td_joint_part_closing(const thud_world *w, double gap, double unit, doubl
     double width = td_abs(gap), change = 0.0;
     if (width > TD_GAP_IGNORED * unit) {
         double max_change = (double)TD_JOINT_CLOSING_SPEED * unit * time;
-        change = width * (TD_GAP_SHARE_PER_STEP * time / w->def.time_step) + TD_GAP_CLOSED_MIN * unit;
+        change =
+            width * (TD_GAP_SHARE_PER_STEP * time / w->def.time_step) + TD_GAP_CLOSED_MIN * unit;
         change = td_min_double(td_min_double(max_change, change), width);
     }
     return gap > 0.0 ? -change / time : change / time;

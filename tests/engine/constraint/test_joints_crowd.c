@@ -111,8 +111,8 @@ static void what_is_jammed_is_tried_now_and_then(void **state) {
 }
 
 /* Boxes fall on four bridges, which swing too widely for the budget of `default`. That shows after
- * two searches for the active set, of six factorisations each: in the steps in which no island is
- * solved they cost 12 each on average, where an interior point made it 24. */
+ * two searches for the active set, of eight factorisations each: in the steps in which no island is
+ * solved they cost 15 each on average, where an interior point made it 24. */
 static void bridges_that_exceed_the_budget_are_given_up_early(void **state) {
     (void)state;
     enum { BRIDGES = 4 };
@@ -136,7 +136,7 @@ static void bridges_that_exceed_the_budget_are_given_up_early(void **state) {
     free(bodies);
     scene_free(&s);
     assert_true(islands > 2 * BRIDGES);
-    assert_true(vain <= 14 * islands);
+    assert_true(vain <= 17 * islands);
 }
 
 /* ---- cars ---- */
