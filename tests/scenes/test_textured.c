@@ -120,8 +120,10 @@ static void feet_grip_on_rock_and_slip_on_ice(void **state) {
     (void)state;
     double slip[TEXTURE_ROWS]; /* of rock, grass, ice and sand */
     walk(slip);
-    assert_true(slip[0] < 0.15);
-    assert_true(slip[2] > 0.3 && slip[2] > 3 * slip[0]); /* measured 0.35 and 3.9 times */
+    /* Measured: at default 0.02 and 0.30; at high and exact, and at half to an eighth of the time
+     * step, 0.01 to 0.04 and 0.25 to 0.41, in each 7 to 33 times as much on ice. */
+    assert_true(slip[0] < 0.1);
+    assert_true(slip[2] > 0.2 && slip[2] > 5 * slip[0]);
     assert_true(slip[3] < slip[2]);
 }
 

@@ -12,9 +12,7 @@
  * of v that is convex and piecewise quadratic. A row is active where its impulse is not clamped.
  * Newton's method on the active rows (a semismooth Newton method) has found the minimum when a
  * whole step does not change the active set. Whole steps may lead back and forth between active
- * sets, so in islands with joints, where that is common, a step that goes beyond the minimum on its
- * way is shortened (Hermans, Themelis, Patrinos, "QPALM: a proximal augmented Lagrangian method for
- * nonconvex quadratic programs", 2022). Then
+ * sets, so in islands with joints, where that is common, they are shortened (line_search.c). Then
  *   1. conjugate gradients reduce the residual that the penalties left (conjugate_gradients.c),
  *   2. y is set to the impulses, and friction bounds are computed from the new normal impulses, and
  *      everything is repeated until residual and friction are within the tolerance. */
@@ -47,10 +45,10 @@
 
 enum {
     FACTORINGS_MAX = 6, /* factorisations before the method gives up; at rest it takes one ... */
-    FACTORINGS_OF_SEARCH =
-        8,                 /* ... and with td_direct.line_search. At 6, of 23 bridges of 10 to 98
-                              planks under a lorry at default, the widest gap is five times that at
-                              8 (geometric mean); 10 makes bridges under boxes a third dearer */
+    /* As FACTORINGS_MAX, with td_direct.line_search. Measured at default: at 6 the widest gaps of
+     * 23 bridges of 10 to 98 planks under a lorry are five times those at 8 (geometric means); at
+     * 10 bridges under boxes take a third longer. */
+    FACTORINGS_OF_SEARCH = 8,
     UPDATES_MAX = 12,      /* maximum number of updates of multipliers and friction bounds */
     UPDATES_AGAIN = 4,     /* UPDATES_MAX for td_direct_solve_same_active_set, which does not factor
                             */
@@ -225,81 +223,14 @@ static int update_active_set(td_direct *d, double hysteresis, bool keeps) {
     return changed;
 }
 
-/* ---- the line search ---- */
-
-/* A step is shortened if the function rises at its end more than this many times as steeply as it
- * falls at its beginning, to where its slope is smaller than that. Chosen. */
-#define SLOPE_ENOUGH 0.1
-/* Trials of a part of the step; every third halves the interval. Chosen. */
-enum { TRIALS_MAX = 30 };
-
-/* The impulse that the penalty of a row gives after a part of the Newton step. */
-static double impulse_after(const td_direct_row *r, double part) {
-    double speed = r->speed + part * r->change;
-    double impulse = r->multiplier - r->weight * (speed - r->target_speed);
-    if (r->kind == TD_ROW_UNILATERAL) {
-        return td_max_double(impulse, 0.0);
-    }
-    return r->kind >= TD_ROW_FRICTION ? clamp(impulse, r->max_impulse) : impulse;
-}
-
-/* The derivative of the function along the Newton step, after a part of it. `kinetic`: that of its
- * kinetic energy at the beginning, and how much this grows in a whole step. */
-static double slope_after(const td_direct *d, const double kinetic[2], double part) {
-    double slope = kinetic[0] + part * kinetic[1];
-    for (int i = 0; i < d->constraint_count; i++) {
-        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            const td_direct_row *r = &d->constraints[i].row[k];
-            slope -= r->used ? r->change * impulse_after(r, part) : 0.0;
-        }
-    }
-    return slope;
-}
-
-/* The part of the Newton step after which the function no longer falls much: by false position,
- * since the slope is piecewise linear and grows. */
-static double part_of_step(const td_direct *d) {
-    double kinetic[2] = {0.0, 0.0};
-    for (int i = 0; i < d->body_count; i++) {
-        const td_direct_body *b = &d->bodies[i];
-        for (int k = 0; k < 3; k++) {
-            double inverse = k < 2 ? b->inverse_mass : b->inverse_inertia;
-            double momentum = inverse > 0.0 ? d->step[i][k] / inverse : 0.0;
-            kinetic[0] += (b->velocity[k] - b->free[k]) * momentum;
-            kinetic[1] += d->step[i][k] * momentum;
-        }
-    }
-    double low = 0.0, high = 1.0;
-    double falls = slope_after(d, kinetic, low), rises = slope_after(d, kinetic, high);
-    double enough = -SLOPE_ENOUGH * falls, at_low = falls, part = high, slope = rises;
-    if (!(falls < 0.0) || !(rises > enough)) {
-        return 1.0;
-    }
-    for (int n = 1; n <= TRIALS_MAX && td_abs(slope) > enough; n++) {
-        double middle = 0.5 * (low + high);
-        part = n % 3 ? low - at_low * (high - low) / (rises - at_low) : middle;
-        slope = slope_after(d, kinetic, part);
-        if (slope < 0.0) {
-            low = part;
-            at_low = slope;
-        } else {
-            high = part;
-            rises = slope;
-        }
-    }
-    return part;
-}
-
-/* ---- the method ---- */
-
-/* A Newton step with the present factor, shortened where `shortens`. *changed: the number of rows
- * that changed their activity; 1 after a shortened step, which is never the last one. False where
- * numbers are not finite or the budget of work is spent. */
-static bool newton_step(td_direct *d, double hysteresis, bool keeps, bool shortens, int *changed) {
+/* A Newton step with the present factor. *changed: the number of rows that changed their activity,
+ * or 1 after a shortened step, which is never the last one. False where numbers are not finite or
+ * the budget of work is spent. */
+static bool newton_step(td_direct *d, double hysteresis, bool keeps, int *changed) {
     if (!td_direct_step(d)) {
         return false;
     }
-    double part = shortens ? part_of_step(d) : 1.0;
+    double part = d->line_search && !keeps ? d->line_search(d) : 1.0;
     bool done = td_direct_advance(d, part);
     *changed = update_active_set(d, hysteresis, keeps);
     *changed = part < 1.0 ? td_max_int(*changed, 1) : *changed;
@@ -372,7 +303,7 @@ static bool find_active_set(td_direct *d, double hysteresis, int factorings_max,
         if (!factored && (d->factorings >= factorings_max || !td_direct_factor(d))) {
             return false;
         }
-        if (!newton_step(d, hysteresis, false, d->line_search, &changed) || changed > changes_max) {
+        if (!newton_step(d, hysteresis, false, &changed) || changed > changes_max) {
             return false;
         }
         factored = false;
@@ -430,7 +361,7 @@ bool td_direct_solve_same_active_set(td_direct *d, double tolerance) {
         int changed;
         /* The impulses may be far from the solution, so that rows would change their activity for
          * no reason: the first Newton step keeps the active set. */
-        if (!newton_step(d, hysteresis, true, false, &changed) ||
+        if (!newton_step(d, hysteresis, true, &changed) ||
             !reduce_residual(d, tolerance, &changed, &error) || changed) {
             break;
         }

@@ -133,8 +133,9 @@ typedef struct td_direct {
     int factorings;       /* factorisations so far */
     int factoring_budget; /* budget of factorisations */
     int64_t effort;       /* budget of work that is left, in operations on 3 x 3 blocks */
-    bool line_search; /* in: the active set's Newton steps are shortened where they go too far */
-    bool spent;       /* the budget of work was too small, so that the solve failed */
+    /* in: returns the part of the active set's present Newton step that is gone; null: all of it */
+    double (*line_search)(const struct td_direct *d);
+    bool spent;           /* the budget of work was too small, so that the solve failed */
     bool soft_warm_start; /* the warm start comes from the soft solver, or the impulses are 0 */
     bool measured;        /* in: speeds are those of the present rows and velocities already;
                              td_direct_solve sets it to false */
@@ -160,6 +161,9 @@ bool td_direct_solve_active_set(td_direct *d, double tolerance);
  * the factor of the last td_direct_solve_active_set. If the active set changes, the impulses are
  * restored and the result is false. */
 bool td_direct_solve_same_active_set(td_direct *d, double tolerance);
+/* td_direct.line_search: the part after which the function that the active set minimises no longer
+ * falls much. */
+double td_direct_line_search(const td_direct *d);
 /* Interior point. False where a factorisation failed or iterations ran out. */
 bool td_direct_solve_interior_point(td_direct *d, double tolerance);
 

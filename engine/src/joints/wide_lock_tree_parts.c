@@ -24,6 +24,7 @@ typedef struct tree_step {
     /* ---- the part; of a tree that is done, its last one ---- */
     td_choice within;  /* trees that have not reached the end of the step, and have not failed */
     td_choice shorter; /* trees whose part is begun once more */
+    td_reals required; /* parts that the rates of turning require of a whole step; 0: too many */
     td_reals share;    /* length of the part, as a share of the step */
     td_reals part;     /* the same, s; 0 of a tree that is done */
     td_reals half_of;  /* the impulses of joints are half of those of this share of the step */
@@ -59,7 +60,7 @@ TD_INLINE void sincos_of(td_reals angle, td_reals *s, td_reals *c) {
 /* The rotation by `angle`, or, with `mean`, its average while it grows to `angle`: by half of it,
  * shortened by the ratio of chord to arc, so that an arm times the rotation is the chord by which
  * its end moves. */
-TD_INLINE void rotation_of(td_reals angle, bool mean, td_reals rotation[2]) {
+static void rotation_of(td_reals angle, bool mean, td_reals rotation[2]) {
     td_reals half = mean ? 0.5 * angle : angle;
     sincos_of(half, &rotation[1], &rotation[0]);
     if (mean) {
@@ -78,7 +79,7 @@ TD_INLINE void turn_arm(const td_reals rotation[2], const td_reals from[2], td_r
 
 /* Sets arm_now and holder_now: at the end of the part, from its motion so far (`ended`), or
  * averaged over the part at the present mean velocities. */
-TD_INLINE void turn_arms(const tree_step *s, bool ended) {
+static void turn_arms(const tree_step *s, bool ended) {
     for (int i = 0; i < s->count; i++) {
         td_lock_body *t = &s->bodies[i];
         td_reals outside[2];
@@ -92,14 +93,6 @@ TD_INLINE void turn_arms(const tree_step *s, bool ended) {
         turn_arm(t->rotation, ended ? t->arm : t->arm_before, t->arm_now);
         turn_arm(holder, ended ? t->holder : t->holder_before, t->holder_now);
     }
-}
-
-static void turn_arms_to_the_mean(const tree_step *s) {
-    turn_arms(s, false);
-}
-
-static void turn_arms_to_the_end(const tree_step *s) {
-    turn_arms(s, true);
 }
 
 /* ---- a part ---- */
@@ -128,7 +121,7 @@ TD_INLINE td_reals least_of(td_reals a, td_reals b) {
 }
 
 /* td_joint_part_closing, for the trees that are within the step; else 0. */
-TD_INLINE td_reals closing_of(const tree_step *s, td_reals gap, double unit) {
+static td_reals closing_of(const tree_step *s, td_reals gap, double unit) {
     td_reals width = td_reals_abs(gap), zero = td_reals_all(0.0);
     td_reals change =
         width * (TD_GAP_SHARE_PER_STEP * s->part / s->of->time) + TD_GAP_CLOSED_MIN * unit;
@@ -138,39 +131,33 @@ TD_INLINE td_reals closing_of(const tree_step *s, td_reals gap, double unit) {
     return td_reals_pick(closes, td_reals_pick((td_choice)(gap > zero), -speed, speed), zero);
 }
 
-/* The numbers of parts of the step that the present rates of turning require, of the trees of
- * `which`; 0: too many. */
-TD_INLINE void require_parts(const tree_step *s, td_choice which, int required[TD_TREES]) {
+/* Sets `required` of the trees of `which` by the present rates of turning. */
+static void require_parts(tree_step *s, td_choice which) {
     td_reals fastest = td_reals_all(0.0);
     for (int i = 0; i < s->count; i++) {
         const td_lock_body *t = &s->bodies[i];
         fastest = td_reals_max(td_reals_abs(t->velocity[2]) * t->sweeps, fastest);
     }
     for (int i = 0; i < TD_TREES; i++) {
-        required[i] = which[i] ? td_parts_of(s->of->world, s->of->island, fastest[i], true, 0.0)
-                               : required[i];
+        fastest[i] = td_parts_of(s->of->world, s->of->island, fastest[i], true, 0.0);
     }
+    s->required = td_reals_pick(which, fastest, s->required);
 }
 
 /* Chooses the length of the next part of each tree, dividing evenly what is left of the step, and
- * scales the impulses to it. `required`: the number of parts of a whole step; 0: too many, and the
- * tree leaves the step. */
-static void choose_parts(tree_step *s, const int required[TD_TREES]) {
-    td_reals scale = td_reals_all(1.0);
+ * scales the impulses to it. A tree that requires too many parts leaves the step. */
+static void choose_parts(tree_step *s) {
+    td_choice few = (td_choice)(s->required > td_reals_all(0.0));
+    s->going &= ~s->within | few;
+    s->within &= few;
+    td_reals left = td_reals_all(1.0) - s->ended, parts = left * s->required - PARTS_ROUNDING;
     for (int i = 0; i < TD_TREES; i++) {
-        s->part[i] = 0.0;
-        if (s->within[i] && required[i] == 0) {
-            s->going[i] = s->within[i] = 0;
-        }
-        if (s->within[i]) {
-            double left = 1.0 - s->ended[i],
-                   parts = __builtin_ceil(left * required[i] - PARTS_ROUNDING);
-            s->share[i] = left / td_max_double(parts, 1.0);
-            s->part[i] = s->share[i] * s->of->time;
-            scale[i] = s->share[i] / s->half_of[i];
-            s->half_of[i] = s->share[i];
-        }
+        parts[i] = __builtin_ceil(parts[i]);
     }
+    s->share = td_reals_pick(s->within, left / td_reals_max(parts, td_reals_all(1.0)), s->share);
+    s->part = td_reals_pick(s->within, s->share * s->of->time, td_reals_all(0.0));
+    td_reals half_of = td_reals_pick(s->within, s->share, s->half_of), scale = half_of / s->half_of;
+    s->half_of = half_of;
     for (int i = 0; i < s->count; i++) {
         scale_impulse(&s->bodies[i], scale);
     }
@@ -280,7 +267,7 @@ static void solve_mean_velocity(tree_step *s) {
     td_choice left = s->within;
     set_targets(s, true);
     for (int n = 0; n <= TD_NEWTON_ITERATIONS_MAX; n++) {
-        turn_arms_to_the_mean(s);
+        turn_arms(s, false);
         if (n) {
             td_reals missing = residual_of(s);
             bool last = n == TD_NEWTON_ITERATIONS_MAX;
@@ -315,22 +302,18 @@ TD_INLINE td_reals clamp_component(const tree_step *s, td_reals speed, int k) {
     return clamp(speed, k < 2 ? s->of->speed_max : (double)THUD_ANGULAR_SPEED_MAX);
 }
 
-/* Takes back a part in which a body has turned too far, unless it was begun once more already. The
- * numbers of parts that the mean velocities require are in `required` then. */
-static void refuse_long_parts(tree_step *s, int required[TD_TREES]) {
-    td_choice refused = s->within & ~s->shorter;
-    require_parts(s, refused, required);
-    for (int i = 0; i < TD_TREES; i++) {
-        bool fits = required[i] > 0 && required[i] * s->share[i] <= TURN_EXCEEDED_MAX;
-        refused[i] = fits ? 0 : refused[i];
-    }
-    s->shorter = refused;
-    if (td_choice_any(refused)) {
-        for (int i = 0; i < s->count; i++) {
-            for (int k = 0; k < 3; k++) {
-                td_reals *v = s->bodies[i].velocity;
-                v[k] = td_reals_pick(refused, s->bodies[i].before[k], v[k]);
-            }
+/* Takes back a part in which a body has turned too far, unless it was begun once more already.
+ * `required` is by the mean velocities then. */
+static void refuse_long_parts(tree_step *s) {
+    td_choice first = s->within & ~s->shorter;
+    require_parts(s, first);
+    td_choice fits = (td_choice)(s->required > td_reals_all(0.0)) &
+                     (td_choice)(s->required * s->share <= td_reals_all(TURN_EXCEEDED_MAX));
+    s->shorter = first & ~fits;
+    for (int i = 0; i < s->count; i++) {
+        for (int k = 0; k < 3; k++) {
+            td_reals *v = s->bodies[i].velocity;
+            v[k] = td_reals_pick(s->shorter, s->bodies[i].before[k], v[k]);
         }
     }
 }
@@ -379,7 +362,7 @@ static void solve_end_velocity(tree_step *s) {
     td_choice ends = s->within & ~s->shorter, anew = closes_gaps(s) & ends;
     td_reals zero = td_reals_all(0.0);
     s->closed |= anew;
-    turn_arms_to_the_end(s);
+    turn_arms(s, true);
     set_targets(s, false);
     td_reals residual = residual_of(s);
     s->residual = td_reals_pick(ends, residual, s->residual);
@@ -411,21 +394,18 @@ static void solve_end_velocity(tree_step *s) {
 
 /* Solves all parts. A tree whose velocities at the end would require too many leaves the step. */
 static void solve_parts(tree_step *s) {
-    int required[TD_TREES] = {0};
     while (td_choice_any(s->within)) {
-        require_parts(s, s->within & ~s->shorter, required);
-        choose_parts(s, required);
+        require_parts(s, s->within & ~s->shorter);
+        choose_parts(s);
         begin_part(s);
         solve_mean_velocity(s);
-        refuse_long_parts(s, required);
+        refuse_long_parts(s);
         move(s);
         solve_end_velocity(s);
         s->within &= (td_choice)(s->ended < td_reals_all(1.0));
     }
-    require_parts(s, s->going, required);
-    for (int i = 0; i < TD_TREES; i++) {
-        s->going[i] = required[i] > 0 ? s->going[i] : 0;
-    }
+    require_parts(s, s->going);
+    s->going &= (td_choice)(s->required > td_reals_all(0.0));
 }
 
 /* ---- energy ---- */
