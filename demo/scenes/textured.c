@@ -35,6 +35,7 @@ static void fill(scene *s, int size) {
     s->textured = true;
     scene_add_body(s, SCENE_STATIC, 0, 0);
     add_bands(s, -6.0 * size - 6, 12 + 2 * size);
+    s->material.friction = 0.9; /* of the walkers' bars, as in the scene walker */
     for (int i = 0; i < size; i++)
         walker_add(s, i, 12.0 * (i - 0.5 * (size - 1)));
     s->camera_x = 9; /* ahead of the walkers, since the camera does not follow them */

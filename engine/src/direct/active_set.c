@@ -276,13 +276,15 @@ static double complementarity_error(const td_direct *d) {
 
 /* Sets friction bounds from the present normal impulses. A greater bound may lower the normal
  * impulse from which it is computed, as where friction lifts what slides. Then the bounds swing
- * about the solution: one that turns back goes half of the way. */
+ * about the solution: in islands with joints, where that is common, one that turns back goes half
+ * of the way. */
 static void update_bounds(td_direct *d) {
     for (int i = 0; i < d->constraint_count; i++) {
         td_direct_row *r = &d->constraints[i].row[TD_DIRECT_TANGENT];
-        double bound = td_direct_friction_bound(&d->constraints[i]),
-               change = bound - r->max_impulse;
-        r->max_impulse = change * r->turn < 0.0 ? 0.5 * (r->max_impulse + bound) : bound;
+        double bound = td_direct_friction_bound(&d->constraints[i]);
+        double change = bound - r->max_impulse;
+        bool turns_back = d->line_search && change * r->turn < 0.0;
+        r->max_impulse = turns_back ? 0.5 * (r->max_impulse + bound) : bound;
         r->turn = td_finite(change) ? change : 0.0;
     }
 }

@@ -85,7 +85,8 @@ export function addWalker(world, parts, number, x) {
   }
   const rod = { density: 2, friction: 0.9, group };
   const crank = keep(parts.circle(axle, scale * radius, rod));
-  const motor = parts.hinge(frame, crank, axle, { turn: { motorSpeed: speed } });
+  // A motor from the start, whose force is set when the weight is known.
+  const motor = parts.hinge(frame, crank, axle, { turn: { motorSpeed: speed, motorForce: 1 } });
 
   for (const [tx, ty] of turns)
     for (const side of [-1, 1]) {
