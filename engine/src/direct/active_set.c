@@ -45,7 +45,7 @@
 
 enum {
     FACTORINGS_MAX = 6, /* factorisations before the method gives up; at rest it takes one ... */
-    /* As FACTORINGS_MAX, with td_direct.line_search. Measured at default: at 6 the widest gaps of
+    /* As FACTORINGS_MAX, with td_direct.search. Measured at default: at 6 the widest gaps of
      * 23 bridges of 10 to 98 planks under a lorry are five times those at 8 (geometric means); at
      * 10 bridges under boxes take a third longer. */
     FACTORINGS_OF_SEARCH = 8,
@@ -224,16 +224,15 @@ static int update_active_set(td_direct *d, double hysteresis, bool keeps) {
 }
 
 /* A Newton step with the present factor. *changed: the number of rows that changed their activity,
- * or 1 after a shortened step, which is never the last one. False where numbers are not finite or
- * the budget of work is spent. */
+ * and one more after a shortened step, which is never the last one. False where numbers are not
+ * finite or the budget of work is spent. */
 static bool newton_step(td_direct *d, double hysteresis, bool keeps, int *changed) {
     if (!td_direct_step(d)) {
         return false;
     }
-    double part = d->line_search && !keeps ? d->line_search(d) : 1.0;
+    double part = d->search && !keeps ? d->search->part_of_step(d) : 1.0;
     bool done = td_direct_advance(d, part);
-    *changed = update_active_set(d, hysteresis, keeps);
-    *changed = part < 1.0 ? td_max_int(*changed, 1) : *changed;
+    *changed = update_active_set(d, hysteresis, keeps) + (part < 1.0);
     return done;
 }
 
@@ -272,21 +271,6 @@ static double complementarity_error(const td_direct *d) {
         }
     }
     return worst;
-}
-
-/* Sets friction bounds from the present normal impulses. A greater bound may lower the normal
- * impulse from which it is computed, as where friction lifts what slides. Then the bounds swing
- * about the solution: in islands with joints, where that is common, one that turns back goes half
- * of the way. */
-static void update_bounds(td_direct *d) {
-    for (int i = 0; i < d->constraint_count; i++) {
-        td_direct_row *r = &d->constraints[i].row[TD_DIRECT_TANGENT];
-        double bound = td_direct_friction_bound(&d->constraints[i]);
-        double change = bound - r->max_impulse;
-        bool turns_back = d->line_search && change * r->turn < 0.0;
-        r->max_impulse = turns_back ? 0.5 * (r->max_impulse + bound) : bound;
-        r->turn = td_finite(change) ? change : 0.0;
-    }
 }
 
 /* The greatest error of any kind, as a speed. */
@@ -329,7 +313,7 @@ static bool reduce_residual(td_direct *d, double tolerance, int *changed, double
 }
 
 bool td_direct_solve_active_set(td_direct *d, double tolerance) {
-    int most = d->line_search ? FACTORINGS_OF_SEARCH : FACTORINGS_MAX;
+    int most = d->search ? FACTORINGS_OF_SEARCH : FACTORINGS_MAX;
     int factorings_max = td_min_int(d->factorings + most, d->factoring_budget);
     double hysteresis = HYSTERESIS * tolerance;
     bool factored = false, unbounded_friction = d->soft_warm_start;
@@ -348,7 +332,7 @@ bool td_direct_solve_active_set(td_direct *d, double tolerance) {
             return d->factored = true;
         }
         if (!converged) {
-            update_bounds(d);
+            (d->search ? d->search->update_bounds : td_direct_update_friction)(d);
             unbounded_friction = false;
         }
         factored = update_multipliers(d, hysteresis, FROM_THIS_SOLVE) && !changed;

@@ -133,8 +133,7 @@ typedef struct td_direct {
     int factorings;       /* factorisations so far */
     int factoring_budget; /* budget of factorisations */
     int64_t effort;       /* budget of work that is left, in operations on 3 x 3 blocks */
-    /* in: returns the part of the active set's present Newton step that is gone; null: all of it */
-    double (*line_search)(const struct td_direct *d);
+    const struct td_direct_search *search; /* in: help for the active set, or null */
     bool spent;           /* the budget of work was too small, so that the solve failed */
     bool soft_warm_start; /* the warm start comes from the soft solver, or the impulses are 0 */
     bool measured;        /* in: speeds are those of the present rows and velocities already;
@@ -161,9 +160,14 @@ bool td_direct_solve_active_set(td_direct *d, double tolerance);
  * the factor of the last td_direct_solve_active_set. If the active set changes, the impulses are
  * restored and the result is false. */
 bool td_direct_solve_same_active_set(td_direct *d, double tolerance);
-/* td_direct.line_search: the part after which the function that the active set minimises no longer
- * falls much. */
-double td_direct_line_search(const td_direct *d);
+/* line_search.c: what helps the active set to settle where contacts slide. */
+typedef struct td_direct_search {
+    /* The part of the present Newton step after which the function that is minimised no longer
+     * falls much; without it all of the step is gone. */
+    double (*part_of_step)(const td_direct *d);
+    void (*update_bounds)(td_direct *d); /* in place of td_direct_update_friction */
+} td_direct_search;
+extern const td_direct_search td_direct_line_search;
 /* Interior point. False where a factorisation failed or iterations ran out. */
 bool td_direct_solve_interior_point(td_direct *d, double tolerance);
 

@@ -519,8 +519,7 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
     work->problem.effort = work->w->islands.effort;
     /* Not at exact, where budgets are large, so that it saves little, and where one of 48 chains
      * of soft welds on a floor gains energy with it (test_joints_stiff.c). */
-    work->problem.line_search =
-        work->w->quality.overlap_limit > 0.0f ? td_direct_line_search : NULL;
+    work->problem.search = work->w->quality.overlap_limit > 0.0f ? &td_direct_line_search : NULL;
     work->problem.factoring_budget *=
         td_island_is_joints(work) ? TD_BUDGET_OF_JOINTS : BUDGET_WITH_CONTACTS;
     work->time = whole / parts;

@@ -1,8 +1,14 @@
-/* line_search.c: how far a Newton step of active_set.c goes: not beyond the minimum on its way. The
- * function that the method minimises is convex and piecewise quadratic along the step, so that its
- * slope is piecewise linear and grows (Hermans, Themelis, Patrinos, "QPALM: a proximal augmented
- * Lagrangian method for nonconvex quadratic programs", 2022). In a file of its own, since only
- * islands with joints use it. */
+/* line_search.c: help for active_set.c where contacts slide, in a file of its own, since only
+ * islands with joints use it.
+ *
+ * A Newton step goes no further than to the minimum on its way. The function that the method
+ * minimises is convex and piecewise quadratic along the step, so that its slope is piecewise linear
+ * and grows (Hermans, Themelis, Patrinos, "QPALM: a proximal augmented Lagrangian method for
+ * nonconvex quadratic programs", 2022).
+ *
+ * A greater friction bound may lower the normal impulse from which it is computed, as where
+ * friction lifts what slides. Then the bounds swing about the solution: one that turns back goes
+ * half of the way. */
 #include "direct/direct.h"
 
 /* A step is shortened if the function rises at its end more than this many times as steeply as it
@@ -34,7 +40,7 @@ static double slope_after(const td_direct *d, const double kinetic[2], double pa
 }
 
 /* By false position. */
-double td_direct_line_search(const td_direct *d) {
+static double part_of_step(const td_direct *d) {
     double kinetic[2] = {0.0, 0.0};
     for (int i = 0; i < d->body_count; i++) {
         const td_direct_body *b = &d->bodies[i];
@@ -65,3 +71,15 @@ double td_direct_line_search(const td_direct *d) {
     }
     return part;
 }
+
+static void update_bounds(td_direct *d) {
+    for (int i = 0; i < d->constraint_count; i++) {
+        td_direct_row *r = &d->constraints[i].row[TD_DIRECT_TANGENT];
+        double bound = td_direct_friction_bound(&d->constraints[i]);
+        double change = bound - r->max_impulse;
+        r->max_impulse = change * r->turn < 0.0 ? 0.5 * (r->max_impulse + bound) : bound;
+        r->turn = td_finite(change) ? change : 0.0;
+    }
+}
+
+const td_direct_search td_direct_line_search = {part_of_step, update_bounds};
