@@ -119,7 +119,7 @@ static void lorry_crosses_bridges_of_other_lengths(void **state) {
         open += run_for_gap(&t, 700) > 0.02;
         close_stage(&t);
     }
-    assert_true(open <= 3);
+    assert_true(open <= 2);
 }
 
 static void ball_breaks_the_wall(void **state) {

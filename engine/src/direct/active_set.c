@@ -46,8 +46,8 @@
 enum {
     FACTORINGS_MAX = 6, /* factorisations before the method gives up; at rest it takes one ... */
     /* As FACTORINGS_MAX, with td_direct.search. Measured at default: at 6 the widest gaps of
-     * 23 bridges of 10 to 98 planks under a lorry are five times those at 8 (geometric means); at
-     * 10 bridges under boxes take a third longer. */
+     * 23 bridges of 10 to 98 planks under a lorry are two to five times those at 8 (geometric
+     * means); at 10 a step of bridges under boxes takes two fifths longer. */
     FACTORINGS_OF_SEARCH = 8,
     UPDATES_MAX = 12,      /* maximum number of updates of multipliers and friction bounds */
     UPDATES_AGAIN = 4,     /* UPDATES_MAX for td_direct_solve_same_active_set, which does not factor
@@ -143,7 +143,7 @@ static int warm_start(td_direct *d, double hysteresis) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &c->row[k];
             rows += r->used;
-            r->turn = 0.0;
+            r->bound_change = 0.0;
             if (r->kind == TD_ROW_UNILATERAL) {
                 r->active = r->impulse > 0.0 || r->speed < r->target_speed + margin;
             } else if (r->kind % 2) { /* equality and soft rows */

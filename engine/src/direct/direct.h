@@ -95,9 +95,9 @@ typedef struct td_direct_row {
     double force;       /* impulse on the right-hand side of the Newton step's equations */
     double change;      /* J dv: change of the speed by the whole Newton step */
     union {
-        double
-            slack[2]; /* interior point: slack of the speed (unilateral), of both bounds (others) */
-        double turn;  /* active set: the last change of a friction row's bound */
+        /* interior point: slack of the speed (unilateral), of both bounds (others) */
+        double slack[2];
+        double bound_change; /* active set: the last change of a friction row's bound */
     };
     double direction[3]; /* interior point: Newton step of the impulse and of the slacks;
                             conjugate_gradients.c: [0] is the search direction */
@@ -133,7 +133,7 @@ typedef struct td_direct {
     int factorings;       /* factorisations so far */
     int factoring_budget; /* budget of factorisations */
     int64_t effort;       /* budget of work that is left, in operations on 3 x 3 blocks */
-    const struct td_direct_search *search; /* in: help for the active set, or null */
+    const struct td_direct_search *search; /* in: td_direct_line_search, or null */
     bool spent;           /* the budget of work was too small, so that the solve failed */
     bool soft_warm_start; /* the warm start comes from the soft solver, or the impulses are 0 */
     bool measured;        /* in: speeds are those of the present rows and velocities already;
@@ -162,8 +162,8 @@ bool td_direct_solve_active_set(td_direct *d, double tolerance);
 bool td_direct_solve_same_active_set(td_direct *d, double tolerance);
 /* line_search.c: what helps the active set to settle where contacts slide. */
 typedef struct td_direct_search {
-    /* The part of the present Newton step after which the function that is minimised no longer
-     * falls much; without it all of the step is gone. */
+    /* How much of the present Newton step is taken, from 0 to 1: up to where the function that is
+     * minimised no longer falls much. Without a search the whole step is taken. */
     double (*part_of_step)(const td_direct *d);
     void (*update_bounds)(td_direct *d); /* in place of td_direct_update_friction */
 } td_direct_search;

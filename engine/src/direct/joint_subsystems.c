@@ -285,9 +285,12 @@ static bool solve_as_tree(td_island_work *work, thud_world *w, const td_island *
     return true;
 }
 
-/* Solves the joints of a linkage with rows for its contacts. False where that fails. */
-static bool solve_with_contacts(td_island_work *work, thud_world *w, const td_island *linkage) {
+/* Solves the joints of a linkage with rows for its contacts. False where that fails. Sets *pushed:
+ * the speed that closing gaps and overlaps may add (gains_energy). */
+static bool solve_with_contacts(td_island_work *work, thud_world *w, const td_island *linkage,
+                                double *pushed) {
     *work = td_island_set_up(w, linkage);
+    *pushed = work->correction_speed + work->problem.unit_speed;
     work->problem.factoring_budget = LINKAGE_FACTORINGS;
     add_contacts(work);
     set_contact_rows(work);
@@ -309,12 +312,13 @@ static void solve_one(thud_world *w, td_awake_slot seed) {
         return;
     }
     joints.system = linkage.system;
-    td_island_work work = td_island_set_up(w, &linkage);
-    double pushed = work.correction_speed + work.problem.unit_speed;
+    td_island_work work;
+    double pushed;
     bool alone = joints.constraints == linkage.constraints; /* it has no contacts */
-    bool solved = (alone && solve_as_tree(&work, w, &joints)) ||
-                  (solve_with_contacts(&work, w, &linkage) && !gains_energy(&work, pushed)) ||
-                  (!alone && solve_as_tree(&work, w, &joints) && !gains_energy(&work, pushed));
+    bool solved =
+        (alone && solve_as_tree(&work, w, &joints)) ||
+        (solve_with_contacts(&work, w, &linkage, &pushed) && !gains_energy(&work, pushed)) ||
+        (!alone && solve_as_tree(&work, w, &joints) && !gains_energy(&work, pushed));
     note_outcome(w, &linkage, solved);
     if (solved) {
         td_island_write_bodies(&work);

@@ -39,7 +39,7 @@ static double slope_after(const td_direct *d, const double kinetic[2], double pa
     return slope;
 }
 
-/* By false position. */
+/* td_direct_search.part_of_step, by false position. */
 static double part_of_step(const td_direct *d) {
     double kinetic[2] = {0.0, 0.0};
     for (int i = 0; i < d->body_count; i++) {
@@ -72,13 +72,14 @@ static double part_of_step(const td_direct *d) {
     return part;
 }
 
+/* td_direct_search.update_bounds */
 static void update_bounds(td_direct *d) {
     for (int i = 0; i < d->constraint_count; i++) {
         td_direct_row *r = &d->constraints[i].row[TD_DIRECT_TANGENT];
         double bound = td_direct_friction_bound(&d->constraints[i]);
         double change = bound - r->max_impulse;
-        r->max_impulse = change * r->turn < 0.0 ? 0.5 * (r->max_impulse + bound) : bound;
-        r->turn = td_finite(change) ? change : 0.0;
+        r->max_impulse = change * r->bound_change < 0.0 ? 0.5 * (r->max_impulse + bound) : bound;
+        r->bound_change = td_finite(change) ? change : 0.0;
     }
 }
 
