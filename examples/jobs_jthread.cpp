@@ -26,7 +26,11 @@ class pool {
     }
 
     thud_job_system job_system() {
-        return {run, this, workers, &thud_shared_stages_all};
+        return {.run = run,
+                .context = this,
+                .workers = workers,
+                .stages = &thud_shared_stages_all,
+                .share_from = 0};
     }
 
   private:

@@ -164,7 +164,7 @@ struct thud_contact_event { thud_shape_id shape_a; thud_shape_id shape_b; };
 struct thud_hit_event { thud_shape_id shape_a; thud_shape_id shape_b; thud_pos point; thud_vec2 normal; float speed; };
 struct thud_events { const thud_contact_event * begin; const thud_contact_event * end; const thud_contact_event * sensor_begin; const thud_contact_event * sensor_end; const float * sensor_begin_time; const float * sensor_end_time; const thud_hit_event * hit; const thud_body_id * quarantined; int begin_count; int end_count; int sensor_begin_count; int sensor_end_count; int hit_count; int quarantined_count; };
 struct thud_allocator { void *(*allocate)(size_t, void *); void (*release)(void *, size_t, void *); void * context; };
-struct thud_job_system { thud_parallel_fn * run; void * context; int workers; const thud_shared_stages * stages; };
+struct thud_job_system { thud_parallel_fn * run; void * context; int workers; const thud_shared_stages * stages; uint32_t share_from; };
 struct thud_quality { const char * name; int substeps; float contact_stiffness; float contact_damping; const thud_detection * detection; const thud_island_solver * islands; float overlap_limit; int island_limit; int64_t island_work; int island_slow_steps; };
 struct thud_geometry { thud_shape_kind kind; double x; double y; double c; double s; double hx; double hy; };
 struct thud_segment { double x; double y; double dx; double dy; };
@@ -650,7 +650,7 @@ local FIELDS = {
     thud_hit_event = { shape_a = "thud_shape_id", shape_b = "thud_shape_id", point = "thud_pos", normal = "thud_vec2", speed = "float" },
     thud_events = { begin = "const thud_contact_event *", ["end"] = "const thud_contact_event *", sensor_begin = "const thud_contact_event *", sensor_end = "const thud_contact_event *", sensor_begin_time = "const float *", sensor_end_time = "const float *", hit = "const thud_hit_event *", quarantined = "const thud_body_id *", begin_count = "int", end_count = "int", sensor_begin_count = "int", sensor_end_count = "int", hit_count = "int", quarantined_count = "int" },
     thud_allocator = { allocate = "void *(*)(size_t, void *)", release = "void (*)(void *, size_t, void *)", context = "void *" },
-    thud_job_system = { run = "thud_parallel_fn *", context = "void *", workers = "int", stages = "const thud_shared_stages *" },
+    thud_job_system = { run = "thud_parallel_fn *", context = "void *", workers = "int", stages = "const thud_shared_stages *", share_from = "uint32_t" },
     thud_quality = { name = "const char *", substeps = "int", contact_stiffness = "float", contact_damping = "float", detection = "const thud_detection *", islands = "const thud_island_solver *", overlap_limit = "float", island_limit = "int", island_work = "int64_t", island_slow_steps = "int" },
     thud_geometry = { kind = "thud_shape_kind", x = "double", y = "double", c = "double", s = "double", hx = "double", hy = "double" },
     thud_segment = { x = "double", y = "double", dx = "double", dy = "double" },

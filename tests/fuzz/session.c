@@ -72,11 +72,15 @@ static void run_in_turn(thud_task_fn *task, void *argument, int workers, void *c
 static thud_job_system job_system(unsigned byte) {
     static thud_threads *threads;
     if (byte % 8 != 0 && !getenv("FUZZ_THREADS")) {
-        return (thud_job_system){run_in_turn, NULL, 2 + (int)(byte % 3),
-                                 byte % 2 ? NULL : &thud_shared_stages_all};
+        return (thud_job_system){.run = run_in_turn,
+                                 .workers = 2 + (int)(byte % 3),
+                                 .stages = byte % 2 ? NULL : &thud_shared_stages_all,
+                                 .share_from = 1};
     }
     threads = threads ? threads : some_threads(3);
-    return thud_job_system_of(threads);
+    thud_job_system shared = thud_job_system_of(threads);
+    shared.share_from = 1;
+    return shared;
 }
 
 /* ---- settings ---- */

@@ -64,9 +64,7 @@ static void same_bits_twice(trial *t) {
 
 /* ---- workers ---- */
 
-/* Columns of two boxes. A step runs on several workers from 512 points of blocks on
- * (SHARED_POINTS_MIN in jobs.c). A block holds up to eight contacts and counts two points, so that
- * the two contacts of each column make at least 525 of them. */
+/* Columns of two boxes. */
 enum { COLUMNS = 1050, FIELD_STEPS = STEPS / 4 };
 
 /* A world of COLUMNS pairs of stacked boxes on a floor. The trial's source of random numbers is
@@ -102,8 +100,8 @@ static thud_world *make_field(trial *t, int workers) {
     return world;
 }
 
-/* One worker beside two, the numbers that trials have. The worlds are no yards: a step of a yard
- * has too few blocks to be shared. */
+/* One worker beside two, the numbers that trials have. The worlds are no yards, which have too few
+ * blocks for more than a chunk of each colour. */
 static void same_bits_any_workers(trial *t) {
     long before = trial_shared_runs();
     thud_world *one = make_field(t, 1), *two = make_field(t, 2);

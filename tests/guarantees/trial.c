@@ -80,7 +80,11 @@ thud_job_system trial_jobs(int workers) {
     if (!threads) {
         threads = some_threads(2);
     }
-    return (thud_job_system){run_shared, threads, 2, &thud_shared_stages_all};
+    return (thud_job_system){.run = run_shared,
+                             .context = threads,
+                             .workers = 2,
+                             .stages = &thud_shared_stages_all,
+                             .share_from = 1};
 }
 
 thud_world_def trial_def(trial *t) {

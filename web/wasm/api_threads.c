@@ -27,6 +27,7 @@ static struct {
     atomic_int closing;    /* the threads shall end */
     atomic_int helped;     /* counts the calls that threads of the pool have made */
     int workers;           /* of worlds that are created; at most 1: the calling thread alone */
+    uint32_t share_from;   /* thud_job_system.share_from, likewise */
 } pool;
 
 /* Makes one of the calls that are left; false: none was. */
@@ -86,12 +87,17 @@ static void run_on_threads(thud_task_fn *task, void *argument, int workers, void
 }
 
 thud_job_system api_job_system(void) {
-    return (thud_job_system){run_on_threads, NULL, pool.workers, &thud_shared_stages_all};
+    return (thud_job_system){.run = run_on_threads,
+                             .workers = pool.workers,
+                             .stages = &thud_shared_stages_all,
+                             .share_from = pool.share_from};
 }
 
-/* Sets the number of workers of worlds that are created from now on, in [0, THUD_WORKERS_MAX]. */
-void api_threads_set(int workers) {
+/* Sets the number of workers of worlds that are created from now on, in [0, THUD_WORKERS_MAX], and
+ * their thud_job_system.share_from. */
+void api_threads_set(int workers, uint32_t share_from) {
     pool.workers = workers;
+    pool.share_from = share_from;
 }
 
 /* How many calls of tasks the threads of the pool have made. */

@@ -62,6 +62,11 @@ typedef struct thud_job_system {
     void *context;         /* passed to run */
     int workers; /* 0 .. THUD_WORKERS_MAX; default 0, which means 1; more than 1 needs run */
     const thud_shared_stages *stages; /* null (the default): manifolds and solver alone */
+    /* Manifolds and solver are shared in steps with so many blocks of contacts (thud_stats.blocks;
+     * those with two points, as of boxes, count twice) or more. With fewer, the data of bodies that
+     * move between processors cost more time than a second thread saves. Default 0, which means
+     * 2048, as measured with two threads (docs/performance.md); 1: always; UINT32_MAX: never. */
+    uint32_t share_from;
 } thud_job_system;
 
 #ifdef __cplusplus

@@ -133,52 +133,73 @@ static int end_of_colour(const thud_world *w, int first) {
     return end;
 }
 
-/* Sorts the chunks from `first` on by worker: sets their elements of scratch.chunk_order, and the
- * phase's shares. */
-static void share_chunks(thud_world *w, td_phase *phase, int workers) {
-    int *order = w->scratch.chunk_order.data, *shares = phase->shares;
-    memset(shares, 0, sizeof phase->shares);
-    for (int i = phase->first; i < phase->first + phase->chunks; i++) {
-        shares[chunk_at(w, i)->worker + 1]++;
+/* Sorts the chunks of a phase, from `first` on, by worker (sets their elements of
+ * scratch.chunk_order), and joins those of a worker to parts of at most TD_CHUNK_BLOCKS blocks: to
+ * claim a part takes a worker about as long as two blocks. */
+static void share_chunks(thud_world *w, td_phase *phase, int first, int count, int workers) {
+    int *order = w->scratch.chunk_order.data, at = first;
+    for (int k = 0; k < workers; k++) {
+        int blocks = TD_CHUNK_BLOCKS; /* of the part; at first, of no part */
+        for (int i = first; i < first + count; i++) {
+            const td_chunk *chunk = chunk_at(w, i);
+            if (chunk->worker != k) {
+                continue;
+            }
+            blocks += chunk->count;
+            if (blocks > TD_CHUNK_BLOCKS) {
+                *td_part_first(w, phase->first + phase->parts++) = at;
+                blocks = chunk->count;
+            }
+            order[at++] = i;
+        }
+        phase->shares[k + 1] = phase->parts;
     }
-    int next[THUD_WORKERS_MAX];
-    for (int i = 0; i < workers; i++) {
-        next[i] = phase->first + shares[i];
-        shares[i + 1] += shares[i];
-    }
-    for (int i = phase->first; i < phase->first + phase->chunks; i++) {
-        order[next[chunk_at(w, i)->worker]++] = i;
+}
+
+/* Begins a phase of one part, for the first worker or whoever comes before it. */
+static void give_to_one(thud_world *w, td_phase *phase, int first, int workers) {
+    *td_part_first(w, phase->first) = first;
+    phase->parts = 1;
+    for (int k = 0; k < workers; k++) {
+        phase->shares[k + 1] = 1;
     }
 }
 
 /* Lists the phases. False when memory is short. */
 static bool list_phases(thud_world *w, int workers) {
     td_array *phases = &w->scratch.phases;
-    int *order = w->scratch.chunk_order.data, chunks = w->scratch.chunks.count;
-    td_phase *last = NULL;
+    int *order = w->scratch.chunk_order.data, chunks = w->scratch.chunks.count, parts = 0;
+    bool single = false; /* the last phase is for one worker */
     phases->count = 0;
-    for (int first = 0; first < chunks;) {
-        int count = end_of_colour(w, first) - first;
-        if (count == 1 && last && last->parts == 1) {
-            order[first] = first;
-            last->chunks++;
-        } else {
+    for (int first = 0, count; first < chunks; first += count) {
+        count = end_of_colour(w, first) - first;
+        if (count > 1 || !single) {
             if (!td_array_reserve(&w->memory, phases, phases->count + 1)) {
                 return false;
             }
-            last = &TD_PUSH(td_phase, phases);
-            *last = (td_phase){.first = first, .chunks = count, .parts = count};
-            share_chunks(w, last, workers);
+            td_phase *phase = &TD_PUSH(td_phase, phases);
+            *phase = (td_phase){.first = parts};
+            if (count > 1) {
+                share_chunks(w, phase, first, count, workers);
+            } else {
+                give_to_one(w, phase, first, workers);
+            }
+            parts += phase->parts;
         }
-        first += count;
+        single = count == 1;
+        if (single) {
+            order[first] = first;
+        }
     }
+    *td_part_first(w, parts) = chunks;
     return true;
 }
 
 /* Divides all runs among several workers. False when memory is short. */
 static bool cut_for_workers(thud_world *w, int workers) {
     int places = 1 + w->placed_bins.count / TD_PLACED_COLOURS;
-    if (!td_array_reserve(&w->memory, &w->scratch.chunk_order, w->scratch.chunks.capacity) ||
+    if (!td_array_reserve(&w->memory, &w->scratch.chunk_order,
+                          2 * w->scratch.chunks.capacity + 1) ||
         !td_array_reserve(&w->memory, &w->scratch.order, places) ||
         !td_array_reserve(&w->memory, &w->scratch.bounds, THUD_WORKERS_MAX + 1)) {
         return false;
@@ -221,8 +242,8 @@ bool td_chunks_cut(thud_world *w) {
 void td_phase_run(const thud_world *w, const td_phase *phase, int part, td_chunk_fn *run,
                   void *work) {
     const int *order = w->scratch.chunk_order.data;
-    int count = phase->parts == 1 ? phase->chunks : 1;
-    for (int i = phase->first + part; i < phase->first + part + count; i++) {
+    const int *first = td_part_first(w, phase->first + part);
+    for (int i = first[0]; i < first[1]; i++) {
         run(work, order[i]);
     }
 }

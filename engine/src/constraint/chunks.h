@@ -10,7 +10,7 @@
 #include "constraint/lanes.h"
 #include "state/jobs.h"
 
-/* A piece of a run, which one worker claims, and the result of its narrowphase. */
+/* A piece of a run for one worker, and the result of its narrowphase. */
 typedef struct td_chunk {
     int32_t run, first, count; /* index of the run; blocks, in scratch.blocks */
     int32_t worker;            /* whose share it belongs to */
@@ -18,15 +18,23 @@ typedef struct td_chunk {
     int32_t separated;         /* number of blocks with a lane that no longer touches */
 } td_chunk;
 
-/* The chunks between two barriers, at which workers wait for each other: elements of
- * scratch.chunk_order from `first` on. Chunks of one bin (graph colour) have no moving body in
- * common: workers share them, each chunk a part. Small colours, and runs whose blocks may share
- * bodies (td_run_is_single), are one chunk. Such chunks that follow each other are one part, since
- * waiting for another worker between them would take longer than they do. */
+/* What workers do between two barriers, at which they wait for each other: `parts` parts, each some
+ * chunks that one worker claims at once, whose beginnings are td_part_first(w, first) and the
+ * following ones. Chunks of one bin (graph colour) have no moving body in common, so that workers
+ * share them. Small colours, and runs whose blocks may share bodies (td_run_is_single), are for one
+ * worker. Where such follow each other they are one part, since waiting for another worker between
+ * them would take longer than they do. */
 typedef struct td_phase {
-    int first, chunks, parts;
+    int first, parts;
     int shares[THUD_WORKERS_MAX + 1]; /* of the parts, for td_worker_take */
 } td_phase;
+
+/* The element of scratch.chunk_order with which a part begins, by its number among the parts of all
+ * phases. The part ends where the next one begins; one more number than there are parts is valid.
+ */
+static inline int *td_part_first(const thud_world *w, int part) {
+    return TD_AT(int, &w->scratch.chunk_order, w->scratch.chunks.count + part);
+}
 
 /* Divides the runs into chunks; a single worker has one for each run. For several workers, also
  * lists the phases, in the order of solving. False when memory is short. */

@@ -387,16 +387,6 @@ static void run_passes(void *argument) {
     }
 }
 
-/* Awake slots from which on workers share the passes over bodies, however few points there are:
- * fewer are moved before another thread has woken. Chosen; not tuned. */
-enum { SHARED_SLOTS_MIN = 8192 };
-
-/* How many workers shall share the passes. */
-static int workers_for(const thud_world *w) {
-    bool many = TD_HAS_THREADS && w->body_of.count >= SHARED_SLOTS_MIN;
-    return many ? td_max_int(1, w->def.job_system.workers) : td_workers_for_blocks(w);
-}
-
 /* Fills the context, runs the passes by all workers, and adds up their error statistics. */
 void td_solve(thud_world *w) {
     td_tally tallies[THUD_WORKERS_MAX];
@@ -406,7 +396,7 @@ void td_solve(thud_world *w) {
     float h = (float)(w->def.time_step / w->substeps);
     int body_shares[THUD_WORKERS_MAX + 1];
     td_job job;
-    td_job_begin(&job, workers_for(w));
+    td_job_begin(&job, td_workers_for_bodies(w));
     solving s = {
         .w = w,
         .contacts = solve_context(w, h),

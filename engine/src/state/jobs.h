@@ -44,17 +44,31 @@ typedef struct td_worker {
 /* Runs one chunk of a phase. */
 typedef void td_chunk_fn(void *work, int chunk);
 
-/* Points of blocks (td_scratch.points) from which on a task over them is shared. Sharing costs time
- * in each phase, since the data of bodies move between the caches of processors. Measured with two
- * threads: at 400 to 500 points it takes as long as one thread. A greater value leaves more worlds
- * to one thread. */
-enum { TD_SHARED_POINTS_MIN = 512 };
+/* Points of blocks (td_scratch.points) from which on a task over them is shared, where the job
+ * system does not say (thud_job_system.share_from). Sharing costs time in each phase, since the
+ * data of bodies move between the caches of processors. Measured with two threads, which take as
+ * long as one at 900 points in a pyramid, at 2,600 on terrain and at 4,000 in a tumbler, whose
+ * bodies have mixed. A greater value leaves more worlds to one thread. */
+enum { TD_SHARED_POINTS_MIN = 2048 };
 
 /* How many workers shall share a task over the blocks of scratch.blocks: those of the job system,
- * or 1 where the blocks have fewer than TD_SHARED_POINTS_MIN points. */
+ * or 1 where the blocks have too few points. */
 static inline int td_workers_for_blocks(const thud_world *w) {
-    bool shared = TD_HAS_THREADS && w->scratch.points >= TD_SHARED_POINTS_MIN;
+    uint32_t from = w->def.job_system.share_from, points = (uint32_t)w->scratch.points;
+    bool shared = TD_HAS_THREADS && points > 0 && points >= (from ? from : TD_SHARED_POINTS_MIN);
     return shared ? td_max_int(1, w->def.job_system.workers) : 1;
+}
+
+/* Awake slots from which on a task over all bodies is shared, however few points there are. Chosen;
+ * not tuned. */
+enum { TD_SHARED_SLOTS_MIN = 8192 };
+
+/* How many workers shall share the solver, and then the end of the step: where one has moved all
+ * bodies alone, their data are in its cache, and another would take longer to fetch its part than
+ * one takes for all (measured with 4,000 bodies). */
+static inline int td_workers_for_bodies(const thud_world *w) {
+    bool many = TD_HAS_THREADS && w->body_of.count >= TD_SHARED_SLOTS_MIN;
+    return many ? td_max_int(1, w->def.job_system.workers) : td_workers_for_blocks(w);
 }
 
 /* Whether several workers run the task. */

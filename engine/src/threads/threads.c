@@ -305,6 +305,9 @@ thud_result thud_threads_get_job_system(thud_threads *threads, thud_job_system *
     if (!threads || !out) {
         return THUD_ERROR_NULL;
     }
-    *out = (thud_job_system){run_on_threads, threads, threads->workers, &thud_shared_stages_all};
+    *out = (thud_job_system){.run = run_on_threads,
+                             .context = threads,
+                             .workers = threads->workers,
+                             .stages = &thud_shared_stages_all};
     return THUD_OK;
 }

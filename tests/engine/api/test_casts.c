@@ -146,7 +146,7 @@ static void the_job_system_is_asked_once_for_many_and_never_inside_a_callback(vo
     (void)state;
     row r;
     int calls = 0;
-    make_row(&r, (thud_job_system){one_after_the_other, &calls, 3, NULL});
+    make_row(&r, (thud_job_system){.run = one_after_the_other, .context = &calls, .workers = 3});
     for (int i = 0; i < 80; i++) {
         rays[i] = (thud_ray){{0.1 * i, 3}, 0, -6, NULL};
     }

@@ -124,7 +124,7 @@ static void workers_in_any_mode_give_the_same_bits(void **state) {
         set_mode(TD_FLOAT_MODE_OWN);
         assert_non_null(p);
         thud_world_def def = thud_default_world_def();
-        def.job_system = thud_job_system_of(p);
+        def.job_system = jobs_of_small_steps(p);
         hash[m] = hash_of("platformer", 1000, 80, &def);
         thud_threads_destroy(p);
         assert_true(hash[m] == hash[0]);

@@ -60,7 +60,7 @@ static void any_number_of_workers_gives_the_same_bits(void **state) {
             thud_threads *p = some_threads(workers);
             assert_non_null(p);
             uint64_t shared =
-                hash_after(SCENES[i].name, SCENES[i].size, SCENES[i].steps, thud_job_system_of(p));
+                hash_after(SCENES[i].name, SCENES[i].size, SCENES[i].steps, jobs_of_small_steps(p));
             thud_threads_destroy(p);
             if (shared != alone) {
                 fail_msg("%s differs with %d workers", SCENES[i].name, workers);
@@ -72,7 +72,10 @@ static void any_number_of_workers_gives_the_same_bits(void **state) {
 static void workers_one_after_the_other_give_the_same_bits(void **state) {
     (void)state;
     int calls = 0;
-    thud_job_system job_system = {one_after_the_other, &calls, 3, NULL};
+    thud_job_system job_system = {.run = one_after_the_other,
+                                  .context = &calls,
+                                  .workers = 3,
+                                  .share_from = 512};
     assert_true(hash_after("pyramid", 40, 40, job_system) ==
                 hash_after("pyramid", 40, 40, (thud_job_system){0}));
     assert_true(calls >= 40);
@@ -83,9 +86,13 @@ static void the_most_workers_share_more_stages_to_the_same_bits(void **state) {
     (void)state;
     enum { STEPS = 60 };
     int calls = 0, more_calls = 0;
-    thud_job_system few = {one_after_the_other, &calls, THUD_WORKERS_MAX, NULL};
-    thud_job_system all = {one_after_the_other, &more_calls, THUD_WORKERS_MAX,
-                           &thud_shared_stages_all};
+    thud_job_system few = {.run = one_after_the_other,
+                           .context = &calls,
+                           .workers = THUD_WORKERS_MAX,
+                           .share_from = 1};
+    thud_job_system all = few;
+    all.context = &more_calls;
+    all.stages = &thud_shared_stages_all;
     uint64_t alone = hash_after("circle_pit", 3000, STEPS, (thud_job_system){0});
     assert_true(hash_after("circle_pit", 3000, STEPS, few) == alone);
     assert_true(hash_after("circle_pit", 3000, STEPS, all) == alone);
@@ -123,7 +130,7 @@ static void fast_bodies_are_stopped_by_any_number_of_workers(void **state) {
     for (int workers = 2; workers <= 4; workers += 2) {
         thud_threads *p = some_threads(workers);
         assert_non_null(p);
-        assert_true(hash_of_shots(thud_job_system_of(p), &shared) == hash);
+        assert_true(hash_of_shots(jobs_of_small_steps(p), &shared) == hash);
         assert_int_equal(shared, alone);
         thud_threads_destroy(p);
     }
@@ -178,7 +185,11 @@ static void pairs_that_workers_leave_are_found(void **state) {
     } cases[] = {{1200, 3}, {1200, 40}, {1260, 210}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         int calls = 0;
-        thud_job_system all = {one_after_the_other, &calls, 3, &thud_shared_stages_all};
+        thud_job_system all = {.run = one_after_the_other,
+                               .context = &calls,
+                               .workers = 3,
+                               .stages = &thud_shared_stages_all,
+                               .share_from = 512};
         uint64_t shared = hash_of_clumps(cases[i].count, cases[i].clump, all);
         if (shared != hash_of_clumps(cases[i].count, cases[i].clump, (thud_job_system){0})) {
             fail_msg("%d circles, %d in a clump, differ", cases[i].count, cases[i].clump);
@@ -193,7 +204,11 @@ static void workers_allocate_nothing_in_a_settled_world(void **state) {
     scene s;
     assert_true(scenes_fill(scenes_find("gas"), 4000, &s));
     thud_world_def def = thud_default_world_def();
-    def.job_system = (thud_job_system){one_after_the_other, &calls, 5, &thud_shared_stages_all};
+    def.job_system = (thud_job_system){.run = one_after_the_other,
+                                       .context = &calls,
+                                       .workers = 5,
+                                       .stages = &thud_shared_stages_all,
+                                       .share_from = 1};
     thud_world *world;
     OK(scene_build_thud(&s, &def, &world, NULL, NULL));
     uint64_t allocations = 0;
@@ -211,9 +226,32 @@ static void workers_allocate_nothing_in_a_settled_world(void **state) {
 static void small_worlds_ask_nobody(void **state) {
     (void)state;
     int calls = 0;
-    thud_job_system job_system = {one_after_the_other, &calls, 3, NULL};
+    thud_job_system job_system = {.run = one_after_the_other,
+                                  .context = &calls,
+                                  .workers = 3,
+                                  .share_from = 512};
     hash_after("tall_stack", 10, 20, job_system);
     assert_int_equal(calls, 0);
+}
+
+/* A pile of boxes for which a second thread does not pay; the game may want to share it. */
+static void game_says_how_small_a_step_is_shared(void **state) {
+    (void)state;
+    enum { STEPS = 20 };
+    const uint32_t froms[] = {0, UINT32_MAX, 512, 1};
+    uint64_t hash = 0;
+    for (int i = 0; i < 4; i++) {
+        int calls = 0;
+        thud_job_system job_system = {.run = one_after_the_other,
+                                      .context = &calls,
+                                      .workers = 2,
+                                      .share_from = froms[i]};
+        uint64_t own = hash_after("pyramid", 40, STEPS, job_system);
+        /* One call a step for the manifolds, one for the solver. */
+        assert_int_equal(calls, froms[i] == 0 || froms[i] == UINT32_MAX ? 0 : 2 * STEPS);
+        assert_true(i == 0 || own == hash);
+        hash = own;
+    }
 }
 
 static void absurd_job_systems_are_refused(void **state) {
@@ -222,9 +260,9 @@ static void absurd_job_systems_are_refused(void **state) {
     thud_world *world = NULL;
     def.job_system = (thud_job_system){.workers = 2};
     assert_int_equal(thud_world_create(&def, &world), THUD_ERROR_INVALID);
-    def.job_system = (thud_job_system){one_after_the_other, NULL, THUD_WORKERS_MAX + 1, NULL};
+    def.job_system = (thud_job_system){.run = one_after_the_other, .workers = THUD_WORKERS_MAX + 1};
     assert_int_equal(thud_world_create(&def, &world), THUD_ERROR_INVALID);
-    def.job_system = (thud_job_system){one_after_the_other, NULL, -1, NULL};
+    def.job_system = (thud_job_system){.run = one_after_the_other, .workers = -1};
     assert_int_equal(thud_world_create(&def, &world), THUD_ERROR_INVALID);
     assert_null(world);
 }
@@ -238,6 +276,7 @@ int main(void) {
         cmocka_unit_test(pairs_that_workers_leave_are_found),
         cmocka_unit_test(workers_allocate_nothing_in_a_settled_world),
         cmocka_unit_test(small_worlds_ask_nobody),
+        cmocka_unit_test(game_says_how_small_a_step_is_shared),
         cmocka_unit_test(absurd_job_systems_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -186,7 +186,7 @@ static void net_ends_in_the_same_bits_with_any_workers_and_width(void **state) {
         assert_true(net_after(def, 90) == alone);
         for (int workers = 2; workers <= 4; workers += 2) {
             thud_threads *p = some_threads(workers);
-            def.job_system = thud_job_system_of(p);
+            def.job_system = jobs_of_small_steps(p);
             assert_true(net_after(def, 90) == alone);
             thud_threads_destroy(p);
         }

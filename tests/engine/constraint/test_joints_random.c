@@ -214,7 +214,7 @@ static void redundant_joints_gain_no_energy(void **state) {
 static uint64_t hash_of_many(const thud_quality *quality, thud_threads *threads) {
     thud_world_def def = def_of(quality);
     def.sleeping = false;
-    def.job_system = thud_job_system_of(threads);
+    def.job_system = jobs_of_small_steps(threads);
     thud_world *world = make_world(def);
     add_floor(world, NULL);
     for (int seed = 0; seed < 4 * WORLDS; seed++) {

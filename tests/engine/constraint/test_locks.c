@@ -372,7 +372,7 @@ static void any_number_of_workers_gives_the_same_bits(void **state) {
     run(alone, 200);
     for (int workers = 2; workers <= 4; workers++) {
         thud_threads *p = some_threads(workers);
-        thud_world *shared = make_rails(thud_job_system_of(p));
+        thud_world *shared = make_rails(jobs_of_small_steps(p));
         run(shared, 200);
         assert_int_equal(thud_hash_of(shared), thud_hash_of(alone));
         thud_world_destroy(shared);

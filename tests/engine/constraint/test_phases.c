@@ -68,6 +68,11 @@ static const td_chunk *chunk_at(const thud_world *w, int index) {
     return TD_AT(td_chunk, &w->scratch.chunks, index);
 }
 
+/* The chunk at this place of scratch.chunk_order. */
+static int chunk_in(const thud_world *w, int place) {
+    return *TD_AT(int, &w->scratch.chunk_order, place);
+}
+
 static const td_run *run_of(const thud_world *w, int chunk) {
     return TD_AT(td_run, &w->scratch.runs, chunk_at(w, chunk)->run);
 }
@@ -110,30 +115,53 @@ static void blocks_are_divided_evenly_among_workers(void **state) {
     }
 }
 
-/* Phases follow each other without a gap. The parts of a phase share no moving body, and two
- * single parts do not follow each other. */
+/* Parts follow each other without a gap, and so do phases. The chunks of a phase of several parts
+ * share no moving body, and two phases of a single part do not follow each other. */
 static void small_colours_that_follow_each_other_are_one_phase(void **state) {
     (void)state;
     thud_world *w = world_of("tumbler", 1500, 120, 2);
-    int joined = 0, next = 0;
+    int joined = 0, next = 0, next_part = 0;
     bool single = false;
     for (int i = 0; i < w->scratch.phases.count; i++) {
         const td_phase *phase = TD_AT(td_phase, &w->scratch.phases, i);
-        assert_int_equal(phase->first, next);
+        assert_int_equal(phase->first, next_part);
         assert_false(single && phase->parts == 1);
         single = phase->parts == 1;
-        assert_int_equal(phase->parts, single ? 1 : phase->chunks);
-        next += phase->chunks;
-        for (int chunk = phase->first + 1; chunk < next; chunk++) {
-            const td_run *run = run_of(w, chunk), *first = run_of(w, phase->first);
-            bool apart =
-                run->bin == first->bin && !td_run_is_single(run) && !td_run_is_single(first);
-            assert_int_equal(apart, !single);
-            joined += single;
+        const td_run *first = run_of(w, chunk_in(w, next));
+        for (int end = next_part + phase->parts; next_part < end; next_part++) {
+            assert_int_equal(*td_part_first(w, next_part), next);
+            for (; next < *td_part_first(w, next_part + 1); next++) {
+                const td_run *run = run_of(w, chunk_in(w, next));
+                bool apart =
+                    run->bin == first->bin && !td_run_is_single(run) && !td_run_is_single(first);
+                assert_true(apart || single);
+                joined += single && !apart;
+            }
         }
     }
     assert_int_equal(next, w->scratch.chunks.count);
     assert_true(joined > 1);
+    thud_world_destroy(w);
+}
+
+/* To claim a part takes as long as two blocks. */
+static void small_chunks_of_a_worker_are_one_part(void **state) {
+    (void)state;
+    thud_world *w = world_of("mixed_terrain", 4000, 200, 2);
+    int several = 0;
+    for (int i = 0; i < w->scratch.phases.count; i++) {
+        const td_phase *phase = TD_AT(td_phase, &w->scratch.phases, i);
+        for (int k = 0; k < phase->parts && phase->parts > 1; k++) {
+            const int *first = td_part_first(w, phase->first + k);
+            int blocks = 0;
+            for (int c = first[0]; c < first[1]; c++) {
+                blocks += chunk_at(w, chunk_in(w, c))->count;
+            }
+            assert_in_range(blocks, 1, TD_CHUNK_BLOCKS);
+            several += first[1] > first[0] + 1;
+        }
+    }
+    assert_true(several > 10);
     thud_world_destroy(w);
 }
 
@@ -154,8 +182,10 @@ static void a_phase_hands_out_each_chunk_once_and_first_to_its_worker(void **sta
         assert_int_equal(phase->shares[3], phase->parts);
         for (int worker = 0; worker < 3; worker++) {
             for (int part = phase->shares[worker]; part < phase->shares[worker + 1]; part++) {
-                int chunk = *TD_AT(int, &w->scratch.chunk_order, phase->first + part);
-                assert_true(phase->parts == 1 || chunk_at(w, chunk)->worker == worker);
+                const int *first = td_part_first(w, phase->first + part);
+                for (int c = first[0]; c < first[1]; c++) {
+                    assert_true(phase->parts == 1 || chunk_at(w, chunk_in(w, c))->worker == worker);
+                }
                 td_phase_run(w, phase, part, hand_out, handed);
             }
         }
@@ -218,6 +248,7 @@ int main(void) {
         cmocka_unit_test(pairs_of_kinematic_bodies_keep_no_other_runs_from_workers),
         cmocka_unit_test(blocks_are_divided_evenly_among_workers),
         cmocka_unit_test(small_colours_that_follow_each_other_are_one_phase),
+        cmocka_unit_test(small_chunks_of_a_worker_are_one_part),
         cmocka_unit_test(a_phase_hands_out_each_chunk_once_and_first_to_its_worker),
         cmocka_unit_test(workers_solve_blocks_of_their_own_bodies),
         cmocka_unit_test(bodies_are_divided_evenly_where_few_of_them_touch),

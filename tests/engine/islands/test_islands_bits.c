@@ -50,7 +50,7 @@ static void islands_are_the_same_for_any_number_of_workers(void **state) {
         for (int workers = 2; workers <= 4; workers++) {
             thud_threads *p = some_threads(workers);
             assert_non_null(p);
-            def.job_system = thud_job_system_of(p);
+            def.job_system = jobs_of_small_steps(p);
             assert_true(hash_of_yard(def) == alone);
             thud_threads_destroy(p);
         }

@@ -242,7 +242,7 @@ static void report_is_the_same_with_any_workers_and_any_simd(void **state) {
             thud_world_def def = thud_default_world_def();
             threads[k] = k > 0 && k < 4 ? some_threads(k + 1) : NULL;
             if (threads[k]) {
-                def.job_system = thud_job_system_of(threads[k]);
+                def.job_system = jobs_of_small_steps(threads[k]);
             }
             thud_world_def_set_baseline_simd(&def, k == 4);
             world[k] = world_of(scenes[i].name, scenes[i].size, def);

@@ -11,8 +11,9 @@ import { root, thud } from "../support/package.mjs";
 
 const { loadThreads } = await import(`${root}web/package/dist/threads.js`);
 
-/** Scenes that are large enough that threads share their steps (engine/src/state/jobs.c). */
+/** Scenes that threads share with the option `shareFrom` below. */
 const LARGE = { pyramid: 40, circle_pit: 3000 };
+const SHARE_FROM = 512;
 const STEPS = 20;
 
 async function hashOf(engine, name) {
@@ -35,7 +36,7 @@ for (const name of Object.keys(LARGE))
   test(`scene_${name}_has_equal_hash_with_any_number_of_threads`, async () => {
     const expected = await hashOf(await thud.load(), name);
     for (const threads of [1, 2, 3]) {
-      const engine = await thud.load({ threads });
+      const engine = await thud.load({ threads, shareFrom: SHARE_FROM });
       assert.equal(engine.threads, threads);
       assert.equal(await hashOf(engine, name), expected, `${threads} threads`);
       if (threads > 1) assert.ok(engine.exports.api_threads_helped() > 0, "threads have worked");
@@ -73,6 +74,27 @@ test("process_ends_while_its_threads_wait", () => {
   });
   assert.deepEqual([stdout, status], ["3\n", 0]);
 });
+
+test("step_with_too_little_to_do_is_left_to_the_calling_thread", async () => {
+  const helped = async (options) => {
+    const engine = await thud.load({ threads: 2, ...options });
+    const { scene, close } = await buildScene(engine, "pyramid", { size: LARGE.pyramid });
+    const end = Date.now() + 20_000;
+    do runScene(scene, STEPS);
+    while (options.shareFrom === 1 && !engine.exports.api_threads_helped() && Date.now() < end);
+    close();
+    const calls = engine.exports.api_threads_helped();
+    engine.endThreads();
+    return calls > 0;
+  };
+  assert.deepEqual([await helped({}), await helped({ shareFrom: 1 })], [false, true]);
+});
+
+for (const shareFrom of [0, -1, 2 ** 32, 1.5, NaN, "512", null])
+  test(`load_with_${typeof shareFrom}_${shareFrom}_as_share_from_is_refused`, async () => {
+    const message = /^load: shareFrom must be a whole number from 1 to 4294967295: /;
+    await assert.rejects(thud.load({ threads: 2, shareFrom }), { name: "ThudError", code: "invalid", message });
+  });
 
 for (const threads of [0, -1, 65, 1.5, NaN, "2", null])
   test(`load_with_${typeof threads}_${threads}_of_threads_is_refused`, async () => {

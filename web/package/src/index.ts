@@ -8,7 +8,7 @@
 import { explainErrors } from "./checks/explain.js";
 import { defaultWasmUrl, type Engine, type WasmSource } from "./engine.js";
 import { load as loadFirst } from "./first.js";
-import { areOptions, type LoadOptions, threadsOf } from "./load-options.js";
+import { areOptions, type LoadOptions, shareFromOf, threadsOf } from "./load-options.js";
 import type { RestSource } from "./rest.js";
 
 export { Engine, type WasmSource } from "./engine.js";
@@ -46,9 +46,10 @@ export async function load(
   explainErrors();
   if (!areOptions(given)) return loadFirst(given, rest);
   const threads = threadsOf(given);
+  const shareFrom = shareFromOf(given);
   if (threads > 1) {
     const { loadThreads } = await import("./threads.js");
-    const engine = await loadThreads(threads, given.threadFiles);
+    const engine = await loadThreads(threads, given.threadFiles, undefined, shareFrom);
     if (engine) return engine;
   }
   return loadFirst(given.source);

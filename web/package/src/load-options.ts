@@ -16,15 +16,24 @@ export interface LoadOptions {
    * calling thread never sleeps in a step, so that the main thread of a page may make steps, too.
    */
   threads?: number;
+  /**
+   * The threads share contact manifolds and solver in steps with so many blocks of contacts
+   * (`Stats.blocks`; those with two points, as of boxes, count twice) or more. With fewer, the data of
+   * bodies that move between processors cost more time than a second thread saves. A whole number from
+   * 1 (always) to 4294967295 (never); default 2048, as measured with two threads.
+   */
+  shareFrom?: number;
   /** The engine without threads: as the first argument of `load`. */
   source?: WasmSource;
   /** Where the files that threads need are, for bundlers that do not copy them. */
   threadFiles?: ThreadFiles;
 }
 
-const NAMES: readonly (keyof LoadOptions)[] = ["threads", "source", "threadFiles"];
+const NAMES: readonly (keyof LoadOptions)[] = ["threads", "shareFrom", "source", "threadFiles"];
 /** THUD_WORKERS_MAX. */
 const THREADS_MAX = 64;
+/** The maximum of thud_job_system.share_from. */
+const SHARE_FROM_MAX = 2 ** 32 - 1;
 
 /** Whether the first argument of `load` is options: no source is a plain object. */
 export function areOptions(given: WasmSource | LoadOptions): given is LoadOptions {
@@ -38,4 +47,12 @@ export function threadsOf(options: LoadOptions): number {
   if (!Number.isInteger(threads) || threads < 1 || threads > THREADS_MAX)
     throw new ThudError("invalid", `load: threads must be a whole number from 1 to ${THREADS_MAX}: ${shown(threads)}`);
   return threads;
+}
+
+/** The option `shareFrom`; 0: the default. Throws a ThudError "invalid" for a wrong number. */
+export function shareFromOf({ shareFrom }: LoadOptions): number {
+  if (shareFrom === undefined) return 0;
+  if (!Number.isInteger(shareFrom) || shareFrom < 1 || shareFrom > SHARE_FROM_MAX)
+    throw new ThudError("invalid", `load: shareFrom must be a whole number from 1 to ${SHARE_FROM_MAX}: ${shown(shareFrom)}`);
+  return shareFrom;
 }

@@ -5,7 +5,7 @@ import { explainErrors } from "./checks/explain.js";
 import { defaultWasmUrl, type Engine, instantiate, type WasmSource } from "./engine.js";
 import { messageOf, ThudError } from "./error.js";
 import { load as loadFromWeb } from "./index.js";
-import { areOptions, type LoadOptions, threadsOf } from "./load-options.js";
+import { areOptions, type LoadOptions, shareFromOf, threadsOf } from "./load-options.js";
 import type { RestSource } from "./rest.js";
 import { serveThread, type ThreadStart } from "./thread.js";
 
@@ -25,12 +25,13 @@ export async function load(
   explainErrors();
   if (!areOptions(given)) return instantiateOrFetch(given, rest);
   const threads = threadsOf(given);
+  const shareFrom = shareFromOf(given);
   if (threads > 1) {
     const { loadThreads } = await import("./threads.js");
     // The address is made here, since a bundler may put threads.js into another folder.
     const { module = new URL("./thud-threads.wasm", import.meta.url) } = given.threadFiles ?? {};
     const files = { module: isFile(module) ? await read(module) : module };
-    const engine = await loadThreads(threads, files, startThread);
+    const engine = await loadThreads(threads, files, startThread, shareFrom);
     if (engine) return engine;
   }
   return instantiateOrFetch(given.source ?? defaultWasmUrl());

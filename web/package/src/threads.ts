@@ -24,8 +24,8 @@ const STACK_BYTES = 1 << 18;
 
 /** An engine on a shared memory. */
 class ThreadedEngine extends Engine {
-  /** Starts the threads but the calling one. */
-  async start(module: WebAssembly.Module, memory: WebAssembly.Memory, threads: number, begin: (start: ThreadStart) => Promise<void>): Promise<void> {
+  /** Starts the threads but the calling one. `shareFrom` as in LoadOptions; 0: the default. */
+  async start(module: WebAssembly.Module, memory: WebAssembly.Memory, threads: number, shareFrom: number, begin: (start: ThreadStart) => Promise<void>): Promise<void> {
     const { malloc, api_threads_set } = this.exports;
     const starts = Array.from({ length: threads - 1 }, () => {
       const stack = malloc(STACK_BYTES);
@@ -39,13 +39,13 @@ class ThreadedEngine extends Engine {
       this.endThreads();
       throw new ThudError("load", `a thread cannot be started: ${messageOf(cause)}`, { cause });
     }
-    api_threads_set(threads);
+    api_threads_set(threads, shareFrom);
     this.threads = threads;
   }
 
   override endThreads(): void {
     this.exports.api_threads_end();
-    this.exports.api_threads_set(1);
+    this.exports.api_threads_set(1, 0);
     this.threads = 1;
   }
 }
@@ -53,12 +53,14 @@ class ThreadedEngine extends Engine {
 /**
  * Loads thud-threads.wasm and starts `threads` - 1 threads. Resolves to null where threads cannot
  * share memory: in a page that is not cross-origin isolated, or where so much of the address space
- * is not free. Rejects with a ThudError "load" where a file is missing or wrong, and "memory".
+ * is not free. `shareFrom` as in LoadOptions; 0: the default. Rejects with a ThudError "load" where a
+ * file is missing or wrong, and "memory".
  */
 export async function loadThreads(
   threads: number,
   { module = new URL("./thud-threads.wasm", import.meta.url), script }: ThreadFiles = {},
   start: ThreadStarter = startWorker,
+  shareFrom = 0,
 ): Promise<Engine | null> {
   const memory = sharedMemory();
   if (!memory) return null;
@@ -71,7 +73,7 @@ export async function loadThreads(
     if (cause instanceof ThudError) throw cause;
     throw new ThudError("load", `thud-threads.wasm cannot be loaded: ${messageOf(cause)}`, { cause });
   }
-  await engine.start(compiled, memory, threads, (one) => start(one, script));
+  await engine.start(compiled, memory, threads, shareFrom, (one) => start(one, script));
   return engine;
 }
 

@@ -318,6 +318,7 @@ pub struct thud_job_system {
     pub context: *mut c_void,
     pub workers: c_int,
     pub stages: Option<&'static thud_shared_stages>,
+    pub share_from: u32,
 }
 
 #[repr(C)]
