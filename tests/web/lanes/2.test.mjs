@@ -1,4 +1,4 @@
-/** Runs a third of the files that test the page. */
+/** One of the processes that share the files that test the page out among themselves. */
 import { runLane } from "../support/lane.mjs";
 
-runLane(2);
+runLane();
