@@ -188,18 +188,19 @@ static int by_above(const void *a, const void *b) {
 /* The largest number of bodies on top of each other: from the lowest body to the highest, each has
  * one more than the highest of those below it that it lies on. */
 static void count_stack(counting *c, int count) {
+    support none;
+    support *supports = c->supports ? c->supports : &none; /* qsort and bsearch take no null */
     qsort(c->standers, (size_t)count, sizeof *c->standers, lower_first);
-    qsort(c->supports, (size_t)c->support_count, sizeof *c->supports, by_above);
+    qsort(supports, (size_t)c->support_count, sizeof *supports, by_above);
     memset(c->levels, 0, (size_t)c->slots * sizeof *c->levels);
     for (int i = 0; i < count; i++) {
         support key = {c->standers[i].slot, 0};
         const support *found =
-            bsearch(&key, c->supports, (size_t)c->support_count, sizeof *c->supports, by_above);
-        while (found && found > c->supports && found[-1].above == key.above)
+            bsearch(&key, supports, (size_t)c->support_count, sizeof *supports, by_above);
+        while (found && found > supports && found[-1].above == key.above)
             found--;
         int level = 0;
-        for (; found && found < c->supports + c->support_count && found->above == key.above;
-             found++) {
+        for (; found && found < supports + c->support_count && found->above == key.above; found++) {
             int below = found->below < 0 ? 0 : c->levels[found->below];
             /* What hangs on nothing that stands is no stack. */
             if (found->below < 0 || below > 0)

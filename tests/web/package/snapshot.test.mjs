@@ -137,6 +137,22 @@ function ride({ world, mover }, steps) {
   });
 }
 
+test("mover_is_not_put_at_numbers_that_are_not_finite", async () => {
+  const world = (await thud.load()).createWorld();
+  const shape = { kind: "circle", radius: 0.5 };
+  const mover = new thud.Mover(world, { shape, position: [3, 4] });
+  const state = mover.state();
+  const refused = { name: "ThudError", code: "invalid", message: /must be finite/ };
+  assert.throws(() => mover.place([NaN, 0]), refused);
+  for (const wrong of [{ position: [0, Infinity] }, { rise: NaN }, { drift: -Infinity }])
+    assert.throws(() => mover.restore({ ...state, ...wrong }), refused);
+  const ground = { normal: [0, 1], shape: {}, body: {}, point: [0, NaN], place: [0, 0], cosine: 1, sine: 0 };
+  assert.throws(() => mover.restore({ ...state, ground }), refused);
+  assert.deepEqual(mover.state(), state, "nothing has changed");
+  mover.close();
+  world.close();
+});
+
 test("mover_restored_with_its_world_rides_the_same_way", () => {
   const one = lift();
   const airborne = [one.world.snapshot(), structuredClone(one.mover.state())];

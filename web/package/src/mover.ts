@@ -59,6 +59,11 @@ export interface MoverState {
   drift: number;
 }
 
+function checkFinite(call: string, numbers: readonly number[]): void {
+  if (!numbers.every(Number.isFinite))
+    throw new ThudError("invalid", `${call}: numbers must be finite: ${numbers.join(", ")}`);
+}
+
 /** A mover of one world. Only `close` frees its memory; closing the world does not. */
 export class Mover {
   readonly #world: World;
@@ -177,8 +182,12 @@ export class Mover {
     return this.state().position;
   }
 
-  /** Puts the mover at a place, in the air and at rest. */
+  /**
+   * Puts the mover at a place, in the air and at rest.
+   * @throws {ThudError} "invalid" for a number that is not finite; `move` for a place too far away.
+   */
   place([x, y]: Vec2): void {
+    checkFinite("place", [x, y]);
     this.#world.engine.exports.api_mover_place(this.address, x, y);
     this.#rise = 0;
     this.#drift = 0;
@@ -208,8 +217,13 @@ export class Mover {
     };
   }
 
-  /** Restores a state that `state` returned. The world is restored by its own snapshot. */
+  /**
+   * Restores a state that `state` returned. The world is restored by its own snapshot.
+   * @throws {ThudError} "invalid" for a number that is not finite; nothing has changed then.
+   */
   restore({ position, ground, rise = 0, drift = 0 }: MoverState): void {
+    const { normal = [], point = [], place = [], cosine = 0, sine = 0 } = ground ?? {};
+    checkFinite("restore", [...position, ...normal, ...point, ...place, cosine, sine, rise, drift]);
     const { address } = this;
     const { engine } = this.#world;
     const s = engine.slots;
