@@ -45,8 +45,8 @@ typedef void thud_task_fn(void *argument);
  */
 typedef void thud_parallel_fn(thud_task_fn *task, void *argument, int workers, void *context);
 
-/* Which stages of a step workers share, beside contact manifolds and the solver, which they always
- * share. A program links the code that shares a stage only where it names a choice that has it. */
+/* Which stages of a large step workers share, beside contact manifolds and the solver. A program
+ * links the code that shares a stage only where it names a choice that has it. */
 typedef struct thud_shared_stages thud_shared_stages;
 /* Every stage that can be shared: the search for pairs of awake shapes whose bounds overlap, the
  * test which of these pairs touch, the end of the step, which moves bodies and bounds and adds up
@@ -62,10 +62,11 @@ typedef struct thud_job_system {
     void *context;         /* passed to run */
     int workers; /* 0 .. THUD_WORKERS_MAX; default 0, which means 1; more than 1 needs run */
     const thud_shared_stages *stages; /* null (the default): manifolds and solver alone */
-    /* Manifolds and solver are shared in steps with so many blocks of contacts (thud_stats.blocks;
-     * those with two points, as of boxes, count twice) or more. With fewer, the data of bodies that
-     * move between processors cost more time than a second thread saves. Default 0, which means
-     * 2048, as measured with two threads (docs/performance.md); 1: always; UINT32_MAX: never. */
+    /* Workers share steps with so many blocks of contacts (thud_stats.blocks; those with two
+     * points, as of boxes, count twice) or more, or with four times as many awake bodies. With
+     * fewer, the data of bodies that move between processors cost more time than a second thread
+     * saves. Default 0, which means 2048, as measured with two threads (docs/performance.md); 1:
+     * all that have four bodies; UINT32_MAX: none. */
     uint32_t share_from;
 } thud_job_system;
 

@@ -45,7 +45,7 @@ static td_sweep_share *share_at(const thud_world *w, int index) {
 static bool is_shared(thud_world *w) {
     const td_proxy_set *set = &w->awake_shapes;
     int searching = td_sweeps_every(set) ? set->ids.count : set->moved_count;
-    return w->def.job_system.workers > 1 && searching >= SHARED_SHAPES_MIN && !w->vast &&
+    return td_workers_for_bodies(w) > 1 && searching >= SHARED_SHAPES_MIN && !w->vast &&
            td_array_reserve(&w->memory, &w->scratch.shares, share_count(w));
 }
 

@@ -52,7 +52,7 @@ static void test_as_worker(void *argument) {
 /* Whether workers share the test: there are enough contacts, and memory for the results. Otherwise
  * the calling thread tests all contacts alone. */
 static bool is_shared(thud_world *w, int contacts, int shares) {
-    return w->def.job_system.workers > 1 && contacts >= SHARED_WAITING_MIN &&
+    return td_workers_for_bodies(w) > 1 && contacts >= SHARED_WAITING_MIN &&
            td_waiting_reserve(w, w->def.job_system.workers) &&
            td_array_reserve(&w->memory, &w->scratch.shares, shares);
 }

@@ -58,7 +58,7 @@ static void sift_as_worker(void *argument) {
  * all bodies stay in the list. */
 void td_shared_sift_fast(thud_world *w) {
     int shares = share_count(w);
-    if (w->def.job_system.workers <= 1 || w->scratch.fast.count < SHARED_FAST_MIN ||
+    if (td_workers_for_bodies(w) <= 1 || w->scratch.fast.count < SHARED_FAST_MIN ||
         !td_array_reserve(&w->memory, &w->scratch.shares, shares)) {
         return;
     }

@@ -11,8 +11,8 @@ static int share_count(const thud_world *w) {
     return (w->body_of.count + TD_SHARE_BODIES - 1) / TD_SHARE_BODIES;
 }
 
-/* Whether workers share the stage: they have shared the solver, and there is memory for the
- * results. Otherwise the calling thread finalizes all bodies alone. */
+/* Whether workers share the stage: there are enough bodies, and memory for the results. Otherwise
+ * the calling thread finalizes all bodies alone. */
 static bool is_shared(thud_world *w) {
     return td_workers_for_bodies(w) > 1 &&
            td_array_reserve(&w->memory, &w->scratch.shares, share_count(w));

@@ -51,23 +51,30 @@ typedef void td_chunk_fn(void *work, int chunk);
  * bodies have mixed. A greater value leaves more worlds to one thread. */
 enum { TD_SHARED_POINTS_MIN = 2048 };
 
+static inline uint32_t td_share_from(const thud_world *w) {
+    uint32_t from = w->def.job_system.share_from;
+    return from ? from : TD_SHARED_POINTS_MIN;
+}
+
 /* How many workers shall share a task over the blocks of scratch.blocks: those of the job system,
  * or 1 where the blocks have too few points. */
 static inline int td_workers_for_blocks(const thud_world *w) {
-    uint32_t from = w->def.job_system.share_from, points = (uint32_t)w->scratch.points;
-    bool shared = TD_HAS_THREADS && points > 0 && points >= (from ? from : TD_SHARED_POINTS_MIN);
+    uint32_t points = (uint32_t)w->scratch.points;
+    bool shared = TD_HAS_THREADS && points > 0 && points >= td_share_from(w);
     return shared ? td_max_int(1, w->def.job_system.workers) : 1;
 }
 
-/* Awake slots from which on a task over all bodies is shared, however few points there are. Chosen;
- * not tuned. */
-enum { TD_SHARED_SLOTS_MIN = 8192 };
+/* A body in flight is as much work as a quarter of a point. Chosen; not tuned. */
+enum { TD_BODIES_A_POINT = 4 };
 
-/* How many workers shall share the solver, and then the end of the step: where one has moved all
- * bodies alone, their data are in its cache, and another would take longer to fetch its part than
- * one takes for all (measured with 4,000 bodies). */
+/* How many workers shall share the passes of the solver, and the stages of a step that are shared
+ * on demand (shared_stages.h): in a step whose solver one thread runs, the other threads have
+ * fallen asleep, and the data are in the cache of that one, so that sharing another stage takes
+ * longer than it saves (measured with 2,000 to 4,000 bodies). Before the blocks of a step are
+ * listed, those of the step before count. */
 static inline int td_workers_for_bodies(const thud_world *w) {
-    bool many = TD_HAS_THREADS && w->body_of.count >= TD_SHARED_SLOTS_MIN;
+    bool many =
+        TD_HAS_THREADS && (uint32_t)w->body_of.count / TD_BODIES_A_POINT >= td_share_from(w);
     return many ? td_max_int(1, w->def.job_system.workers) : td_workers_for_blocks(w);
 }
 
