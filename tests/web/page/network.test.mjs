@@ -129,7 +129,8 @@ test("others_play_on_without_one_who_left", withServer, async () => {
 });
 
 test("who_joins_late_leaves_comes_back_and_watches_ends_with_the_same_hash", withServer, async () => {
-  const serving = await serve("--steps", "1500", "--players", "4", "--wait", "1", "--rate", "120");
+  // Long enough for four processes that begin one after the other on a busy machine.
+  const serving = await serve("--steps", "3000", "--players", "4", "--wait", "1", "--rate", "120");
   const first = joinFromNode(serving.url, 2);
   await serving.says(/the game begins/);
   const leaves = joinFromNode(serving.url, 3, "--token", "5", "--leave", "400");

@@ -173,10 +173,11 @@ for (const browser of BROWSERS)
       await page.click("#pause");
       await page.waitForSelector('#pause[aria-pressed="true"]');
       await untilBodies(page, before + 1);
-      const steps = await page.getAttribute("#hud", "data-steps");
       await page.keyboard.press("o");
       const file = join(folder, `${browser}.rec`);
       writeFileSync(file, await savedBy(page, browser, () => page.click("#record")));
+      // The worker makes steps until it hears of the pause; the file comes after the last of them.
+      const steps = await page.getAttribute("#hud", "data-steps");
       const replay = execFileSync(thudRun, ["--replay", file, "--json"], { encoding: "utf8" });
       const { steps: replayed, hashes } = JSON.parse(replay);
       assert.equal(String(replayed), steps);
