@@ -70,7 +70,9 @@ def check_labs(bench, folder):
     features = [pair["feature"] for pair in results["pay"]]
     assert len(features) == len(set(features)) >= 8, features
     assert all(p["ms_with"] > 0 and p["ms_without"] > 0 for p in results["pay"])
-    assert [w["scene"] for w in results["workers"]] == ["pyramid", "circle_pit"]
+    scenes = [w["scene"] for w in results["workers"]]
+    assert scenes == ["pyramid", "circle_pit", "smash", "gas", "tumbler", "mixed_terrain", "platformer",
+                      "sizes", "ragdolls", "joint_grid"], scenes
     assert all(w["ms_one_worker"] > 0 and w["ms_two_workers"] > 0 for w in results["workers"])
     assert len(results["profile"]) >= 15
     for profile in results["profile"]:
