@@ -11,7 +11,8 @@ static inline thud_threads *some_threads(int workers) {
     return workers >= 2 && thud_threads_create(workers, NULL, &threads) == THUD_OK ? threads : NULL;
 }
 
-/* The job system of a pool, which shares small steps, too, so that small worlds test it. */
+/* The job system of a pool, which shares steps from 512 points of blocks on, a quarter of the
+ * default, so that small worlds test it. */
 static inline thud_job_system jobs_of_small_steps(thud_threads *threads) {
     thud_job_system job_system = thud_job_system_of(threads);
     job_system.share_from = 512;

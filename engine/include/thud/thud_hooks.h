@@ -66,7 +66,7 @@ typedef struct thud_job_system {
      * points, as of boxes, count twice) or more, or with four times as many awake bodies. With
      * fewer, the data of bodies that move between processors cost more time than a second thread
      * saves. Default 0, which means 2048, as measured with two threads (docs/performance.md); 1:
-     * all that have four bodies; UINT32_MAX: none. */
+     * all that have a contact or four bodies; UINT32_MAX: none. */
     uint32_t share_from;
 } thud_job_system;
 

@@ -46,11 +46,14 @@ typedef void td_chunk_fn(void *work, int chunk);
 
 /* Points of blocks (td_scratch.points) from which on a task over them is shared, where the job
  * system does not say (thud_job_system.share_from). Sharing costs time in each phase, since the
- * data of bodies move between the caches of processors. Measured with two threads, which take as
- * long as one at 900 points in a pyramid, at 2,600 on terrain and at 4,000 in a tumbler, whose
- * bodies have mixed. A greater value leaves more worlds to one thread. */
+ * data of bodies move between the caches of processors. Two threads take as long as one at about
+ * 900 points in a pyramid, 2,600 on terrain and 4,000 in a tumbler, whose bodies have mixed
+ * (measured with two processors, at several sizes of these scenes). A greater value leaves more
+ * worlds to one thread.
+ */
 enum { TD_SHARED_POINTS_MIN = 2048 };
 
+/* The points from which on the world shares a task. */
 static inline uint32_t td_share_from(const thud_world *w) {
     uint32_t from = w->def.job_system.share_from;
     return from ? from : TD_SHARED_POINTS_MIN;
@@ -64,7 +67,7 @@ static inline int td_workers_for_blocks(const thud_world *w) {
     return shared ? td_max_int(1, w->def.job_system.workers) : 1;
 }
 
-/* A body in flight is as much work as a quarter of a point. Chosen; not tuned. */
+/* So many bodies without contacts count as one point. Chosen; not tuned. */
 enum { TD_BODIES_A_POINT = 4 };
 
 /* How many workers shall share the passes of the solver, and the stages of a step that are shared

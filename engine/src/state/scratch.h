@@ -23,7 +23,7 @@ typedef struct td_scratch {
                                      static one, asleep */
     int placed_end;               /* bins by place from here on have no lanes */
     td_array separated;           /* td_block *: with a lane whose shapes no longer touch */
-    td_array chunks;              /* td_chunk: pieces of `runs`, which workers take one by one */
+    td_array chunks;              /* td_chunk: pieces of `runs`, each for one worker */
     td_array chunk_order;         /* int: indices of `chunks`, by phase and worker; after these the
                                      beginnings of parts (td_phase) */
     td_array phases;              /* td_phase: constraint/chunks.h */

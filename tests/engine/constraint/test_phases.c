@@ -144,7 +144,7 @@ static void small_colours_that_follow_each_other_are_one_phase(void **state) {
     thud_world_destroy(w);
 }
 
-/* To claim a part takes as long as two blocks. */
+/* On terrain, where a colour has small chunks of five kinds of contacts. */
 static void small_chunks_of_a_worker_are_one_part(void **state) {
     (void)state;
     thud_world *w = world_of("mixed_terrain", 4000, 200, 2);

@@ -59,6 +59,7 @@ export interface MoverState {
   drift: number;
 }
 
+/** Throws a ThudError "invalid" if one of the numbers is not finite. */
 function checkFinite(call: string, numbers: readonly number[]): void {
   if (!numbers.every(Number.isFinite))
     throw new ThudError("invalid", `${call}: numbers must be finite: ${numbers.join(", ")}`);
@@ -184,7 +185,8 @@ export class Mover {
 
   /**
    * Puts the mover at a place, in the air and at rest.
-   * @throws {ThudError} "invalid" for a number that is not finite; `move` for a place too far away.
+   * @throws {ThudError} "invalid" for a number that is not finite. A place too far away is refused by the
+   * next `move`.
    */
   place([x, y]: Vec2): void {
     checkFinite("place", [x, y]);
