@@ -27,7 +27,7 @@ PARTS = {
                      " `thud_world_save` and `_load`", ("RECORDING",)),
     "SNAPSHOTS": Part(("api/snapshot*.c",), "`thud_snapshot.h`", ("RECORDING", "SESSIONS")),
     "JOINTS": Part(("joints/*", "edits/locks.c", "direct/contact_check.c", "direct/island_step_joints.c",
-                    "direct/joint_*.c", "direct/line_search.c", "direct/wide_lock_tree.c", "direct/overloaded_joints.c", "direct/resolve_island.c",
+                    "direct/joint_*.c", "direct/line_search.c", "direct/overloaded_joints.c", "direct/resolve_island.c",
                     "direct/step_parts.c", "api/drawing.c"),
                    "joints and locked bodies: `thud_joint.h`, `thud_joint_at.h`, `thud_locks.h`", ("RECORDING",)),
     "DIRECT": Part(("direct/active_set.c", "direct/conjugate_gradients.c", "direct/contact_rows.c", "direct/direct.c",

@@ -182,9 +182,17 @@ need_test() {
     need "libwebsockets' headers" libwebsockets-dev has_header libwebsockets.h
     need "ENet's headers" libenet-dev has_header enet/enet.h
     need "Python 3" python3 have python3
-    need "Chromium" "chromium|chromium-browser" \
-        have_any chromium chromium-browser google-chrome
+    need "Chromium" "chromium-headless-shell|chromium|chromium-browser" have_headless_chromium
     need "Firefox" "firefox-esr|firefox" have_any firefox-esr firefox
+}
+
+# Whether there is a Chromium for tests: the one without windows, which takes half of the processor
+# time (web/tools/browser.mjs), or any other where apt does not know that one.
+have_headless_chromium() {
+    have chromium-headless-shell || {
+        ! apt-cache show chromium-headless-shell &&
+            have_any chromium chromium-browser google-chrome
+    }
 }
 
 # ensure WHAT: installs what need_WHAT finds missing; without apt-get it prints the list and ends.

@@ -19,9 +19,19 @@ export const PHONE = {
   isMobile: true,
 };
 
-/** The names of the executables of each browser; the first is also the name of Debian's package. */
+/**
+ * The names of the executables of each browser; the first is also the name of Debian's package. The
+ * first of Chromium is the same browser without the parts that draw its windows, which takes half of
+ * the processor time for the same tests.
+ */
 const NAMES = {
-  chromium: ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"],
+  chromium: [
+    "chromium-headless-shell",
+    "chromium",
+    "chromium-browser",
+    "google-chrome",
+    "google-chrome-stable",
+  ],
   firefox: ["firefox-esr", "firefox"],
 };
 

@@ -57,18 +57,17 @@ typedef struct td_lock_body {
     td_reals moved[3];                        /* motion since the start of the step */
     td_reals arm_before[2], holder_before[2]; /* lever arms at the start of the part */
     td_reals rotation[2];                     /* cosine and sine by which they are turned */
-    td_reals closing[2], turn_closing; /* speed that the joint shall have: it closes the gap */
+    td_reals turn_momentum;            /* angular momentum, without joints and their stiffness */
     td_reals impulse[2], turn_impulse; /* on the body; -impulse acts on the parent */
-    td_reals kept[3];                  /* impulses that stay while further ones are solved for */
-    td_reals stiff;                    /* the geometric stiffness, while it is summed up */
-    td_reals turned;                   /* rate of turning in the iteration before, rad/s */
+    td_reals stiff; /* the geometric stiffness of the joints below, while it is summed up; else 0 */
 
     /* ---- one solution ---- */
     td_reals arm_now[2], holder_now[2]; /* lever arms of the rows */
     td_reals turning;                   /* moment of inertia, with the geometric stiffness */
     td_reals momentum[3];               /* without the impulses of joints */
-    td_reals target[2], turn_target;    /* speeds of the joint */
-    td_reals a[6];        /* A at the centre of mass: xx, xy, yy, xw, yw, ww; then at the anchor */
+    td_reals target[2], turn_target;    /* speeds that the joint shall have */
+    td_reals a[6];        /* A at the centre of mass: xx, xy, yy, xw, yw, ww; then at the anchor; 0
+                             before and after a solution */
     td_reals g[3];        /* g likewise */
     td_reals per_turning; /* 1 / A_ww of a hinge */
 } td_lock_body;
@@ -126,16 +125,6 @@ typedef struct td_listed_body {
     double arm[2], holder[2], axis[2], gap[2], turn_gap, impulse[3];
 } td_listed_body;
 
-/* wide_lock_tree.c: solves for the velocities and the impulses of the joints, with the lever arms,
- * momenta and targets that are set, in the trees of *which. Leaves in it those where all numbers
- * are finite and no rate of turning is above THUD_ANGULAR_SPEED_MAX; the velocities of the others
- * become 0. */
-typedef void td_lock_tree_solve_fn(td_lock_body *bodies, int count, td_choice *which);
-TD_DECLARE_WIDE(td_lock_tree_solve_fn, td_lock_tree_solve);
-/* The greatest speed by which a joint misses its target, a length per second; of a weld's rotation,
- * radians per second. */
-typedef void td_lock_tree_residual_fn(const td_lock_body *bodies, int count, td_reals *residual);
-TD_DECLARE_WIDE(td_lock_tree_residual_fn, td_lock_tree_residual);
 /* joints/wide_lock_tree_parts.c: solves all parts of the step. */
 typedef void td_lock_tree_parts_fn(td_lock_trees *trees, const td_lock_step *step);
 TD_DECLARE_WIDE(td_lock_tree_parts_fn, td_lock_tree_parts);

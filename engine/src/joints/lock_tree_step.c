@@ -260,9 +260,12 @@ static void set_shape(tree_group *g, const td_listed_body *list) {
             *t = (td_lock_body){0};
         }
         for (int k = 0; k < 3; k++) {
-            t->moved[k] = zero;
+            t->moved[k] = t->g[k] = zero;
         }
-        t->turn_closing = t->turn_impulse = t->stiff = zero;
+        for (int k = 0; k < 6; k++) {
+            t->a[k] = zero;
+        }
+        t->turn_target = t->turn_impulse = t->stiff = zero;
         t->parent = list[i].parent;
         t->joined = list[i].joint != TD_NONE;
         t->weld = list[i].weld;

@@ -6,11 +6,14 @@
  * keeps its velocities and impulses while the others of its vector go on.
  *
  * Each tree chooses the length of a part when it begins, by the rates at which its bodies turn then
- * (step_parts.c). A part in which a body turns too far is begun once more, shorter. */
+ * (step_parts.c). A part in which a body turns too far is begun once more, shorter.
+ *
+ * A part goes through all bodies as seldom as it can (wide_tree.h): once where it begins, once
+ * where it ends, and in each iteration of Newton's method once towards the root and once back. */
 #include "base/trig.h"
 #include "direct/joint_parts.h"
-#include "direct/lock_tree.h"
 #include "direct/step_parts.h"
+#include "direct/wide_tree.h"
 #include "joints/joint.h"
 
 /* The step of the trees of a vector. */
@@ -30,6 +33,9 @@ typedef struct tree_step {
     td_reals half_of;  /* the impulses of joints are half of those of this share of the step */
     td_reals ended;    /* what is solved of the step, as a share of it */
     td_reals elapsed;  /* the same, s */
+
+    td_reals
+        sweeping; /* greatest rate of turning that moves an anchor, by the present velocities */
 
     /* ---- results ---- */
     td_reals unbalanced; /* greatest moment out of balance after a part, as a speed: length/s */
@@ -60,7 +66,7 @@ TD_INLINE void sincos_of(td_reals angle, td_reals *s, td_reals *c) {
 /* The rotation by `angle`, or, with `mean`, its average while it grows to `angle`: by half of it,
  * shortened by the ratio of chord to arc, so that an arm times the rotation is the chord by which
  * its end moves. */
-static void rotation_of(td_reals angle, bool mean, td_reals rotation[2]) {
+TD_INLINE void rotation_of(td_reals angle, bool mean, td_reals rotation[2]) {
     td_reals half = mean ? 0.5 * angle : angle;
     sincos_of(half, &rotation[1], &rotation[0]);
     if (mean) {
@@ -77,22 +83,19 @@ TD_INLINE void turn_arm(const td_reals rotation[2], const td_reals from[2], td_r
     to[1] = rotation[1] * from[0] + rotation[0] * from[1];
 }
 
-/* Sets arm_now and holder_now: at the end of the part, from its motion so far (`ended`), or
- * averaged over the part at the present mean velocities. */
-static void turn_arms(const tree_step *s, bool ended) {
-    for (int i = 0; i < s->count; i++) {
-        td_lock_body *t = &s->bodies[i];
-        td_reals outside[2];
-        const td_reals *holder = outside;
-        rotation_of(ended ? t->moved[2] : s->part * t->velocity[2], !ended, t->rotation);
-        if (t->parent == TD_NONE) {
-            rotation_of(t->outside[2] * (ended ? s->elapsed : s->part), !ended, outside);
-        } else {
-            holder = s->bodies[t->parent].rotation;
-        }
-        turn_arm(t->rotation, ended ? t->arm : t->arm_before, t->arm_now);
-        turn_arm(holder, ended ? t->holder : t->holder_before, t->holder_now);
+/* Sets arm_now and holder_now of a body, after those of its parent: at the end of the part, from
+ * its motion so far (`ended`), or averaged over the part at the present mean velocities. */
+TD_INLINE void turn_arms(const tree_step *s, td_lock_body *t, bool ended) {
+    td_reals outside[2];
+    const td_reals *holder = outside;
+    rotation_of(ended ? t->moved[2] : s->part * t->velocity[2], !ended, t->rotation);
+    if (t->parent == TD_NONE) {
+        rotation_of(t->outside[2] * (ended ? s->elapsed : s->part), !ended, outside);
+    } else {
+        holder = s->bodies[t->parent].rotation;
     }
+    turn_arm(t->rotation, ended ? t->arm : t->arm_before, t->arm_now);
+    turn_arm(holder, ended ? t->holder : t->holder_before, t->holder_now);
 }
 
 /* ---- a part ---- */
@@ -131,22 +134,24 @@ static td_reals closing_of(const tree_step *s, td_reals gap, double unit) {
     return td_reals_pick(closes, td_reals_pick((td_choice)(gap > zero), -speed, speed), zero);
 }
 
-/* Sets `required` of the trees of `which` by the present rates of turning. */
-static void require_parts(tree_step *s, td_choice which) {
-    td_reals fastest = td_reals_all(0.0);
-    for (int i = 0; i < s->count; i++) {
-        const td_lock_body *t = &s->bodies[i];
-        fastest = td_reals_max(td_reals_abs(t->velocity[2]) * t->sweeps, fastest);
-    }
-    for (int i = 0; i < TD_TREES; i++) {
-        fastest[i] = td_parts_of(s->of->world, s->of->island, fastest[i], true, 0.0);
-    }
-    s->required = td_reals_pick(which, fastest, s->required);
+/* The greater of `fastest` and the rate at which a body turns, if that moves an anchor. */
+TD_INLINE td_reals sweeping_of(const td_lock_body *t, td_reals fastest) {
+    return td_reals_max(td_reals_abs(t->velocity[2]) * t->sweeps, fastest);
 }
 
-/* Chooses the length of the next part of each tree, dividing evenly what is left of the step, and
- * scales the impulses to it. A tree that requires too many parts leaves the step. */
-static void choose_parts(tree_step *s) {
+/* Sets `required` of the trees of `which` by the present rates of turning. */
+static void require_parts(tree_step *s, td_choice which) {
+    td_reals parts;
+    for (int i = 0; i < TD_TREES; i++) {
+        parts[i] = td_parts_of(s->of->world, s->of->island, s->sweeping[i], true, 0.0);
+    }
+    s->required = td_reals_pick(which, parts, s->required);
+}
+
+/* Chooses the length of the next part of each tree, dividing evenly what is left of the step.
+ * Returns the factor by which impulses then differ. A tree that requires too many parts leaves the
+ * step. */
+static td_reals choose_parts(tree_step *s) {
     td_choice few = (td_choice)(s->required > td_reals_all(0.0));
     s->going &= ~s->within | few;
     s->within &= few;
@@ -158,106 +163,125 @@ static void choose_parts(tree_step *s) {
     s->part = td_reals_pick(s->within, s->share * s->of->time, td_reals_all(0.0));
     td_reals half_of = td_reals_pick(s->within, s->share, s->half_of), scale = half_of / s->half_of;
     s->half_of = half_of;
-    for (int i = 0; i < s->count; i++) {
-        scale_impulse(&s->bodies[i], scale);
+    return scale;
+}
+
+/* Sets the target speeds of a body's joint: those at which its gap closes in this part. */
+TD_INLINE void close_gap(const tree_step *s, td_lock_body *t) {
+    double unit = (double)s->of->world->length_scale;
+    td_reals gap[2], x = t->axis[0], y = t->axis[1];
+    for (int k = 0; k < 2; k++) {
+        gap[k] = t->gap[k] + (t->moved[k] - held_motion(s, t, k)) + (t->arm_before[k] - t->arm[k]) -
+                 (t->holder_before[k] - t->holder[k]);
+    }
+    td_reals u = closing_of(s, x * gap[0] + y * gap[1], unit);
+    td_reals v = closing_of(s, x * gap[1] - y * gap[0], unit);
+    t->target[0] = x * u - y * v;
+    t->target[1] = y * u + x * v;
+    if (t->weld) {
+        td_reals turned = t->moved[2] - held_motion(s, t, 2);
+        t->turn_target = closing_of(s, t->turn_gap + turned, 1.0);
     }
 }
 
-/* Begins a part with the velocities at the end of the part before, and sets the speeds at which the
- * gaps close in it. */
-static void begin_part(const tree_step *s) {
-    double unit = (double)s->of->world->length_scale;
+/* Begins a part with the velocities at the end of the part before. */
+static void begin_part(tree_step *s) {
+    td_reals scale = choose_parts(s);
     td_choice first = (td_choice)(s->ended == td_reals_all(0.0));
     for (int i = 0; i < s->count; i++) {
         td_lock_body *t = &s->bodies[i];
-        td_reals gap[2], x = t->axis[0], y = t->axis[1];
+        scale_impulse(t, scale);
         for (int k = 0; k < 3; k++) {
             t->before[k] = td_reals_pick(s->within, t->velocity[k], t->before[k]);
         }
         for (int k = 0; k < 2; k++) {
             t->arm_before[k] = td_reals_pick(first, t->arm[k], t->arm_now[k]);
             t->holder_before[k] = td_reals_pick(first, t->holder[k], t->holder_now[k]);
-            gap[k] = t->gap[k] + (t->moved[k] - held_motion(s, t, k)) +
-                     (t->arm_before[k] - t->arm[k]) - (t->holder_before[k] - t->holder[k]);
+            t->momentum[k] = t->mass * (t->before[k] + s->share * t->gain[k]);
         }
-        if (!t->joined) {
-            continue;
+        t->turn_momentum = t->inertia * (t->before[2] + s->share * t->gain[2]);
+        if (t->joined) {
+            close_gap(s, t);
         }
-        td_reals u = closing_of(s, x * gap[0] + y * gap[1], unit);
-        td_reals v = closing_of(s, x * gap[1] - y * gap[0], unit);
-        t->closing[0] = x * u - y * v;
-        t->closing[1] = y * u + x * v;
-        if (t->weld) {
-            td_reals turned = t->moved[2] - held_motion(s, t, 2);
-            t->turn_closing = closing_of(s, t->turn_gap + turned, 1.0);
-        }
+        turn_arms(s, t, false);
     }
 }
 
-/* Solves for the velocities of the trees of `which`. Those that fail leave the step. */
-TD_INLINE void solve(tree_step *s, td_choice which) {
-    for (int i = 0; i < TD_TREES; i++) {
-        s->factorings[i] += which[i] != 0;
-    }
-    td_choice solved = which;
-    TD_WIDE(td_lock_tree_solve)(s->bodies, s->count, &solved);
-    s->going &= ~which | solved;
-    s->within &= s->going;
-}
-
-TD_INLINE td_reals residual_of(const tree_step *s) {
-    td_reals residual;
-    TD_WIDE(td_lock_tree_residual)(s->bodies, s->count, &residual);
-    return residual;
-}
-
-/* Sets the joints' targets: the closing of their gaps, or no speed. */
-static void set_targets(const tree_step *s, bool close) {
-    td_reals zero = td_reals_all(0.0);
-    for (int i = 0; i < s->count; i++) {
-        td_lock_body *t = &s->bodies[i];
-        t->target[0] = close ? t->closing[0] : zero;
-        t->target[1] = close ? t->closing[1] : zero;
-        t->turn_target = close ? t->turn_closing : zero;
-    }
-}
-
-/* The moments of inertia with the geometric stiffness of the joints' impulses (island_step_joints.c
- * describes it), and the momenta without those impulses. */
-static void set_momenta(const tree_step *s) {
+/* The moment of inertia of a body with the geometric stiffness of the joints' impulses
+ * (island_step_joints.c describes it), and its momentum without those impulses. */
+TD_INLINE void stiffen(const tree_step *s, td_lock_body *t) {
     td_reals zero = td_reals_all(0.0), half = 0.5 * s->part;
+    td_reals own = t->arm_now[0] * t->impulse[0] + t->arm_now[1] * t->impulse[1];
+    td_reals up = t->holder_now[0] * t->impulse[0] + t->holder_now[1] * t->impulse[1];
+    td_reals stiff = t->stiff + half * own;
+    t->stiff = zero;
+    if (t->parent != TD_NONE) {
+        s->bodies[t->parent].stiff -= half * up;
+    }
+    td_reals more = t->turns ? td_reals_max(stiff, TD_STIFFNESS_MIN * t->inertia) : zero;
+    t->turning = t->inertia + more;
+    t->momentum[2] = t->turn_momentum + more * t->velocity[2];
+}
+
+/* Sets the momentum of a body at the end of the part: in the trees of `anew` without joints, else
+ * with the velocity that is to be corrected. */
+TD_INLINE void take_end_momentum(const tree_step *s, td_lock_body *t, td_choice anew) {
+    t->turning = t->inertia;
+    for (int k = 0; k < 3; k++) {
+        td_reals unjoined = t->before[k] + 2.0 * (s->share * t->gain[k]);
+        td_reals free = td_reals_pick(anew, unjoined, t->velocity[k]);
+        t->momentum[k] = (k < 2 ? t->mass : t->inertia) * free;
+    }
+}
+
+/* What a solution leaves. */
+typedef struct tree_misses {
+    td_reals speed;      /* greatest speed by which a joint misses its target, length/s */
+    td_reals unbalanced; /* greatest speed by which geometric stiffness has kept a body from turning
+                            freely (island_step_joints.c), length/s */
+} tree_misses;
+
+/* Solves for the velocities of the trees of `which`; those that fail leave the step. With `mean` it
+ * is an iteration of Newton's method for the mean velocities of the part, which also sets the lever
+ * arms of the next one; else for those at its end, where impulses of trees that are not of `anew`
+ * are added to those of the mean velocities. */
+static tree_misses solve(tree_step *s, td_choice which, bool mean, td_choice anew) {
+    td_reals zero = td_reals_all(0.0), missing = zero, unbalanced = zero, sweeping = zero;
+    td_tree_sums sums = {zero, zero};
     for (int i = s->count - 1; i >= 0; i--) {
         td_lock_body *t = &s->bodies[i];
-        td_reals own = t->arm_now[0] * t->impulse[0] + t->arm_now[1] * t->impulse[1];
-        td_reals up = t->holder_now[0] * t->impulse[0] + t->holder_now[1] * t->impulse[1];
-        t->stiff += half * own;
-        if (t->parent != TD_NONE) {
-            s->bodies[t->parent].stiff -= half * up;
+        if (mean) {
+            stiffen(s, t);
+        } else {
+            take_end_momentum(s, t, anew);
         }
-        td_reals more = t->turns ? td_reals_max(t->stiff, TD_STIFFNESS_MIN * t->inertia) : zero;
-        t->turning = t->inertia + more;
-        t->momentum[0] = t->mass * (t->before[0] + s->share * t->gain[0]);
-        t->momentum[1] = t->mass * (t->before[1] + s->share * t->gain[1]);
-        t->momentum[2] =
-            t->inertia * (t->before[2] + s->share * t->gain[2]) + more * t->velocity[2];
-        t->turned = t->velocity[2];
-        t->stiff = zero;
+        td_tree_hang(s->bodies, t);
     }
-}
-
-/* The greatest speed by which geometric stiffness has kept a body from turning freely
- * (island_step_joints.c). */
-TD_INLINE td_reals unbalanced_speed(const tree_step *s) {
-    td_reals worst = td_reals_all(0.0);
     for (int i = 0; i < s->count; i++) {
-        const td_lock_body *t = &s->bodies[i];
-        td_reals moment = (t->turning - t->inertia) * (t->velocity[2] - t->turned);
-        worst = td_reals_max(worst, moment * moment / (t->inertia * t->mass));
+        td_lock_body *t = &s->bodies[i];
+        td_reals before[3] = {t->impulse[0], t->impulse[1], t->turn_impulse};
+        td_reals turned = t->velocity[2];
+        td_tree_follow(s->bodies, t, which, &sums);
+        if (mean) {
+            td_reals moment = (t->turning - t->inertia) * (t->velocity[2] - turned);
+            unbalanced = td_reals_max(unbalanced, moment * moment / (t->inertia * t->mass));
+            turn_arms(s, t, false);
+        } else {
+            t->impulse[0] += td_reals_pick(which & ~anew, before[0], zero);
+            t->impulse[1] += td_reals_pick(which & ~anew, before[1], zero);
+            t->turn_impulse += td_reals_pick(which & ~anew, before[2], zero);
+        }
+        sweeping = sweeping_of(t, sweeping);
+        missing = td_tree_miss(s->bodies, t, missing);
     }
     for (int i = 0; i < TD_TREES; i++) {
-        worst[i] = __builtin_sqrt(worst[i]);
+        unbalanced[i] = __builtin_sqrt(unbalanced[i]);
+        s->factorings[i] += which[i] != 0;
     }
-    return worst;
+    s->sweeping = sweeping;
+    s->going &= ~which | td_tree_sound(s->bodies, s->count, which, &sums);
+    s->within &= s->going;
+    return (tree_misses){missing, unbalanced};
 }
 
 /* The mean velocities of a part, by Newton's method. A tree that does not converge leaves the step.
@@ -265,29 +289,16 @@ TD_INLINE td_reals unbalanced_speed(const tree_step *s) {
 static void solve_mean_velocity(tree_step *s) {
     td_reals unbalanced = td_reals_all(0.0);
     td_choice left = s->within;
-    set_targets(s, true);
-    for (int n = 0; n <= TD_NEWTON_ITERATIONS_MAX; n++) {
-        turn_arms(s, false);
-        if (n) {
-            td_reals missing = residual_of(s);
-            bool last = n == TD_NEWTON_ITERATIONS_MAX;
-            td_choice near = (td_choice)(missing <= (last ? s->of->tolerance : s->of->enough));
-            td_choice balanced = (td_choice)(unbalanced <= TD_BALANCE_ENOUGH * s->of->tolerance);
-            left &= ~(last ? near : near & balanced);
-        }
-        if (!td_choice_any(left)) {
-            break;
-        }
-        if (n == TD_NEWTON_ITERATIONS_MAX) {
-            s->going &= ~left;
-            s->within &= ~left;
-            break;
-        }
-        set_momenta(s);
-        solve(s, left);
-        unbalanced = td_reals_pick(left, unbalanced_speed(s), unbalanced);
-        left &= s->going;
+    for (int n = 1; n <= TD_NEWTON_ITERATIONS_MAX && td_choice_any(left); n++) {
+        bool last = n == TD_NEWTON_ITERATIONS_MAX;
+        tree_misses misses = solve(s, left, true, left);
+        unbalanced = td_reals_pick(left, misses.unbalanced, unbalanced);
+        td_choice near = (td_choice)(misses.speed <= (last ? s->of->tolerance : s->of->enough));
+        td_choice balanced = (td_choice)(unbalanced <= TD_BALANCE_ENOUGH * s->of->tolerance);
+        left &= s->going & ~(last ? near : near & balanced);
     }
+    s->going &= ~left;
+    s->within &= ~left;
     s->unbalanced = td_reals_max(s->unbalanced, unbalanced);
 }
 
@@ -318,90 +329,71 @@ static void refuse_long_parts(tree_step *s) {
     }
 }
 
-/* Moves the bodies at their mean velocities, and extrapolates these to the end of the part. */
-static void move(tree_step *s) {
-    td_choice ends = s->within & ~s->shorter;
-    td_reals one = td_reals_all(1.0), twice = td_reals_pick(ends, td_reals_all(2.0), one);
-    for (int i = 0; i < s->count; i++) {
-        td_lock_body *t = &s->bodies[i];
-        for (int k = 0; k < 3; k++) {
-            td_reals mean = clamp_component(s, t->velocity[k], k);
-            t->moved[k] = td_reals_pick(ends, t->moved[k] + s->part * mean, t->moved[k]);
-            t->velocity[k] = td_reals_pick(ends, 2.0 * mean - t->before[k], t->velocity[k]);
-        }
-        scale_impulse(t, twice);
+/* Whether gaps close at a speed that is not negligible beside the bodies' own (closes_gaps of
+ * island_step_joints.c): the greatest closing speed, and the square of the greatest of a body. */
+TD_INLINE td_choice closes_gaps(const tree_step *s, td_reals closing, td_reals squared) {
+    for (int i = 0; i < TD_TREES; i++) {
+        squared[i] = __builtin_sqrt(squared[i]);
     }
+    return (td_choice)(closing > s->of->tolerance + TD_CLOSING_SHARE * squared);
+}
+
+/* Moves a body at its mean velocity, and extrapolates that to the end of the part. */
+TD_INLINE void move(const tree_step *s, td_lock_body *t, td_choice ends) {
+    for (int k = 0; k < 3; k++) {
+        td_reals mean = clamp_component(s, t->velocity[k], k);
+        t->moved[k] = td_reals_pick(ends, t->moved[k] + s->part * mean, t->moved[k]);
+        t->velocity[k] = td_reals_pick(ends, 2.0 * mean - t->before[k], t->velocity[k]);
+    }
+}
+
+/* Ends a part, unless it is begun once more. The velocities at its end are those of all joints anew
+ * where gaps were closed; else the impulses of the mean velocity stay, and what velocities miss is
+ * corrected where it is too much. */
+static void end_part(tree_step *s) {
+    td_choice ends = s->within & ~s->shorter;
+    td_reals zero = td_reals_all(0.0), one = td_reals_all(1.0);
+    td_reals twice = td_reals_pick(ends, td_reals_all(2.0), one);
     td_choice last = (td_choice)(one - s->ended == s->share);
     td_reals ended = td_reals_pick(last, one, s->ended + s->share);
     s->half_of *= twice;
     s->elapsed = td_reals_pick(ends, s->elapsed + s->part, s->elapsed);
     s->ended = td_reals_pick(ends, ended, s->ended);
-}
-
-/* Whether gaps close at a speed that is not negligible beside the bodies' own (closes_gaps of
- * island_step_joints.c). */
-TD_INLINE td_choice closes_gaps(const tree_step *s) {
-    td_reals worst = td_reals_all(0.0), fastest = worst;
+    td_reals closing = zero, squared = zero, missing = zero, sweeping = zero;
     for (int i = 0; i < s->count; i++) {
-        const td_lock_body *t = &s->bodies[i];
-        td_reals x = td_reals_abs(t->closing[0]), y = td_reals_abs(t->closing[1]);
-        worst = td_reals_max(worst, td_reals_max(x, y));
-        worst = td_reals_max(worst, td_reals_abs(t->turn_closing));
-        fastest = td_reals_max(fastest, t->before[0] * t->before[0] + t->before[1] * t->before[1]);
+        td_lock_body *t = &s->bodies[i];
+        move(s, t, ends);
+        scale_impulse(t, twice);
+        td_reals x = td_reals_abs(t->target[0]), y = td_reals_abs(t->target[1]);
+        closing = td_reals_max(closing, td_reals_max(x, y));
+        closing = td_reals_max(closing, td_reals_abs(t->turn_target));
+        squared = td_reals_max(squared, t->before[0] * t->before[0] + t->before[1] * t->before[1]);
+        t->target[0] = t->target[1] = t->turn_target = zero;
+        turn_arms(s, t, true);
+        sweeping = sweeping_of(t, sweeping);
+        missing = td_tree_miss(s->bodies, t, missing);
     }
-    for (int i = 0; i < TD_TREES; i++) {
-        fastest[i] = __builtin_sqrt(fastest[i]);
-    }
-    return (td_choice)(worst > s->of->tolerance + TD_CLOSING_SHARE * fastest);
-}
-
-/* The velocities at the end of a part: all joints anew where gaps were closed; otherwise the
- * impulses of the mean velocity stay, and what velocities miss is corrected where it is too much.
- */
-static void solve_end_velocity(tree_step *s) {
-    td_choice ends = s->within & ~s->shorter, anew = closes_gaps(s) & ends;
-    td_reals zero = td_reals_all(0.0);
+    s->sweeping = sweeping;
+    s->residual = td_reals_pick(ends, missing, s->residual);
+    td_choice anew = closes_gaps(s, closing, squared) & ends;
     s->closed |= anew;
-    turn_arms(s, true);
-    set_targets(s, false);
-    td_reals residual = residual_of(s);
-    s->residual = td_reals_pick(ends, residual, s->residual);
-    td_choice which = (anew | (td_choice)(residual > s->of->end_enough)) & ends;
-    if (!td_choice_any(which)) {
-        return;
+    td_choice which = (anew | (td_choice)(missing > s->of->end_enough)) & ends;
+    if (td_choice_any(which)) {
+        s->residual = td_reals_pick(which, solve(s, which, false, anew).speed, s->residual);
     }
-    for (int i = 0; i < s->count; i++) {
-        td_lock_body *t = &s->bodies[i];
-        t->turning = t->inertia;
-        for (int k = 0; k < 3; k++) {
-            td_reals unjoined = t->before[k] + 2.0 * (s->share * t->gain[k]);
-            td_reals free = td_reals_pick(anew, unjoined, t->velocity[k]);
-            t->momentum[k] = (k < 2 ? t->mass : t->inertia) * free;
-        }
-        t->kept[0] = t->impulse[0];
-        t->kept[1] = t->impulse[1];
-        t->kept[2] = t->turn_impulse;
-    }
-    solve(s, which);
-    for (int i = 0; i < s->count; i++) {
-        td_lock_body *t = &s->bodies[i];
-        t->impulse[0] += td_reals_pick(which & ~anew, t->kept[0], zero);
-        t->impulse[1] += td_reals_pick(which & ~anew, t->kept[1], zero);
-        t->turn_impulse += td_reals_pick(which & ~anew, t->kept[2], zero);
-    }
-    s->residual = td_reals_pick(ends, residual_of(s), s->residual);
 }
 
 /* Solves all parts. A tree whose velocities at the end would require too many leaves the step. */
 static void solve_parts(tree_step *s) {
+    for (int i = 0; i < s->count; i++) {
+        s->sweeping = sweeping_of(&s->bodies[i], s->sweeping);
+    }
     while (td_choice_any(s->within)) {
         require_parts(s, s->within & ~s->shorter);
-        choose_parts(s);
         begin_part(s);
         solve_mean_velocity(s);
         refuse_long_parts(s);
-        move(s);
-        solve_end_velocity(s);
+        end_part(s);
         s->within &= (td_choice)(s->ended < td_reals_all(1.0));
     }
     require_parts(s, s->going);

@@ -2,7 +2,7 @@
  * and move as they do where the general method solves them; each tree chooses its own parts. */
 #include "joint_support.h"
 
-#include "direct/lock_tree.h"
+#include "direct/wide_tree.h"
 
 #include <thud/thud_detection.h>
 
@@ -76,20 +76,22 @@ static void assert_in_balance(const td_lock_body *bodies, int count, int body, i
     }
 }
 
-/* The variants that this processor runs. */
 static void solve(td_lock_body *bodies, int count, td_choice *which) {
-    const struct {
-        bool wide;
-    } of = {false};
-    TD_PICK_WIDE(&of, td_lock_tree_solve)(bodies, count, which);
+    td_tree_sums sums = {{0}, {0}};
+    for (int i = count - 1; i >= 0; i--) {
+        td_tree_hang(bodies, &bodies[i]);
+    }
+    for (int i = 0; i < count; i++) {
+        td_tree_follow(bodies, &bodies[i], *which, &sums);
+    }
+    *which = td_tree_sound(bodies, count, *which, &sums);
 }
 
 static double residual(const td_lock_body *bodies, int count, int tree) {
-    const struct {
-        bool wide;
-    } of = {false};
-    td_reals all;
-    TD_PICK_WIDE(&of, td_lock_tree_residual)(bodies, count, &all);
+    td_reals all = {0};
+    for (int i = 0; i < count; i++) {
+        all = td_tree_miss(bodies, &bodies[i], all);
+    }
     return all[tree];
 }
 

@@ -142,7 +142,8 @@ test("artillery_is_a_duel_of_chromium_and_firefox_over_a_bad_line", async () => 
   const both = await connect("chromium", "firefox", "artillery");
   const pages = both.map(({ page }) => page);
   for (const page of pages) {
-    await slide(page, "#match-delay", 60);
+    // Longer than a step takes where other tests leave little time, so that inputs do come late.
+    await slide(page, "#match-delay", 240);
     await slide(page, "#match-loss", 10);
   }
   await pages[0].click("#match-start");

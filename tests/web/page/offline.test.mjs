@@ -58,7 +58,13 @@ test("page_of_the_site_that_was_visited_is_there_without_network_and_can_be_sear
   await untilOffline(page);
   const search = async () => {
     await page.goto(`${url}docs/begin-c.html`);
-    await page.locator(".DocSearch-Button").click();
+    // The page shows its button before its script listens to it.
+    const input = page.locator("#localsearch-input");
+    const open = async () => {
+      if (!(await input.isVisible())) await page.locator(".DocSearch-Button").click();
+      return input.isVisible();
+    };
+    await until(open, Boolean, "the search is open");
     await page.fill("#localsearch-input", "Batch");
     await page.locator(".result:has-text('Begin in Python')").first().waitFor();
   };

@@ -93,15 +93,14 @@ for (const [size, options] of SIZES)
   test(`scene_of_broadphases_shows_cells_or_intervals_on_a_${size}`, async () => {
     const { page, errors, close } = await visitor.open("?scene=broadphases&paused=1", options);
     await stepBy(page, 10);
-    assert.ok((await overlay(page)).count > 300, "no cells");
+    await untilOverlay(page, (count) => count > 300, "cells");
     await chooseAnew(page, "broadphase", "sweep");
     await stepBy(page, 10);
-    const { count, y } = await overlay(page);
-    assert.ok(count > 300, "no intervals");
+    const { y } = await untilOverlay(page, (count) => count > 300, "intervals");
     assert.ok(y > 0.6 * options.viewport.height, `the intervals' middle is at ${y}`);
     await chooseAnew(page, "broadphase", "all");
     await stepBy(page, 10);
-    assert.equal((await overlay(page)).count, 0);
+    await untilOverlay(page, (count) => count === 0, "nothing");
     assert.deepEqual(errors, []);
     await close();
   });
@@ -116,7 +115,7 @@ test("keys_toggle_pairs_and_motions_and_go_through_detections", async () => {
   await page.keyboard.press("m");
   // A picture requested after an overlay was switched shows the change.
   await stepBy(page, 1);
-  assert.equal((await overlay(page)).count, 0, "a stack at rest has motions");
+  await untilOverlay(page, (count) => count === 0, "no motions of a stack at rest");
   for (const name of ["overlap", "continuous", "bisect", "swept"]) {
     await page.keyboard.press("e");
     await page.waitForFunction((wanted) => location.search.includes(`detection=${wanted}`), name);
