@@ -158,7 +158,8 @@ test_clang() {
 test_sanitizers() {
     set -- -DTHUD_WERROR=ON
     # What the preset leaves out, as tests/CMakeLists.txt says.
-    [ "$full" = no ] || set -- "$@" -DTHUD_LONG_TESTS=ON -DTHUD_BASE_FLAGS=
+    [ "$full" = no ] || set -- "$@" -DTHUD_LONG_TESTS=ON -DTHUD_BASE_FLAGS= \
+        "-DCMAKE_C_FLAGS_DEBUG=-g1 -fsanitize=null,object-size"
     build sanitize --preset sanitize "$@"
     ctest --preset sanitize --label-exclude '^once$' --parallel "$jobs"
 }

@@ -273,39 +273,49 @@ static void set_shape(tree_group *g, const td_listed_body *list) {
     }
 }
 
-/* Sets the lane of a tree from its list. */
-static void set_lane(tree_group *g, int tree) {
-    const td_listed_body *list = g->list[tree];
-    double closing = 0.0;
+/* Sets a body in the lane of a tree from that tree's list. Returns the wider component of its
+ * joint's gap. */
+static double set_body(const tree_group *g, int i, int tree) {
+    const td_listed_body *from = &g->list[tree][i];
+    td_lock_body *t = &g->trees.bodies[i];
+    double widest = 0.0;
+    t->mass[tree] = from->mass;
+    t->inertia[tree] = from->inertia;
+    t->sweeps[tree] = from->sweeps;
+    for (int k = 0; k < 3; k++) {
+        t->velocity[k][tree] = from->velocity[k];
+        t->gain[k][tree] = from->gain[k];
+    }
+    for (int k = 0; k < 3 && !i; k++) {
+        t->outside[k][tree] = from->outside[k];
+    }
+    for (int k = 0; k < 2 && t->joined; k++) {
+        t->arm[k][tree] = from->arm[k];
+        t->holder[k][tree] = from->holder[k];
+        t->axis[k][tree] = from->axis[k];
+        t->gap[k][tree] = from->gap[k];
+        t->impulse[k][tree] = from->impulse[k];
+        widest = td_max_double(widest, td_abs(from->gap[k]));
+    }
+    if (t->weld) {
+        t->turn_gap[tree] = from->turn_gap;
+        t->turn_impulse[tree] = from->impulse[2];
+    }
+    return widest;
+}
+
+/* Sets the lanes of all trees, body by body. */
+static void set_lanes(tree_group *g) {
+    double most = (double)(TD_JOINT_CLOSING_SPEED * g->w->length_scale), widest[TD_TREES] = {0.0};
     for (int i = 0; i < g->trees.count; i++) {
-        const td_listed_body *from = &list[i];
-        td_lock_body *t = &g->trees.bodies[i];
-        t->mass[tree] = from->mass;
-        t->inertia[tree] = from->inertia;
-        t->sweeps[tree] = from->sweeps;
-        for (int k = 0; k < 3; k++) {
-            t->velocity[k][tree] = from->velocity[k];
-            t->gain[k][tree] = from->gain[k];
-        }
-        for (int k = 0; k < 3 && !i; k++) {
-            t->outside[k][tree] = from->outside[k];
-        }
-        for (int k = 0; k < 2 && t->joined; k++) {
-            t->arm[k][tree] = from->arm[k];
-            t->holder[k][tree] = from->holder[k];
-            t->axis[k][tree] = from->axis[k];
-            t->gap[k][tree] = from->gap[k];
-            t->impulse[k][tree] = from->impulse[k];
-            closing = td_max_double(closing, td_abs(from->gap[k]) / g->step.time);
-        }
-        if (t->weld) {
-            t->turn_gap[tree] = from->turn_gap;
-            t->turn_impulse[tree] = from->impulse[2];
+        for (int tree = 0; tree < g->used; tree++) {
+            widest[tree] = td_max_double(widest[tree], set_body(g, i, tree));
         }
     }
-    double most = (double)(TD_JOINT_CLOSING_SPEED * g->w->length_scale);
-    g->trees.closing[tree] = td_min_double(closing, most);
-    g->trees.used[tree] = true;
+    for (int tree = 0; tree < g->used; tree++) {
+        g->trees.closing[tree] = td_min_double(widest[tree] / g->step.time, most);
+        g->trees.used[tree] = true;
+    }
 }
 
 /* The gap of a body's joint after the step: what both bodies have moved, and the lever arms. */
@@ -319,8 +329,10 @@ static double gap_after(const td_lock_trees *trees, const td_lock_body *t, int k
                         (t->holder_now[k][tree] - t->holder[k][tree]);
 }
 
-/* Keeps the result of a body and of its joint. */
-static void keep_result(const tree_group *g, int i, int tree, td_lock_result *result) {
+/* Keeps the result of a body and of its joint. `of_substep`: the share of the impulses of the last
+ * part that a substep has. */
+static void keep_result(const tree_group *g, int i, int tree, double of_substep,
+                        td_lock_result *result) {
     const td_listed_body *from = &g->list[tree][i];
     const td_lock_body *t = &g->trees.bodies[i];
     const thud_world *w = g->w;
@@ -337,7 +349,6 @@ static void keep_result(const tree_group *g, int i, int tree, td_lock_result *re
     }
     double x = from->axis[0], y = from->axis[1], sign = from->sign;
     double turn_sign = sign * (double)td_lock_rows_at(from->block)->turn_sign[from->lane];
-    double of_substep = 1.0 / (g->trees.share[tree] * w->substeps);
     double along = t->impulse[0][tree], across = t->impulse[1][tree];
     double gap_x = gap_after(&g->trees, t, 0, tree, g->step.time);
     double gap_y = gap_after(&g->trees, t, 1, tree, g->step.time);
@@ -351,14 +362,21 @@ static void keep_result(const tree_group *g, int i, int tree, td_lock_result *re
     }
 }
 
-/* Keeps the result of a tree. */
-static void keep_tree(tree_group *g, int tree) {
+/* Keeps the results of the trees that are solved, body by body. */
+static void keep_results(const tree_group *g) {
     td_islands *s = &g->w->islands;
-    for (int i = 0; i < g->trees.count; i++) {
-        keep_result(g, i, tree, td_at(&s->results, g->island[tree]->first_body + i));
+    double of_substep[TD_TREES];
+    for (int tree = 0; tree < TD_TREES; tree++) {
+        of_substep[tree] = 1.0 / (g->trees.share[tree] * g->w->substeps);
     }
-    s->trees_residual = td_max_float((float)g->trees.residual[tree], s->trees_residual);
-    g->kept[tree] = true;
+    for (int i = 0; i < g->trees.count; i++) {
+        for (int tree = 0; tree < g->used; tree++) {
+            if (g->trees.solved[tree]) {
+                keep_result(g, i, tree, of_substep[tree],
+                            td_at(&s->results, g->island[tree]->first_body + i));
+            }
+        }
+    }
 }
 
 /* Solves the trees of the group, and keeps their results. */
@@ -366,17 +384,17 @@ static void solve_group(tree_group *g) {
     g->trees.count = g->island[0]->bodies;
     g->step.island = g->island[0];
     set_shape(g, g->list[0]);
-    for (int tree = 0; tree < g->used; tree++) {
-        g->kept[tree] = false;
-        set_lane(g, tree);
-    }
+    set_lanes(g);
     TD_PICK_WIDE(g->w, td_lock_tree_parts)(&g->trees, &g->step);
+    keep_results(g);
     for (int tree = 0; tree < g->used; tree++) {
         int solutions = g->trees.factorings[tree];
         g->w->stats.factorings += solutions;
         g->w->stats.island_work += (int64_t)solutions * TREE_COST * g->trees.count;
-        if (g->trees.solved[tree]) {
-            keep_tree(g, tree);
+        g->kept[tree] = g->trees.solved[tree];
+        if (g->kept[tree]) {
+            float *worst = &g->w->islands.trees_residual;
+            *worst = td_max_float((float)g->trees.residual[tree], *worst);
         }
     }
 }
