@@ -32,15 +32,23 @@ TD_INLINE_SMALL td_reals td_reals_abs(td_reals x) {
 
 /* The greater of a and b; b where either is not-a-number, as in td_max_double. */
 TD_INLINE_SMALL td_reals td_reals_max(td_reals a, td_reals b) {
+#if defined(__AVX2__)
+    return (td_reals)_mm256_max_pd((__m256d)a, (__m256d)b);
+#else
     return td_reals_pick((td_choice)(a > b), a, b);
+#endif
 }
 
 TD_INLINE bool td_choice_any(td_choice mask) {
+#if defined(__AVX2__)
+    return _mm256_movemask_pd((__m256d)mask) != 0;
+#else
     int64_t any = 0;
     for (int i = 0; i < TD_TREES; i++) {
         any |= mask[i];
     }
     return any != 0;
+#endif
 }
 
 #endif
