@@ -182,6 +182,25 @@ TD_INLINE f8 f8_max(f8 a, f8 b) /* b where a lane is not-a-number, as on x86 */
 #endif
 }
 
+TD_INLINE_SMALL d4 d4_max(d4 a, d4 b) /* b where a lane is not-a-number, as on x86 */
+{
+#if defined(__AVX2__)
+    return (d4)_mm256_max_pd((__m256d)a, (__m256d)b);
+#else
+    l4 above = (l4)(a > b);
+    return (d4)(((l4)a & above) | ((l4)b & ~above));
+#endif
+}
+
+/* Whether a lane of a mask is set. */
+TD_INLINE bool l4_any(l4 mask) {
+#if defined(__AVX2__)
+    return _mm256_movemask_pd((__m256d)mask) != 0;
+#else
+    return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
+#endif
+}
+
 TD_INLINE f8 f8_clamp(f8 x, f8 low, f8 high) {
     return f8_min(f8_max(x, low), high);
 }

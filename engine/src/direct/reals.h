@@ -6,6 +6,7 @@
 #include "base/simd.h"
 
 #if defined(__x86_64__) || defined(__i386__)
+#define TD_TREES_OF_FOUR
 enum { TD_TREES = 4 };
 typedef d4 td_reals;
 typedef l4 td_choice; /* a mask: lanes are all ones (-1) or all zeros */
@@ -32,22 +33,18 @@ TD_INLINE_SMALL td_reals td_reals_abs(td_reals x) {
 
 /* The greater of a and b; b where either is not-a-number, as in td_max_double. */
 TD_INLINE_SMALL td_reals td_reals_max(td_reals a, td_reals b) {
-#if defined(__AVX2__)
-    return (td_reals)_mm256_max_pd((__m256d)a, (__m256d)b);
+#if defined(TD_TREES_OF_FOUR)
+    return d4_max(a, b);
 #else
     return td_reals_pick((td_choice)(a > b), a, b);
 #endif
 }
 
 TD_INLINE bool td_choice_any(td_choice mask) {
-#if defined(__AVX2__)
-    return _mm256_movemask_pd((__m256d)mask) != 0;
+#if defined(TD_TREES_OF_FOUR)
+    return l4_any(mask);
 #else
-    int64_t any = 0;
-    for (int i = 0; i < TD_TREES; i++) {
-        any |= mask[i];
-    }
-    return any != 0;
+    return (mask[0] | mask[1]) != 0;
 #endif
 }
 
