@@ -33,9 +33,7 @@ typedef struct tree_step {
     td_reals half_of;  /* the impulses of joints are half of those of this share of the step */
     td_reals ended;    /* what is solved of the step, as a share of it */
     td_reals elapsed;  /* the same, s */
-
-    td_reals
-        sweeping; /* greatest rate of turning that moves an anchor, by the present velocities */
+    td_reals sweeping; /* greatest rate at which a body turns now whose anchors it moves, rad/s */
 
     /* ---- results ---- */
     td_reals unbalanced; /* greatest moment out of balance after a part, as a speed: length/s */
@@ -241,10 +239,10 @@ typedef struct tree_misses {
                             freely (island_step_joints.c), length/s */
 } tree_misses;
 
-/* Solves for the velocities of the trees of `which`; those that fail leave the step. With `mean` it
- * is an iteration of Newton's method for the mean velocities of the part, which also sets the lever
- * arms of the next one; else for those at its end, where impulses of trees that are not of `anew`
- * are added to those of the mean velocities. */
+/* Solves for the velocities of the trees of `which`; those that fail leave the step. With `mean`
+ * these are the mean velocities of the part: an iteration of Newton's method, which also sets the
+ * lever arms of the next one. Without, they are those at its end, and the impulses are added to
+ * those of the mean velocities, but in the trees of `anew`, which are solved without those. */
 static tree_misses solve(tree_step *s, td_choice which, bool mean, td_choice anew) {
     td_reals zero = td_reals_all(0.0), missing = zero, unbalanced = zero, sweeping = zero;
     td_tree_sums sums = {zero, zero};
