@@ -46,7 +46,7 @@ typedef struct thud_quality {
     int64_t
         island_work; /* budget of all direct islands in a step, >= 0: operations on 3 x 3 blocks in
                         factorisations, plus, for each factorisation, one for each body and two for
-                        each contact. A tree of hinges and welds needs no matrix: two operations a
+                        each contact. A tree of hinges and welds needs no matrix: one operation a
                         body and iteration. Islands beyond the budget are left to the soft solver.
                         At rest
                         a step needs one factorisation, of 6 operations a body in a column and 140

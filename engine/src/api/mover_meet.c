@@ -109,9 +109,10 @@ bool td_mover_go(td_move *m, td_way way, thud_mover_hit *hit, td_way *left) {
     if (!(length > 0.0)) {
         return false;
     }
-    /* The cast goes one skin further than the way, to keep the skin before a surface just behind
-     * its end. With cosine = -way . n / |way|, n the hit's normal, the mover
-     * stops at the distance skin / cosine before the hit, where its gap along n is the skin. */
+    /* The cast goes one skin further than the way, so that the mover also keeps its skin before a
+     * surface that lies just behind the end of the way. With cosine = -way . n / |way|, n the hit's
+     * normal, it stops at the distance skin / cosine before the hit, where its gap along n is the
+     * skin. */
     double reach = 1.0 + m->mover.skin / length;
     bool met = td_mover_meets(m, td_scaled(way, reach), hit, &fraction);
     double going = 1.0;

@@ -9,9 +9,9 @@
  * takes two; at one a mover would stop at each change of slope. */
 enum { HITS_MAX = 4 };
 
-/* Largest part of a displacement, as a share of its length, by which rounding may make a
- * displacement along a plane point into it. Chosen: far above double precision's 1e-16, and far
- * below any slope. */
+/* Rounding may make a displacement along a plane point into the plane by up to this share of the
+ * displacement's length, which does not count as a corner. Chosen: far above double precision's
+ * 1e-16, and far below any slope. */
 #define CORNER_ROUNDING 1e-9
 
 /* The part of a vector at a right angle to `up`. */

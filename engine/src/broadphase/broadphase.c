@@ -170,15 +170,16 @@ static int64_t crowd_threshold(const thud_world *w) {
     return CROWD_PAIRS_BASE + CROWD_PAIRS_A_SHAPE * (int64_t)w->shapes.live;
 }
 
-/* Limits for one shape in one step of a crowded world. Its overlapping shapes are divided into a
- * power of two of parts, each of about CROWD_TESTS_A_SHAPE shapes or fewer, and each step tests one
- * part. A test is cheap: it reads filters and contact lists. The new pairs that the filters allow
- * are divided again, into a second power of two of parts, so that about CROWD_CONTACTS_A_SHAPE of
- * them become contacts in a step, or about one if the shape has that many contacts already. A
- * contact is expensive, since the narrowphase works on it from then on. A pair with a sensor
- * becomes a contact as soon as it is tested. Every pair therefore has its turn at the latest after
- * as many steps as the product of both powers. The first is below 2 n / CROWD_TESTS_A_SHAPE for n
- * shapes in one spot: these are the n / 64 steps that thud_detection.h promises. Both chosen. */
+/* Limits for one shape in one step of a crowded world. The shapes that overlap it are divided into
+ * a power of two of parts, each of about CROWD_TESTS_A_SHAPE shapes or fewer, and each step tests
+ * one part. A test is cheap: it reads filters and contact lists. For n shapes in one spot there are
+ * fewer than 2 n / CROWD_TESTS_A_SHAPE parts (if more than one): hence each pair is tested within
+ * the n / 64 steps that thud_detection.h promises. The new pairs that the filters allow are divided
+ * again, into a second power of two of parts, so that about CROWD_CONTACTS_A_SHAPE of them become
+ * contacts in a step, or about one if the shape has that many contacts already. A contact is
+ * expensive, since the narrowphase works on it from then on; a pair may have to wait for it for as
+ * many steps as the product of both powers. A pair with a sensor becomes a contact as soon as it is
+ * tested. Both limits are chosen. */
 enum { CROWD_TESTS_A_SHAPE = 128, CROWD_CONTACTS_A_SHAPE = 32 };
 
 /* 2^k - 1 for the least 2^k with count <= 2^k max: a mask for turn_number. */
@@ -370,17 +371,17 @@ static bool find_resting_pairs_of(thud_world *w, int shape) {
  * resting set, where there is less than one resting shape for this many awake shapes that moved.
  * Chosen; not tuned. */
 enum { MOVED_PER_RESTING = 8 };
-/* The resting shapes near the awake shapes that moved are counted by a query, if fewer than this
- * many are expected for each moved shape. The expectation assumes that resting shapes are spread
- * evenly over their bounds. Chosen: a query costs as much as a hundred shapes that it finds, so
- * that a count in vain costs little. */
+/* One query around all awake shapes that moved counts the resting shapes near them. It is made only
+ * if it is expected to find fewer than this many for each shape that moved, on the assumption that
+ * resting shapes are spread evenly. Chosen: to query for one moved shape costs as much as to find a
+ * hundred shapes, so that the count costs little even where it turns out too high to be used. */
 enum { RESTING_PER_MOVED = 4 };
 
 /* Sets *few to a list of the resting shapes that shall query the awake set: all resting shapes, or
- * those that overlap the bounds around all awake shapes that moved. Sets it to null if the list
- * would be long beside the number of awake shapes that moved (MOVED_PER_RESTING). False when memory
- * is short. A world may lack this function (thud_parts); it finds the same pairs by more queries.
- */
+ * those that overlap the one box around all awake shapes that moved. Sets *few to null if neither
+ * list is known to be short enough: less than one for every MOVED_PER_RESTING awake shapes that
+ * moved. False when memory is short. In a world without this function (thud_parts) each moved awake
+ * shape queries the resting set instead, which finds the same pairs by more queries. */
 bool td_broadphase_few_resting(thud_world *w, const td_array **few) {
     td_scratch *scratch = &w->scratch;
     const td_proxy_set *rest = &w->rest_shapes;

@@ -122,10 +122,12 @@ static uint32_t table_size_for(int64_t n) {
     return p;
 }
 
-/* Sets each level's cell width and table; returns the length of `starts`. A table has at least two
- * cells a shape; a level is hashed where its rectangle has more than twice as many cells as that.
- * The slack is half of the cell: with more, cells hold more shapes, which all are tested; with
- * less, shapes leave their cells sooner, and the grid is built again. Both chosen; not tuned. */
+/* Sets each level's cell width and table; returns the length of `starts`. A level is hashed, with
+ * at least two cells a shape, where its rectangle has more than twice as many cells as that table;
+ * else its table holds the whole rectangle. The slack, where there is any, is half of the cell's
+ * width without it: with more, cells hold more shapes, which all are tested; with less, shapes
+ * leave their cells sooner, and the grid is built again. The half and the two are chosen; not
+ * tuned. */
 static int choose_tables(td_proxy_set *grid, bool few_moved) {
     int first = 0, starts = 0;
     for (int l = 0; l < TD_LEVELS; l++) {
@@ -307,8 +309,8 @@ static bool follow(thud_world *w, td_proxy_set *grid, const int *moved, int coun
 
 /* ---- shapes that come to rest ---- */
 
-/* The level of the strays, shapes at rest that stand in no cell. It stands below the levels with
- * cells, and its own have no width. Null in an empty grid. */
+/* The level of the strays, which are shapes at rest that stand in no cell. It is the one below the
+ * levels with cells, and is told from these by td_level.cell, which is 0. Null in an empty grid. */
 static td_level *level_of_strays(td_proxy_set *grid) {
     td_level *level = &grid->levels[TD_LEVELS - 1];
     while (level[-1].count > 0) {

@@ -30,7 +30,8 @@
  * snapshots and drawings hold an array of this length. */
 enum { TD_LEVELS = 16 };
 
-/* Shapes that come to rest while a grid of shapes at rest stays sorted, at most. */
+/* The most shapes that a sorted grid of resting shapes takes in as strays (level_of_strays in
+ * grid.c). */
 enum { TD_STRAYS_MAX = 16 };
 
 typedef struct td_level {
@@ -51,10 +52,10 @@ typedef struct td_level {
  * Extents are below 2^31, and classes below 4 * 31. */
 enum { TD_SIZE_CLASSES = 128, TD_SIZE_SHIFT = 21, TD_SIZE_OF_ONE = 127 << 2 };
 
-/* A proxy set whose centres all lie within this distance of that of its first shape, in whole
- * length scales, is measured with 32-bit differences: that is an eighth of the 2^18 length scales
- * after which bounds wrap around. Chosen: 32 bits would reach to 2^17, less the
- * shapes' extents. */
+/* Greatest distance along an axis, in whole length scales, of the centres of a proxy set from that
+ * of its first shape up to which the set is measured with 32-bit differences. It is an eighth of
+ * the 2^18 length scales after which bounds wrap around. Chosen: 32 bits would reach to 2^17, less
+ * the shapes' extents. */
 enum { TD_GRID_NEAR = 1 << 15 };
 
 /* What sorting needs to know of each listed shape. The arrays have room for a multiple of eight

@@ -111,9 +111,9 @@ static void restart_terrain_pairs(thud_world *w, td_body_index index) {
     }
 }
 
-/* Has the manifolds of a teleported body with terrain computed anew. Their cache has the body's
- * place modulo 256 length scales (contact/wide_terrain.c), and would not notice a teleport by that.
- */
+/* Makes the next narrowphase compute a teleported body's manifolds with terrain anew. Their cache
+ * stores the body's place modulo 256 length scales (contact/wide_terrain.c), and would not notice a
+ * teleport by a multiple of 256 length scales. */
 static void renew_terrain_contacts(thud_world *w, td_body_index index) {
     for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));

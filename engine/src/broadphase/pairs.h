@@ -20,8 +20,9 @@ typedef struct td_pair_search {
     int64_t overlaps;     /* overlapping pairs found so far */
     int64_t overlaps_max; /* with more of them the world is crowded */
     bool crowded;         /* pairs wait for their turn */
-    /* Hits that are kept until the bounds that their test reads have arrived in the cache: of each
-     * of the `shape_count` shapes, `counts` elements of `hits`, one shape after the other. */
+    /* Hits that are kept until the bounds that their test reads have arrived in the cache. `hits`
+     * has `held` elements: the counts[0] hits of shapes[0], then the counts[1] hits of shapes[1],
+     * and so on, for `shape_count` shapes. */
     int held, shape_count;
     int hits[TD_HELD_MAX], shapes[TD_HELD_MAX], counts[TD_HELD_MAX];
 } td_pair_search;

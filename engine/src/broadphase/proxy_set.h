@@ -26,8 +26,8 @@ typedef struct td_proxy_set {
     td_array min_x, min_y, max_x, max_y; /* int32, in the order of ids, and eight more of room */
     td_array moved;                      /* int32: -1 where the shape is on the moved list */
     int moved_count;                     /* how many of `moved` are -1 */
-    int head, tail; /* numbers of first and of last ids that do not search in a sweep. Both are 0
-                       except in the copies for workers (shared_sweep.c) */
+    int head, tail; /* how many ids at the start and at the end of `ids` do not search in a sweep.
+                       Both are 0 except in the copies for workers (shared_sweep.c) */
     bool woken;     /* set of resting shapes only: `ids` still has shapes of bodies that woke */
     bool listed;    /* `list` is up to date: no shape has entered or left the set since */
     bool loose;     /* built so that thud_broadphase.follow can update it */
@@ -85,11 +85,11 @@ struct thud_broadphase {
     /* Orders the shapes in `list` and fills the set's arrays. `few_moved`: few shapes move, so that
      * preparing for `follow` pays. False when memory is short; the set is then not valid. */
     bool (*build)(struct thud_world *w, td_proxy_set *set, bool few_moved);
-    /* Writes the bounds of the moved shapes in place, keeping the order; false where that is not
-     * possible, and the set has to be built. Null: it never is. */
+    /* Writes the bounds of the moved shapes in place, keeping the order. False where that is not
+     * possible, so that the set has to be built. Null where it is never possible. */
     bool (*follow)(struct thud_world *w, td_proxy_set *set, const int *moved, int count);
-    /* Adds a shape to the valid set of shapes at rest without sorting; false where that is not
-     * possible, and the set has to be built. Null: it never is. */
+    /* Adds a shape to the valid set of shapes at rest without sorting. False where that is not
+     * possible, so that the set has to be built. Null where it is never possible. */
     bool (*enter)(struct thud_world *w, td_proxy_set *set, int shape);
     td_sweep_fn *sweep[2];
     td_find_fn *find[2];

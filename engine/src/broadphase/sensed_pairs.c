@@ -12,9 +12,9 @@
 #include "state/shape.h"
 
 /* Reserves, before bodies move, the memory of all functions below. False when memory is short.
- * found_shapes gets room for three times all shapes: a search has at most as many hits, and
- * reserves at most as much again ahead of a range of shapes (reserve_hits); the third part is a
- * margin. */
+ * found_shapes gets room for three times the number of shapes: once for the hits of a search, once
+ * for the room that a search reserves before it tests a range of shapes (reserve_hits in
+ * wide_scan.h), and once as a margin. */
 bool td_sensed_reserve(thud_world *w) {
     int room = w->scratch.sensed_room = td_sensors_expect(w);
     int more[TD_CONSTRAINT_KINDS] = {[TD_PAIR_SENSOR] = room};

@@ -14,9 +14,9 @@ int td_body_chunk(const thud_world *w, int workers) {
     return slots >= workers * UNITS_MIN * SLOTS_UNIT ? SLOTS_UNIT : SLOTS_UNIT_SMALL;
 }
 
-/* A boundary between workers lies between two places if that gives none of them more than a twelfth
- * of a share too much: the blocks of a place are in the order in which their contacts began, so
- * that workers that share a place write the same cache lines. Chosen. */
+/* A boundary between two workers is moved to an end of its place if that moves at most a twelfth of
+ * a worker's share: the blocks of a place are in the order in which their contacts began, so that
+ * workers that share a place write the same cache lines. Chosen. */
 enum { UNEVEN = 12 };
 
 /* The awake slots of a place. */
@@ -38,10 +38,10 @@ static int count_by_place(thud_world *w) {
     return sum;
 }
 
-/* Sets scratch.bounds: worker i has the slots from element i to the one before element i + 1. The
- * blocks of all places are divided evenly; in a world without any, the slots. Where few bodies
- * touch, all blocks are of the first place (td_lanes_place), within which all boundaries then lie.
- */
+/* Sets scratch.bounds: worker i has the awake slots from bounds[i] to bounds[i + 1] - 1. Each gets
+ * about as many blocks of places as the others; in a world without such blocks, as many slots.
+ * Where few bodies touch, all these blocks are of the first place (td_lanes_place), and all
+ * boundaries lie within it. */
 static void set_bounds(thud_world *w, int workers) {
     const int *blocks = w->scratch.order.data;
     int *bounds = w->scratch.bounds.data, slots = w->body_of.count;
@@ -71,7 +71,7 @@ void td_share_bodies(const thud_world *w, int workers, int shares[THUD_WORKERS_M
         shares[i] = td_min_int(bounds[i], slots) / unit;
     }
     shares[workers] = (slots + unit - 1) / unit;
-    /* Where the blocks are those of few bodies, the slots are divided evenly instead. */
+    /* Where a worker would get over 5/4 of an even share of the slots, they are divided evenly. */
     if ((int64_t)most * workers * 4 > (int64_t)slots * 5) {
         td_share_evenly(shares[workers], workers, shares);
     }
@@ -79,8 +79,8 @@ void td_share_bodies(const thud_world *w, int workers, int shares[THUD_WORKERS_M
 
 /* ---- chunks ---- */
 
-/* The block of the run with which the share of a worker begins: at multiples of TD_CHUNK_UNIT, and
- * runs that are too short to be divided belong to one worker. */
+/* The index, in the run, of the first block of a worker's share: a multiple of TD_CHUNK_UNIT, or
+ * the end of the run. A run that is too short to be divided belongs to one worker as a whole. */
 static int share_begins(const thud_world *w, const td_run *run, int worker, int workers) {
     int count = run->count;
     if (worker == 0 || worker == workers || td_run_is_single(run)) {
@@ -139,7 +139,7 @@ static int end_of_colour(const thud_world *w, int first) {
 static void share_chunks(thud_world *w, td_phase *phase, int first, int count, int workers) {
     int *order = w->scratch.chunk_order.data, at = first;
     for (int k = 0; k < workers; k++) {
-        int blocks = TD_CHUNK_BLOCKS; /* of the part; at first, of no part */
+        int blocks = TD_CHUNK_BLOCKS; /* of the part; full, so that a part begins */
         for (int i = first; i < first + count; i++) {
             const td_chunk *chunk = chunk_at(w, i);
             if (chunk->worker != k) {
@@ -156,7 +156,7 @@ static void share_chunks(thud_world *w, td_phase *phase, int first, int count, i
     }
 }
 
-/* Begins a phase of one part, for the first worker or whoever comes before it. */
+/* Begins a phase of one part, which is the first worker's unless another one takes it before. */
 static void give_to_one(thud_world *w, td_phase *phase, int first, int workers) {
     *td_part_first(w, phase->first) = first;
     phase->parts = 1;

@@ -1,9 +1,10 @@
 /* chunks.h: divides the blocks and bodies of a step among workers.
  *
- * Each worker has a range of the awake slots, and of every run the blocks of those slots. So the
- * bodies that it reads and writes in one pass are mostly those of its last pass, and their cache
- * lines stay with its processor: to take a line from another processor costs 20 to 40 ns, about as
- * much as a block of contacts (measured with two processors). */
+ * Each worker has a range of the awake slots, and the same share of the blocks of a place
+ * (constraint/lanes.h) as of its slots; other runs are divided evenly. So the bodies that it reads
+ * and writes in one pass are mostly those of its last pass, and their cache lines stay with its
+ * processor: to take a line from another processor costs 20 to 40 ns, about as much as a block of
+ * contacts (measured with two processors). */
 #ifndef TD_CHUNKS_H
 #define TD_CHUNKS_H
 
@@ -18,20 +19,20 @@ typedef struct td_chunk {
     int32_t separated;         /* number of blocks with a lane that no longer touches */
 } td_chunk;
 
-/* What workers do between two barriers, at which they wait for each other: `parts` parts, each some
- * chunks that one worker claims at once, whose beginnings are td_part_first(w, first) and the
- * following ones. Chunks of one bin (graph colour) have no moving body in common, so that workers
- * share them. Small colours, and runs whose blocks may share bodies (td_run_is_single), are for one
- * worker. Where such follow each other they are one part, since waiting for another worker between
- * them would take longer than they do. */
+/* The work between two barriers, at which workers wait for each other: `parts` parts, of which a
+ * worker claims one at a time. A part is a sequence of chunks; part i of the phase begins at
+ * td_part_first(w, first + i). Chunks of one graph colour have no moving body in common, so that
+ * workers share them. A colour that is a single chunk, and a run whose blocks may share bodies
+ * (td_run_is_single), are for one worker. Where several of these follow each other, they form one
+ * part, since waiting for another worker between them would take longer than solving them. */
 typedef struct td_phase {
     int first, parts;
     int shares[THUD_WORKERS_MAX + 1]; /* of the parts, for td_worker_take */
 } td_phase;
 
-/* The element of scratch.chunk_order with which a part begins, by its number among the parts of all
- * phases. The part ends where the next one begins; one more number than there are parts is valid.
- */
+/* Where in scratch.chunk_order a part begins: an index, to read or to set. `part` is the number of
+ * the part among those of all phases. It ends where the next one begins; so there is one entry more
+ * than parts, the end of the last one. */
 static inline int *td_part_first(const thud_world *w, int part) {
     return TD_AT(int, &w->scratch.chunk_order, w->scratch.chunks.count + part);
 }

@@ -1,7 +1,7 @@
 /* constraint.h: the graph of constraints. Its nodes are bodies. Each constraint joins two bodies,
- * and is an edge in the doubly linked list of either (td_body.first_constraint, td_constraint.next,
- * prev). An edge (td_edge_of) is the number constraint * 2 + side, with side 0 for the list of
- * body[0], 1 for that of body[1].
+ * and is in the doubly linked lists of both (td_body.first_constraint, td_constraint.next, prev).
+ * An edge is its place in one of the two lists, written as the number constraint * 2 + side
+ * (td_edge_of): side 0 is the list of body[0], side 1 that of body[1].
  *
  * The kind of a contact is a pair kind; a joint consists of up to four constraints of
  * TD_CONSTRAINT_ kinds (joints/joint.h); contact/pair_kinds.h numbers them all. A kind's operations

@@ -1,9 +1,10 @@
 /* lanes.c: see lanes.h.
  *
  * A constraint gets the lowest colour that is free at both of its bodies (td_colours). Static and
- * kinematic bodies take no colour, since the solver does not change them. Constraints of kinematic
- * bodies get colours from TD_KINEMATIC_COLOUR on. Their runs are solved by one worker alone
- * (td_block.shared), and constraints of other bodies rarely need so high a colour. */
+ * kinematic bodies take no colour, since the solver does not change them. So several blocks of a
+ * colour may contain the same kinematic body, and one worker alone solves their run
+ * (td_block.shared). Their constraints get colours from TD_KINEMATIC_COLOUR on, which others rarely
+ * need, so that few others are in such runs. */
 #include "constraint/lanes.h"
 
 #include "constraint/chunks.h"
@@ -193,8 +194,8 @@ static void set_slots(thud_world *w, td_block *block, int lane, const td_constra
     block->inv_inertia_b[lane] = b->inv_inertia;
 }
 
-/* Gives a constraint a lane in a bin: the contents are moved from its present lane, or its kind
- * fills the new one. */
+/* Gives a constraint a lane in a bin, with the contents of the lane that it has, which becomes
+ * free, or, if it has none, those that td_lane_ops.fill of its kind writes. */
 static void place(thud_world *w, int index, int bin) {
     td_constraint *constraint = td_constraint_at(w, index);
     int kind = constraint->kind, lane;
@@ -234,9 +235,9 @@ static bool reserve_blocks(thud_world *w, const int more[TD_FORM_COUNT]) {
     return true;
 }
 
-/* While lanes move to the bin of sleeping lanes, a kind frees as many lanes as it takes. Besides
- * the blocks in use, it needs at any time at most one for the last, partly filled block of each bin
- * that loses lanes, and one in the bin of sleeping lanes. */
+/* Lanes that move to the bin of sleeping lanes become free in their own bins, one for one. A kind
+ * needs more blocks than it uses now only because blocks may be partly filled: at most the last
+ * block of each bin that loses lanes, and that of the bin of sleeping lanes. */
 bool td_lanes_reserve_sleeping(thud_world *w) {
     int more[TD_FORM_COUNT] = {0};
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
@@ -310,8 +311,8 @@ static bool make_places(thud_world *w) {
     return true;
 }
 
-/* In a world where fewer than one body in so many has a contact, all bins are those of the first
- * place, since blocks by place would mostly be empty. Chosen. */
+/* While there is less than one touching contact for this many awake bodies, new lanes are taken in
+ * bins of the first place alone, since blocks by place would mostly be empty. Chosen. */
 enum { BODIES_A_CONTACT = 8 };
 
 bool td_lanes_place(thud_world *w, const int *constraints, int count) {

@@ -1,16 +1,18 @@
-/* lanes.h: gives constraints that act a lane of a block, and lists the blocks for the solver.
+/* lanes.h: assigns lanes of blocks (block.h) to the constraints that act, and lists the blocks for
+ * the solver.
  *
  * The graph of constraints is coloured greedily, as in Box2D v3's src/constraint_graph.c:
- * constraints of one colour share no moving body, so that they are solved in parallel. A bin is the
- * doubly linked list of the blocks of one kind of constraint, one colour, and side a static or not;
- * one more bin of each kind has the lanes of sleeping bodies. A constraint that finds no free
+ * constraints of one colour share no moving (awake and dynamic) body, so that they are solved in
+ * parallel. A bin is the doubly linked list of the blocks of one kind of constraint and one colour;
+ * constraints whose side a is static have bins of their own. One more bin of each kind has the
+ * lanes of sleeping bodies. A constraint that finds no free
  * colour goes to the overflow colour, whose blocks have one lane each.
  *
- * Constraints of two moving bodies that have one of the first colours have a bin for each place
- * (TD_PLACE_SLOTS), chosen by the lower of their awake slots when the lane is taken. Bodies that
- * are near each other in the world mostly have near slots, too. So the blocks of a place read and
- * write the same few records, and workers that solve different places seldom write the same cache
- * lines.
+ * A place is a range of TD_PLACE_SLOTS awake slots. Constraints of two moving bodies with one of
+ * the first colours (TD_PLACED_COLOURS) have a bin for each place: that of the lower of both slots
+ * when the lane is taken. Bodies that are near each other in the world mostly have near slots, too.
+ * So the blocks of a place read and write the same few records, and workers that solve different
+ * places seldom write the same cache lines.
  *
  * Invariants: all blocks of a bin but the last are full (when a lane becomes free, the bin's last
  * lane moves into it). Which lane a constraint has depends only on the history of the world, never
@@ -87,9 +89,9 @@ static inline void td_constraints_fetch(const thud_world *w, const int *constrai
     }
 }
 
-/* Gives each of the constraints a lane in the bin of its graph colour. A constraint whose bodies
- * slept already has a lane among the sleeping ones; its contents are moved. False when memory is
- * short; nothing has changed then. */
+/* Gives each of the constraints a lane in the bin of its graph colour. A constraint that wakes with
+ * its bodies already has a lane, among the sleeping ones, whose contents are moved. False when
+ * memory is short; nothing has changed then. */
 bool td_lanes_place(thud_world *w, const int *constraints, int count);
 /* Moves the lanes of the constraints with their contents to their kinds' bins of sleeping lanes.
  * td_lanes_reserve_sleeping must have been called before; it reserves memory for any number of

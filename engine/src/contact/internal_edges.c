@@ -386,8 +386,8 @@ static void correct_block(thud_world *w, td_block *block, int kind) {
     }
 }
 
-/* Blocks of two moving bodies only have internal edges where they have offsets
- * (contact_lanes.c). */
+/* Skips the runs of two moving bodies without offsets: a block in which a moving shape has
+ * internal edges is marked as having offsets (contact_lanes.c). */
 static void amend_all(thud_world *w) {
     td_block *const *blocks = w->scratch.blocks.data;
     td_block **separated = w->scratch.separated.data;

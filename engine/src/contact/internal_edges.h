@@ -41,8 +41,9 @@ typedef struct td_internal_edge_pair {
     thud_geometry placed[2];
 } td_internal_edge_pair;
 
-/* The value of td_lane_marks.internal_edges for the lane of a and b: the mask of a. It is all bits
- * where b has internal edges, because the mask only describes the faces of a. */
+/* The value of td_lane_marks.internal_edges for the lane of a and b: the mask of a, or all bits
+ * where b has internal edges. The quick test by this mask (is_open) only looks at the faces of a;
+ * with all bits it never passes, and is_ghost decides. */
 static inline uint8_t td_internal_edges_of(const td_shape *a, const td_shape *b) {
     return b->internal_edges ? UINT8_MAX : a->internal_edges;
 }
@@ -50,8 +51,8 @@ static inline uint8_t td_internal_edges_of(const td_shape *a, const td_shape *b)
 /* The functions of a world from its first box or terrain on (state/kind_*.c). */
 typedef struct td_internal_edge_ops {
     /* A shape of a static body was created or has moved: marks it and its neighbours as
-     * TD_SHAPE_UNSEEN, and inspects those that have contacts at once. False when memory is
-     * short. */
+     * TD_SHAPE_UNSEEN. Where one of these already has contacts, finds its masks immediately, as
+     * `see` does. False when memory is short. */
     bool (*find)(thud_world *w, int shape);
     /* Finds the masks of an unseen shape; before it gets its first contact. False when memory is
      * short. */

@@ -116,8 +116,8 @@ static void sift_singly(batch *b, const int *waiting, int count) {
     }
 }
 
-/* sift_singly for eight contacts at a time. Of contacts whose bounds overlap, only those are
- * collected whose separation may be below the margin, by a lower bound that is cheap to compute. */
+/* sift_singly for eight contacts at a time. It also leaves out contacts whose bounds overlap but
+ * whose separation is above the speculative margin by a cheap lower bound; they keep waiting. */
 static void sift_widely(batch *b, const int *waiting, int count) {
     thud_world *w = b->w;
     td_sift_fn *sift = w->kinds[b->kind]->sift;

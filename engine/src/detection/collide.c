@@ -1,8 +1,9 @@
 /* collide.c: see collide.h. Each body has two sets of velocities at the impact: its velocity,
- * which it has after the step, and its motion, by which its trajectory continues to the end of the
- * step. They differ unless the body is in free flight: the solver moves bodies apart that overlap,
- * and its relax pass takes that out of the velocity again. The collision law is applied to the
- * velocities, and the approach is taken out of the motions by the same law. */
+ * which the step passes on to the next one, and its motion, by which its trajectory continues to
+ * the end of the step. They differ unless the body is in free flight: the solver moves bodies apart
+ * that overlap, and its relax pass takes that out of the velocity again. The collision law is
+ * applied to the velocities. In free flight the motions are then set to them; else the same law is
+ * applied to the motions, without restitution if a body keeps its motion. */
 #include "detection/collide.h"
 
 #include "state/body.h"
@@ -11,9 +12,10 @@
 #include "contact/contact.h"
 #include "geometry/shape_instance.h"
 
-/* In multiples of TD_IMPACT_DISTANCE: a change of `fall` (the displacement by gravity in a step)
- * that is smaller than this does not change times of impact noticeably. Chosen equal to CLOSING_MIN
- * of toi_queue.c, the motion below which touching shapes do not collide. */
+/* In multiples of TD_IMPACT_DISTANCE: a change of `fall` (twice the displacement that gravity and
+ * forces cause in a step) that is smaller than this does not change times of impact noticeably.
+ * Chosen equal to CLOSING_MIN of toi_queue.c, the closing motion below which touching shapes do not
+ * collide. */
 #define FALL_MIN 0.01
 /* Bound of velocities, length/s or rad/s: below FLT_MAX, 3.4e38, so that the conversion is finite.
  */

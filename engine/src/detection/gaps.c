@@ -21,14 +21,15 @@
 TD_DECLARE_WIDE(td_project_fn, td_project_points);
 TD_DECLARE_WIDE(td_find_open_fn, td_find_open_points);
 
-/* Passes of projected Gauss-Seidel: up to PLAIN_PASSES plain ones, which finish single contacts and
- * low stacks. If any point falls short then, contacts are stacked deep, where a plain pass carries
- * a correction one contact further: over-relaxed ones follow (SOR with the factor OVER_RELAXATION,
- * which must be below 2), until no point falls short or PASSES_MAX are done, and at last
- * FINAL_PASSES plain ones, which undo the overshoot of over-relaxation. The first FINE_PASSES go on
- * while a single point falls short by more than SHORTFALL_TOLERANCE. Later passes only serve to
- * avoid collisions, each of which costs as much as a pass over forty blocks. One more pass avoids
- * few of them, so that later passes go on only while there are more collisions than blocks.
+/* Passes of projected Gauss-Seidel. A point falls short if its gap ends below its target
+ * (td_gaps_project) by more than SHORTFALL_TOLERANCE. The first PLAIN_PASSES passes are plain; they
+ * finish single contacts and low stacks. If any point still falls short, contacts are stacked deep,
+ * where a plain pass carries a correction one contact further: over-relaxed passes follow (SOR with
+ * the factor OVER_RELAXATION, which must be below 2), and at last FINAL_PASSES plain ones, which
+ * undo the overshoot of over-relaxation. Up to FINE_PASSES, passes go on while any point falls
+ * short. From then up to PASSES_MAX they only serve to avoid collisions, each of which costs as
+ * much as a pass over forty blocks. One more pass avoids few of them, so that these go on only
+ * while there are more collisions than blocks.
  * Measured with 1/4 to 3 collisions a block as that bound in circle_pit (2,000, steps 100 to 150):
  * 372, 379, 425, 520, 969, 3,729 impacts a step with 0.25, 0.5, 1, 1.5, 2, 3; with 1 the step took
  * four fifths of the time with 0.5, and half of it once the heap settled. */
@@ -236,9 +237,9 @@ static relative_motion relative_motion_at(const thud_world *w, const td_contact 
 }
 
 /* For a contact of two points on one face: the length by which the gap may shrink per length of
- * sliding. The two points bound the edge that faces the face; if the edge is inclined and slides
- * along, another point of it, which is nearer to the face, may come over it. 0 if both points are
- * at one place. */
+ * sliding. The two points are the ends of the other shape's edge. If that edge is inclined to the
+ * face, sliding may bring a part of it that is nearer to the face to the place of a contact point.
+ * 0 if both points are at one place. */
 static double edge_slope(const td_block *block, int lane) {
     const td_point *p = block->point;
     double width = td_abs((double)p[0].cross_b[lane] - (double)p[1].cross_b[lane]);

@@ -1,6 +1,7 @@
-/* ghosts.c: see ghosts.h. A contact stays a ghost until one shape has moved past a face of the
- * other that now separates them: then the pair has another separating axis, and so another normal.
- * Until then the neighbours that hide the face meet the shape instead. */
+/* ghosts.c: see ghosts.h. A contact stays a ghost until one shape crosses the plane of a face of
+ * the other that separates the two at the time of the ghost: then the pair has another separating
+ * axis, and so another normal. Until then the neighbours that hide the face meet the shape instead.
+ */
 #include "detection/ghosts.h"
 
 #include "contact/internal_edges.h"

@@ -162,10 +162,10 @@ static bool is_over_budget(const thud_world *w) {
            TOI_BUDGET / TOI_BUDGET_PER_BODY + w->body_of.count;
 }
 
-/* Computes the time of a candidate anew whose time came out too early, so that its shapes do not
- * meet yet. The test follows the chord of a path, and stops early where the arc may be nearer than
- * the chord; the rest of the arc deviates less from its chord. The stop counts as an impact of both
- * bodies, which bounds the number of such tests. */
+/* For a candidate whose shapes, at its time, do not meet yet or do not close: computes its time
+ * anew. The test follows the chord of a path, and stops early where the arc may be nearer than the
+ * chord. The rest of the arc deviates less from its own chord, so that the next test comes closer.
+ * The stop counts as an impact of both bodies, which bounds the number of such tests. */
 static void requeue_early_stop(thud_world *w, int number, td_trajectory *const trajectories[2]) {
     for (int side = 0; side < 2; side++) {
         td_trajectory *f = trajectories[side];
@@ -330,10 +330,10 @@ static bool reserve(thud_world *w) {
     int extras = awake * (w->terrains.live + 1) + SPARE_CANDIDATES;
     /* Hit events of contacts that begin in the step. */
     int hits = w->scratch.begins.count;
-    /* A query may find each shape, and reserves as many again. */
+    /* A query has a hit a shape at most, and reserves as much again (reserve_hits). */
     int shapes = w->awake_shapes.ids.count + w->rest_shapes.ids.count;
-    /* Each impact ends two legs, each body's last leg is one, and continuous.c makes one a held
-     * body. */
+    /* Each impact ends a leg of both bodies. Each body also has a last leg, and one more if
+     * td_sensing_note_held finds it held. */
     int legs = w->sensors > 0 ? 2 * impacts_max + 2 * awake : 0;
     return td_held_reserve(w) && td_array_reserve(&w->memory, &w->scratch.legs, legs) &&
            td_array_reserve(&w->memory, &w->scratch.found_shapes, 2 * shapes + 4 * TD_LANES) &&

@@ -2,13 +2,14 @@
  *
  * An island is a connected component of dynamic bodies and the constraints that act between them.
  * It is direct if one of its bodies is marked (direct_steps). td_islands_mark_loaded marks the
- * bodies of a contact whose load is above the threshold of td_islands_load_max twice in succession,
- * while both bodies are nearly at rest: an impact gives as high a load, but for one step; and the
- * soft solver solves a moving heap as well at lower cost. Each step looks at an eighth of the
- * blocks. Where a heavy body lies on a light one, the contact sinks in at once, so that half the
- * threshold, exceeded once, is enough. A joint is marked as soon as its load exceeds the threshold
- * once, and its island is solved directly in the same step (direct/overloaded_joints.c). With
- * overlap_limit 0 every island is direct. */
+ * bodies of a contact whose load is above the threshold of td_islands_load_max in two successive
+ * checks, while the two bodies hardly move against each other: an impact gives as high a load, but
+ * for one step; and the soft solver solves a moving heap as well at lower cost. A step checks an
+ * eighth of the blocks (in small worlds all), so that two checks are eight steps apart. Where a
+ * heavy body lies on a light one, the contact sinks in at once, so that half the threshold,
+ * exceeded once, is enough. A joint is marked as soon as its load exceeds the threshold once, and
+ * its island is solved directly in the same step (direct/overloaded_joints.c). With overlap_limit 0
+ * every island is direct. */
 #include "direct/direct_islands.h"
 
 #include "constraint/constraint.h"
@@ -68,12 +69,13 @@ static bool reserve_lists(thud_world *w) {
 
 /* ---- which islands are direct ---- */
 
-/* Values of td_islands.local of bodies that are in no listed island; a further one is
- * TD_ISLAND_COOLING. */
+/* Values of td_islands.local of bodies that are in no listed island; further ones are
+ * TD_ISLAND_COOLING, TD_ISLAND_REFUSED, and UNFIT of joint_subsystems.c. */
 enum {
     TOO_MANY = -1, /* its island has more bodies than quality.island_limit */
     ALONE = -2,    /* it has no constraint that acts */
-    SOFT = -4      /* its island has joints, and none of its bodies is marked */
+    SOFT = -4 /* its island has joints, and none of its bodies is marked; forget_soft removes it
+                 before -4 means TD_ISLAND_REFUSED */
 };
 
 /* Whether every island without joints is direct: so under `bisect` and `swept`, whose contacts must
@@ -301,8 +303,8 @@ static void mark_direct(thud_world *w, uint32_t record) {
  * in each substep of length h it sinks in by s = (impulse / mass / h) / omega^2. contact_stiffness
  * is f h, and h is time_step / substeps, so that impulse / mass = s (2 pi contact_stiffness)^2
  * substeps / time_step. The number of substeps may be below the quality's own. overlap_limit is a
- * depth s at the quality's own number, max_error at the present one; since s is proportional to
- * h^2, the code scales both by the square of that number. */
+ * depth s at the quality's own number, max_error at the present one. Under a given force s is
+ * proportional to h^2, so that the code multiplies each s by the square of its own number. */
 float td_islands_load_max(const thud_world *w, float size) {
     float steps = (float)w->substeps, own = td_max_float(steps, (float)w->quality.substeps);
     float depth = w->quality.overlap_limit * size * (own * own);

@@ -3,8 +3,9 @@
  *
  * The soft solver is the iterative one that solves every island in substeps, with contacts as stiff
  * springs and dampers (solver/solve.c). Its contacts sink in under load by force / stiffness. An
- * island is solved directly if they would sink in by more than the quality's overlap_limit, or by
- * more than the world's max_error. With overlap_limit 0 every island is solved directly. */
+ * island is solved directly if a contact would sink in by more than the quality's overlap_limit (a
+ * share of the smaller body's size) or the world's max_error (a length). With overlap_limit 0 every
+ * island is solved directly. */
 #ifndef TD_ISLANDS_H
 #define TD_ISLANDS_H
 
@@ -88,14 +89,15 @@ void td_islands_free(td_memory *memory, td_islands *islands);
 
 /* Lists the islands that are solved directly in this step. False when memory is short. */
 bool td_islands_find(struct thud_world *w);
-/* Counts thud_world.direct_steps down, and begins the cooldown of islands with too many bodies. It
- * is called when the step can no longer fail, so that a step that fails and is repeated counts
- * once. */
+/* Counts down the cooldowns in thud_world.direct_steps, begins that of islands with too many
+ * bodies, and unmarks bodies without constraints. It is called when the step can no longer fail, so
+ * that a step that fails and is repeated counts once. */
 void td_islands_count_down(struct thud_world *w);
 /* The threshold of a contact's load: the impulse of a substep over the lighter body's mass,
- * length/s, under which the contact sinks in by max_error, or by overlap_limit times `size`, the
- * size of the smaller body. With fewer substeps than the quality's, the quality's number counts:
- * fewer substeps must not send more islands to the direct solver. */
+ * length/s, at which the contact sinks in by max_error, or by overlap_limit times `size`, the size
+ * of the smaller body, if that is less. The depth of overlap_limit counts at no fewer substeps than
+ * the quality's, so that fewer of them do not send more islands to the direct solver; max_error
+ * counts at the present number. */
 float td_islands_load_max(const struct thud_world *w, float size);
 /* The size of the smaller of two bodies; slot 0 (static) has none. */
 float td_islands_size(const struct thud_world *w, td_awake_slot a, td_awake_slot b);
@@ -106,8 +108,8 @@ bool td_islands_mark_loaded(struct thud_world *w);
  */
 void td_islands_list_from(struct thud_world *w, td_awake_slot seed);
 
-/* The speed below which bodies count as nearly at rest, length/s: 4 g h, or four times the sleep
- * speed. */
+/* The speed below which bodies count as nearly at rest, length/s: 4 g time_step, or four times the
+ * sleep speed if that is more. */
 float td_calm_speed(const struct thud_world *w);
 /* Begins the cooldown of an island whose direct result was refused: the direct solver is not tried
  * there for `steps` steps. The time doubles with each cooldown in succession; with `for_long` it

@@ -3,7 +3,7 @@
  * Before the soft solver runs, this solver solves the islands whose constraints are hinges and
  * welds that form a tree (lock_tree.h); the soft solver then skips their joints. After the soft
  * solver it writes their results, and solves directly (sparse.h), in this order,
- *   1. the other islands that td_islands_find listed before it (direct_islands.c);
+ *   1. the other islands, which td_islands_find listed before the soft solver (direct_islands.c);
  *   2. islands with an overloaded joint: its load in this step exceeded the threshold of
  *      td_islands_load_max, or its gap exceeded max_error (overloaded_joints.c);
  *   3. of islands that are left to the soft solver, the linkages (bodies that joints connect) whose
@@ -20,9 +20,9 @@
 extern const thud_island_solver td_islands_of_joints;
 
 /* Sizes up to which an island of 2. or a linkage of 3. is solved in the same step. Memory for one
- * of this size is reserved before the soft solver, since the step must not fail after it; 100 KB of
- * it are for the factor. A larger island of 2. is solved in the next step, as one of 1.; a larger
- * linkage of 3. stays soft. Chosen; not tuned. */
+ * of this size is reserved before the soft solver, since the step must not fail after that; 100 KB
+ * of the memory are for the factor. A larger island of 2. is solved in the next step, as one of 1.;
+ * a larger linkage of 3. stays soft. Chosen; not tuned. */
 enum {
     TD_RESOLVE_BODIES_MAX = 128,
     TD_RESOLVE_CONSTRAINTS_MAX = 512, /* contacts and parts of joints, not rows */

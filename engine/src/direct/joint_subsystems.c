@@ -18,12 +18,12 @@
 #include "direct/elimination_order.h"
 #include "direct/lock_tree.h"
 
-/* Budget of factorisations of a linkage, beside the island budget of the step; island_step_joints.c
- * doubles it. Measured: with a third of it, the joints of the wrecking ball's chain open by over 10
- * mm as the ball hits the wall. */
+/* Budget of factorisations of a linkage, in place of what island_work allows; island_step_joints.c
+ * takes it twice, or without contacts eight times. Measured: with a third of it, the joints of the
+ * wrecking ball's chain open by over 10 mm as the ball hits the wall. */
 enum { LINKAGE_FACTORINGS = 32 };
-/* A linkage that has failed n times in succession is tried in one of 2^n steps, and in one of
- * 2^BACKOFF_MAX at least (32 steps). Chosen. */
+/* A linkage that has failed n times in succession is tried in one of 2^n steps, but never more
+ * seldom than in one of 2^BACKOFF_MAX (32). Chosen. */
 enum { BACKOFF_MAX = 5 };
 /* If more joints than this are overloaded in the world, no linkage is solved: in a crowd of
  * ragdolls the solves would cost much and improve little. Chosen. */
@@ -74,7 +74,8 @@ static void note_outcome(thud_world *w, const td_island *linkage, bool solved) {
     }
 }
 
-/* Whether the body is dynamic, left to the soft solver in this step, and not marked as unfit. */
+/* Whether the body is dynamic, not unfit, in no linkage yet, and its island is in its cooldown or
+ * was refused. */
 static bool is_soft(const thud_world *w, td_awake_slot slot) {
     int local = *td_island_local_at(w, slot);
     bool left = *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN && local != UNFIT;
@@ -153,8 +154,8 @@ static bool collect(thud_world *w, td_awake_slot seed, td_island *linkage) {
 
 /* ---- contacts ---- */
 
-/* Adds an impulse along (x, y) to a free mean velocity: half of it, as it acts throughout the step.
- */
+/* Adds to a free mean velocity half of what an impulse along (x, y), spread evenly over the step,
+ * adds by its end. */
 static void add_impulse(td_direct_body *b, double x, double y, double cross, double impulse) {
     b->free[0] += 0.5 * b->inverse_mass * x * impulse;
     b->free[1] += 0.5 * b->inverse_mass * y * impulse;

@@ -9,8 +9,8 @@
  *
  * where v and w are the velocity of a centre of mass and the rate of turning, and r the lever arm.
  * Bodies are eliminated from the ends of the tree towards its root. With all that hangs from it,
- * the body answers a force F at its anchor as a body with the symmetric 3 x 3 matrix A of masses
- * and the momentum g:
+ * the body answers an impulse F at its anchor as one body with the symmetric 3 x 3 matrix A of
+ * masses and, without F, the momentum g:
  *
  *     A (u, w_i) = g + (F, 0).
  *
@@ -18,10 +18,10 @@
  *
  *     M = A_uu - A_uw A_wu / A_ww,   m = g_u - A_uw g_w / A_ww.
  *
- * The parent gets M, and m - M t, at its end of the lever arm. (R. Featherstone, "The calculation
- * of robot dynamics using articulated-body inertias", 1983; here in the plane, and with the bodies'
- * own velocities in place of joint coordinates, so that gaps can be closed.) A weld, which also
- * locks the rotation, passes A and g on as they are.
+ * M and m - M t, shifted from the anchor to the parent's centre, are added to its A and g. (R.
+ * Featherstone, "The calculation of robot dynamics using articulated-body inertias", 1983; here in
+ * the plane, and with the bodies' own velocities in place of joint coordinates, so that gaps can be
+ * closed.) A weld, which also locks the rotation, passes A and g on as they are.
  *
  * Trees of the same shape (as many bodies, each with the same parent and the same kind of joint)
  * are solved side by side in the lanes of vectors. No lane depends on another, so that it does not
@@ -111,10 +111,10 @@ typedef struct td_lock_result {
 /* The bodies of an island as a tree. The island's list is made breadth first, so that in a tree
  * every body but the first has one joint to a body that is listed before it. */
 typedef struct td_listed_body {
-    /* By number in the island: */
+    /* Of the body with this number in the island: */
     int before, link; /* that body, and the number of that joint's constraint in the island */
     int place;        /* the body's index in the tree */
-    /* By index in the tree: */
+    /* Of the body at this index in the tree: */
     int number, parent;     /* the body's number in the island, and the index of its parent */
     int joint;              /* number of the joint to its parent, or to the outside; or TD_NONE */
     struct td_block *block; /* the joint's lane (constraint/block.h), or null ... */

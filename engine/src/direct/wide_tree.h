@@ -1,8 +1,8 @@
-/* wide_tree.h: one body of trees of locks (lock_tree.h): what it adds to its parent on the way from
- * the ends of the trees to their roots, and its velocity on the way back.
- * joints/wide_lock_tree_parts.c goes that way for all bodies, and does whatever else there is to do
- * for a body at the same time: a body takes more than a kilobyte, so that each further way through
- * all of them takes long. */
+/* wide_tree.h: the work for one td_lock_body, which stands for one body in each of TD_TREES trees
+ * of hinges and welds (lock_tree.h): what it adds to its parent on the way from the ends of the
+ * trees to their roots, and its velocity on the way back. joints/wide_lock_tree_parts.c passes over
+ * all bodies in these orders, and does all other work for a body in the same passes: a body takes
+ * more than a kilobyte, so that each further pass over all of them takes long. */
 #ifndef TD_WIDE_TREE_H
 #define TD_WIDE_TREE_H
 
@@ -123,7 +123,7 @@ TD_INLINE void td_tree_hang(td_lock_body *bodies, td_lock_body *t) {
     }
 }
 
-/* What the bodies of trees have in common, after a solution. */
+/* What is collected over all bodies of the trees during a solution. */
 typedef struct td_tree_sums {
     td_reals sum;     /* of velocities and impulses: not finite if one of them is not */
     td_reals fastest; /* the greatest rate of turning, rad/s */

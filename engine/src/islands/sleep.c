@@ -53,9 +53,9 @@ static void put_to_sleep(thud_world *w) {
     }
     w->rest_epoch++;
     for (int i = 0; i < bodies->count; i++) {
-        /* A body whose epoch is older than the world's searches for new pairs when it wakes
-         * (wake.c). If the broadphase was too crowded in this step to list all pairs, the body gets
-         * such an epoch at once. */
+        /* If the epoch of a body is older than that of the world, the body searches for new pairs
+         * when it wakes (wake.c). If the broadphase was too crowded in this step to list all pairs,
+         * the body gets such an older epoch at once. */
         td_body_at(w, td_body_in(bodies, i))->rest_epoch =
             w->rest_epoch - (w->scratch.crowded.count > 0);
     }

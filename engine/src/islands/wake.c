@@ -11,9 +11,10 @@ bool td_wake_reserve(thud_world *w) {
            td_array_reserve(&w->memory, &w->scratch.constraints, w->constraints.count);
 }
 
-/* Marks the shapes of a body that wakes, so that the broadphase searches for their pairs. It does
- * not search for pairs of two sleeping bodies, so that those with bodies that fell asleep later
- * than this one are still missing. */
+/* Marks the shapes of a body that wakes, so that the broadphase searches for their pairs. The
+ * broadphase makes no pairs of two resting bodies (but for sensors), so that pairs with bodies that
+ * came to rest after this one are still missing. Does nothing if the set of resting shapes has not
+ * changed since the body fell asleep. */
 static void find_new_pairs(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
     if (body->rest_epoch == w->rest_epoch) {

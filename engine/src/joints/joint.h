@@ -173,8 +173,8 @@ double td_joint_closing_speed(double gap, double unit, double time);
 /* The angle up to which td_joint_sincos takes the series. */
 #define TD_SERIES_ANGLE_MAX 0.125
 
-/* Square of half a rotation, rad^2, below which its chord counts as long as its arc: sin(x) / x is
- * 1 - x^2 / 6, here within 2e-13 of 1. Avoids 0 / 0. */
+/* Square of half a rotation, rad^2, below which the chord is taken to have the length of the arc:
+ * sin(x) / x = 1 - x^2 / 6 is then within 2e-13 of 1. Avoids 0 / 0. */
 #define TD_CHORD_IS_ARC 1e-12
 
 /* Gaps up to this width, in length scales or radians, are not closed: they come from the rounding

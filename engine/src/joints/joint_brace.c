@@ -1,14 +1,15 @@
 /* joint_brace.c: bracing: an energy bound on the impulses that locks and rods apply in a substep,
- * in steps that begin with a torn joint. A joint is torn if its gap is too wide to close in a
- * substep at TD_JOINT_CLOSING_SPEED (flag_torn, wide_joint.h). Steps without a torn joint do no
- * bracing. A lock is wide open if its gap is so wide that its bias is at its maximum
+ * in steps that begin with a torn joint. A joint is torn if its gap is so wide that its bias would
+ * close it faster than TD_JOINT_CLOSING_SPEED (flag_torn, wide_joint.h). Steps without a torn joint
+ * do no bracing. A lock is wide open if its gap is so wide that its bias is at its maximum
  * (is_wide_open).
  *
  * The soft solver begins a substep with the impulses of the one before (warm start). Each row
- * divides its correction by its diagonal entry of K = J M^-1 J', so that one Gauss-Seidel pass
- * corrects little of a mode q of all rows where q.K q is small beside that diagonal: in mechanisms
- * with long lever arms, and in loops that cannot close. Impulses of such a mode oscillate, grow as
- * directions turn, and add energy without bound. A row's own correction removes energy; the warm
+ * divides its correction by its own diagonal entry of K = J M^-1 J'. In mechanisms with long lever
+ * arms, and in loops that cannot close, there are modes q (impulses of all rows together, scaled to
+ * length 1) for which q.K q is small beside these entries. One Gauss-Seidel pass corrects little of
+ * such a mode: its impulses oscillate, grow as directions turn, and add energy without bound. A
+ * row's own correction removes energy; the warm
  * start can add energy, and so can the bias that closes gaps, only a part of which one relax pass
  * removes again.
  *
@@ -28,9 +29,10 @@
  * groups without such a lock the impulses keep the energy that they add: there a gap acts as a
  * spring, which returns the energy that opened it.
  *
- * Gaps of a group that lost a share close at no more than TD_JOINT_CLOSING_SPEED for the rest of
- * the step (td_lock_rows.closing_factor is 1), since the bias of many rows that hardly move could
- * add the energy again.
+ * Once a group has kept less than all of its impulses, its gaps close more slowly for the rest of
+ * the step: at no more than TD_JOINT_CLOSING_SPEED (td_lock_rows.closing_factor is 1), and by a
+ * smaller share in a substep (GAP_SHARE_BRACED, wide_joint.h). Otherwise the bias could add the
+ * energy again, in modes of many rows each of which moves little.
  *
  * solve.c runs this between its passes. td_brace_applied of wide_rod.c does the work of each lane:
  * it measures p.u and p.u', removes impulses, and applies the share to keep (the passes
@@ -100,13 +102,13 @@ static float group_index(thud_world *w, td_awake_slot slot) {
     return (float)(-1 - mark->at);
 }
 
-/* Whether a lane's gap, at the start of the step, is so wide that its bias is at its limit: the
- * bias TD_JOINT_GAP_SHARE / h times the gap reaches TD_JOINT_CLOSING_FACTOR times
- * TD_JOINT_CLOSING_SPEED, length scales or radians a second. Beyond that the closing speed no
- * longer grows with the gap. start_separation of point 0 is the gap along u even if that direction
- * is free: it is then the travel of a slider or wheel, which also counts, since it is the lever arm
- * of the impulses across. Measured: without it, mechanisms with sliders gain more than 5 % of
- * energy (test_joints_random). separation of point 1 is 0 where across is free. */
+/* Whether a lane's gap, at the start of the step, is so wide that its bias is at its limit: with h
+ * the duration of a substep, TD_JOINT_GAP_SHARE / h times the gap reaches TD_JOINT_CLOSING_FACTOR
+ * times TD_JOINT_CLOSING_SPEED, length scales or radians a second. Beyond that the closing speed no
+ * longer grows with the gap. Along u start_separation is read, which is set even if that direction
+ * is free: the travel of a slider or wheel then counts as well, since it is the lever arm of the
+ * impulses across. Measured: if it did not count, mechanisms with sliders would gain more than 5 %
+ * of energy (test_joints_random). Along v separation is read, which is 0 where across is free. */
 static bool is_wide_open(const thud_world *w, td_block *block, int lane) {
     float limit = TD_JOINT_CLOSING_FACTOR * TD_JOINT_CLOSING_SPEED / TD_JOINT_GAP_SHARE *
                   (float)(w->def.time_step / w->substeps);

@@ -148,9 +148,10 @@ static td_joint_frame midpoint_line(const td_block *block, int lane, double gap_
                             .b_v = u * f.b_v - v * f.b_u};
 }
 
-/* Geometric stiffness of the rows' impulses along u and v, as a moment of inertia: minus the change
- * of their moment about each side per mean angular velocity of that side. h / 2 is the time up to
- * the middle of the part. */
+/* Geometric stiffness of the rows' impulses along u and v, as a moment of inertia for each side.
+ * When a side turns, its lever arm turns with it, and the moment of the impulses about its centre
+ * of mass changes: the stiffness is minus this change per angular velocity of the side, for the
+ * time h / 2 up to the middle of the part. */
 static void set_geometric_stiffness(td_direct_constraint *c, const td_joint_frame *f,
                                     const td_span *s, double impulse_u, double impulse_v) {
     double half = 0.5 * s->time;
@@ -159,8 +160,9 @@ static void set_geometric_stiffness(td_direct_constraint *c, const td_joint_fram
 }
 
 /* Geometric stiffness of a distance. A distance under tension (impulse < 0) also resists rotation
- * of its line: a soft row across it, of weight h / 2 times the size of the row's impulse over the
- * length, with the present speed as its target. */
+ * of its line, by a soft row across the line. Its weight is h / 2 times the magnitude of the
+ * distance's impulse over the length. Its target is the speed of the present iteration, at which
+ * the row has no impulse. */
 static void set_line_stiffness(td_direct_constraint *c, const td_joint_frame *f, const td_span *s,
                                double impulse, double length, td_direct_row *across) {
     set_geometric_stiffness(c, f, s, impulse, 0.0);
@@ -271,9 +273,9 @@ bool td_lock_take_rows(const thud_world *w, td_block *block, int lane, const flo
 /* ---- driven directions ---- */
 
 /* Chooses the limit (lower or upper) for which a step is solved: the one that is nearer at the
- * start of the step. The other one is chosen if the soft solver has chosen it, and its result is
- * nearer to that limit than the start of the step is to the nearer one. Sets limit_side (1 lower,
- * -1 upper, 0 no limits), limit, and the separation from it at the start of the step. Returns
+ * start of the step, or the other one if the soft solver has chosen that, and ended nearer to it
+ * than the coordinate was to the nearer limit at the start. Sets limit_side (1 lower, -1 upper, 0
+ * no limits), limit, and start_separation, the separation from it at the start of the step. Returns
  * whether the nearer one was chosen: only then the impulse of the last step is a warm start. */
 static bool choose_limit(td_block *block, int lane) {
     td_drive_rows *r = td_drive_rows_of(block);

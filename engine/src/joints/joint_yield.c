@@ -169,9 +169,10 @@ static row_direction contact_normal(const td_lane *at, int k) {
                            (double)p->cross_a[at->lane], (double)p->cross_b[at->lane]};
 }
 
-/* The least separation that a contact point may have at the end of the step, a length: -share times
- * the extent (DEPTH_SHARE_MAX). If the step began below that, it is the separation at the start of
- * the step plus the distance that RECOVERY_SHARE of push_speed gives in a step. */
+/* The least separation that a contact point may have at the end of the step, a length: minus
+ * `share` times the extent that is described above DEPTH_SHARE_MAX. If the step began so far below
+ * that that RECOVERY_SHARE of push_speed does not reach it in one step, it is the separation that
+ * this speed reaches. */
 static double min_separation(const thud_world *w, const td_lane *at, int k, float share) {
     const td_block *block = at->block;
     float min_half_extent = td_row(&w->reach, td_slot_of_side(block->b[at->lane]))[0];
@@ -427,8 +428,8 @@ static void run_passes(const tied_group *g) {
     }
 }
 
-/* Twice the kinetic energy of a body at speeds |velocity| + |gain times|, component by component:
- * an upper bound for a body at `velocity` that also gains gain * times. */
+/* Twice the kinetic energy of a body with the speeds |velocity| + |`gain` * `times`| (component by
+ * component): an upper bound for a body at `velocity` to which `gain` is added `times` times. */
 static double twice_energy(const thud_world *w, td_awake_slot slot, const float *velocity,
                            const float *gain, float times) {
     const td_body *body = td_body_at(w, td_body_of(w, slot));
@@ -504,10 +505,11 @@ static void mark_body(thud_world *w, td_awake_slot slot, int mark) {
     marks[slot.at].at |= slot.at > 0 ? mark : 0;
 }
 
-/* Whether a drive has a limit of length, and no spring, and the limit was exceeded, as the step
- * began, by more than closes in a substep at TD_JOINT_CLOSING_SPEED: a rope that is much too short.
- * The soft solver closes such a limit slowly (max_limit_bias in wide_drive.c). Without limits the
- * start_separation of point 0 is 0. */
+/* Whether a drive has a limit of length and no spring, and the limit was exceeded, as the step
+ * began, by so much that its bias (TD_JOINT_GAP_SHARE of the gap in a substep) would close it
+ * faster than TD_JOINT_CLOSING_SPEED: a rope that is much too short. The soft solver closes such a
+ * limit slowly (max_limit_bias in wide_drive.c). Without limits the start_separation of point 0 is
+ * 0. */
 static bool limit_far_exceeded(const thud_world *w, const td_lane *at, int kind) {
     const td_drive_rows *rows = td_drive_rows_at(at->block);
     float far = TD_JOINT_CLOSING_SPEED / TD_JOINT_GAP_SHARE * w->length_scale *

@@ -36,7 +36,7 @@ typedef struct tree_group {
 
 /* ---- an island as a tree ---- */
 
-/* The number in the island of a lane's body, or TD_NONE if it does not move. */
+/* The number in the island of a lane's body, or TD_NONE if it is not dynamic. */
 static int number_of(const thud_world *w, const td_island *island, uint32_t side) {
     td_awake_slot slot = td_slot_of_side(side);
     return td_inv_mass_of(w, slot) > 0.0f ? td_island_number(w, island, slot) : TD_NONE;
@@ -48,9 +48,10 @@ static const td_constraint *joint_at(const thud_world *w, const td_island *islan
     return td_constraint_at(w, index);
 }
 
-/* Lists the joint of every body to the one before it, and finds the body that is joined to a body
- * outside of the island: *held and *hold, its joint; TD_NONE where there is none. False where a
- * constraint is no lock of a point, or the joints do not form a tree. */
+/* Sets, for every body, the body with a smaller number to which a joint ties it (`before`), and
+ * that joint (`link`). *held is the body that a joint ties to the outside of the island, *hold that
+ * joint; TD_NONE if there is none. False where a constraint does not lock both directions of a
+ * frame that does not turn, or the joints form no tree. */
 static bool list_joints(const thud_world *w, const td_island *island, td_listed_body *list,
                         int *held, int *hold) {
     for (int i = 0; i < island->bodies; i++) {
@@ -92,8 +93,8 @@ static void place(td_listed_body *list, int number, int index, int parent, int j
 }
 
 /* Numbers the bodies so that each comes after its parent. The root is the body that is joined to
- * the outside: the bodies from it to the first of the list are turned over, so that each hangs from
- * the one that hung from it. */
+ * the outside, or else the first of the list. The chain from the first body to the root is
+ * reversed: there each body hangs from the one that is listed as hanging from it. */
 static void set_order(td_listed_body *list, int count, int held, int hold) {
     int placed = 0, joint = hold;
     for (int n = held == TD_NONE ? 0 : held; n != TD_NONE; n = list[n].before) {
@@ -318,7 +319,8 @@ static void set_lanes(tree_group *g) {
     }
 }
 
-/* The gap of a body's joint after the step: what both bodies have moved, and the lever arms. */
+/* Component k (2: the turn) of a joint's gap after the step, by the motions of both bodies and of
+ * the lever arms. */
 static double gap_after(const td_lock_trees *trees, const td_lock_body *t, int k, int tree,
                         double time) {
     double held =
@@ -423,8 +425,8 @@ static td_listed_body *list_at(const thud_world *w, const td_island *island) {
 }
 
 /* Takes islands as trees. Sets td_island.parts of those that are to be solved, and `tree` of the
- * others. What trees may spend is divided by what they are expected to take, so that it does not
- * matter which of them are solved side by side. */
+ * others. The budget is given out by what trees are expected to take, not by what they take, so
+ * that it does not matter which of them are solved side by side. */
 static void take_trees(thud_world *w) {
     int64_t left = td_island_work_left(w);
     for (int i = 0; i < w->islands.island.count; i++) {

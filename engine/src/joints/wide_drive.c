@@ -116,11 +116,11 @@ TD_INLINE void choose_limit(td_block *block, td_drive_rows *r, const direction8 
 }
 
 /* The maximum of a limit's bias, a speed. Angles exceed their limits by a few radians at most, so
- * that a constant is enough. A limit of length may be exceeded at the start of a step by more than
- * closes in a substep at TD_JOINT_CLOSING_SPEED, as in a rope that is much too short. It then
- * closes at that speed, plus the bias that its load needs (LOAD_BIAS). A higher bias would do harm:
- * a contact in the way turns a part of the closing speed into another direction, where it remains
- * after the gap has closed. */
+ * that a constant is enough. A limit of length may be exceeded at the start of a step by so much
+ * that its bias would be above TD_JOINT_CLOSING_SPEED, as in a rope that is much too short. The
+ * limit then closes at that speed, plus the bias that its load needs (LOAD_BIAS). A higher bias
+ * would do harm: a contact in the way turns a part of the closing speed into another direction, and
+ * the bodies keep that part after the gap has closed. */
 TD_INLINE f8 max_limit_bias(const td_point *p, const td_solve_context *c, f8 k, drive_kind which) {
     if (which == TURN) {
         return f8_all(TD_JOINT_CLOSING_FACTOR * TD_JOINT_CLOSING_SPEED);

@@ -195,7 +195,7 @@ typedef void td_brace_fn(td_block *block, const td_solve_context *c, bool a_stat
 td_brace_fn TD_WIDE(td_brace_applied);
 
 /* Sets c->torn, so that the step braces its joints (joint_brace.c), if a gap (`gap`, a length, or
- * `turn`, rad) at the start of the step is too wide to close in a substep at
+ * `turn`, rad) at the start of the step is so wide that its bias would close it faster than
  * TD_JOINT_CLOSING_SPEED. */
 TD_INLINE void flag_torn(const td_solve_context *c, f8 gap, f8 turn) {
     f8 rate = f8_all(TD_JOINT_GAP_SHARE * c->inv_h);

@@ -69,8 +69,9 @@ TD_INLINE lock_matrix lock_matrix_of(const td_block *block, const sides *v, bool
 
 /* Solves K x = -(speeds + bias) for a block, and applies the change of the impulses:
  *     x_u, x_v by Cramer's rule, x_t = -turn / K_tt - lever_u x_u - lever_v x_v.
- * `replace`: first applies the old impulses along the present directions. In the last relax pass
- * the greatest speeds go to the tally, with a minus sign. */
+ * `replace`: first turns the old impulses, which the velocities contain along the directions of the
+ * last substep, into the present directions. In the last relax pass the greatest speeds along u and
+ * v go to the tally, with a minus sign. */
 TD_INLINE void solve_lock(td_block *block, const softness *s, const td_solve_context *c,
                           bool a_static, bool replace) {
     td_point *p = &block->point[0], *q = &block->point[1];

@@ -30,7 +30,7 @@ typedef struct tree_step {
     td_reals required; /* parts that the rates of turning require of a whole step; 0: too many */
     td_reals share;    /* length of the part, as a share of the step */
     td_reals part;     /* the same, s; 0 of a tree that is done */
-    td_reals half_of;  /* the impulses of joints are half of those of this share of the step */
+    td_reals half_of;  /* share of the step in which twice the present impulses of joints act */
     td_reals ended;    /* what is solved of the step, as a share of it */
     td_reals elapsed;  /* the same, s */
     td_reals sweeping; /* greatest rate at which a body turns now whose anchors it moves, rad/s */
@@ -61,9 +61,9 @@ TD_INLINE void sincos_of(td_reals angle, td_reals *s, td_reals *c) {
     }
 }
 
-/* The rotation by `angle`, or, with `mean`, its average while it grows to `angle`: by half of it,
- * shortened by the ratio of chord to arc, so that an arm times the rotation is the chord by which
- * its end moves. */
+/* The rotation by `angle`, or, with `mean`, the average of all rotations from none to `angle`: that
+ * by half of it, times the ratio of chord to arc, so that `angle` times the length of an arm turned
+ * so is the chord by which the arm's end moves. */
 TD_INLINE void rotation_of(td_reals angle, bool mean, td_reals rotation[2]) {
     td_reals half = mean ? 0.5 * angle : angle;
     sincos_of(half, &rotation[1], &rotation[0]);
@@ -102,8 +102,8 @@ TD_INLINE void turn_arms(const tree_step *s, td_lock_body *t, bool ended) {
  * (TURN_PART, step_parts.c). Measured on twenty chains of 50 links that swing at default: at 1.0 a
  * step takes 4 % more solutions than at 1.25, at 1.5 it takes 1 % fewer, and gaps are the same. */
 #define TURN_EXCEEDED_MAX 1.25
-/* The number of parts that is left is rounded up, but not for this little. Chosen; above rounding.
- */
+/* The number of parts that are left is rounded up, unless it exceeds a whole number by less than
+ * this. Chosen; above rounding. */
 #define PARTS_ROUNDING 1e-9
 
 /* What the body that holds the joint has moved so far. */
@@ -147,8 +147,8 @@ static void require_parts(tree_step *s, td_choice which) {
 }
 
 /* Chooses the length of the next part of each tree, dividing evenly what is left of the step.
- * Returns the factor by which impulses then differ. A tree that requires too many parts leaves the
- * step. */
+ * Returns the factor by which the impulses are to be scaled. A tree that requires too many parts
+ * fails. */
 static td_reals choose_parts(tree_step *s) {
     td_choice few = (td_choice)(s->required > td_reals_all(0.0));
     s->going &= ~s->within | few;
@@ -221,8 +221,8 @@ TD_INLINE void stiffen(const tree_step *s, td_lock_body *t) {
     t->momentum[2] = t->turn_momentum + more * t->velocity[2];
 }
 
-/* Sets the momentum of a body at the end of the part: in the trees of `anew` without joints, else
- * with the velocity that is to be corrected. */
+/* Sets the momentum with which a body enters the solution at the end of a part: in the trees of
+ * `anew` that without joints, else that of the velocity which is to be corrected. */
 TD_INLINE void take_end_momentum(const tree_step *s, td_lock_body *t, td_choice anew) {
     t->turning = t->inertia;
     for (int k = 0; k < 3; k++) {
@@ -239,10 +239,11 @@ typedef struct tree_misses {
                             freely (island_step_joints.c), length/s */
 } tree_misses;
 
-/* Solves for the velocities of the trees of `which`; those that fail leave the step. With `mean`
+/* Solves for the velocities of the trees of `which`, some of which may fail. With `mean`
  * these are the mean velocities of the part: an iteration of Newton's method, which also sets the
- * lever arms of the next one. Without, they are those at its end, and the impulses are added to
- * those of the mean velocities, but in the trees of `anew`, which are solved without those. */
+ * lever arms of the next one. Without `mean` they are those at the end of the part. The impulses
+ * found are then corrections, added to the impulses of the mean velocities; in the trees of `anew`
+ * they are the whole impulses, and replace these. */
 static tree_misses solve(tree_step *s, td_choice which, bool mean, td_choice anew) {
     td_reals zero = td_reals_all(0.0), missing = zero, unbalanced = zero, sweeping = zero;
     td_tree_sums sums = {zero, zero};
@@ -282,8 +283,7 @@ static tree_misses solve(tree_step *s, td_choice which, bool mean, td_choice ane
     return (tree_misses){missing, unbalanced};
 }
 
-/* The mean velocities of a part, by Newton's method. A tree that does not converge leaves the step.
- */
+/* The mean velocities of a part, by Newton's method. A tree that does not converge fails. */
 static void solve_mean_velocity(tree_step *s) {
     td_reals unbalanced = td_reals_all(0.0);
     td_choice left = s->within;
@@ -311,8 +311,8 @@ TD_INLINE td_reals clamp_component(const tree_step *s, td_reals speed, int k) {
     return clamp(speed, k < 2 ? s->of->speed_max : (double)THUD_ANGULAR_SPEED_MAX);
 }
 
-/* Takes back a part in which a body has turned too far, unless it was begun once more already.
- * `required` is by the mean velocities then. */
+/* Takes back a part in which a body has turned too far, unless it was begun once more already. Its
+ * new length is chosen by `required`, here that of the mean velocities. */
 static void refuse_long_parts(tree_step *s) {
     td_choice first = s->within & ~s->shorter;
     require_parts(s, first);
@@ -345,9 +345,9 @@ TD_INLINE void move(const tree_step *s, td_lock_body *t, td_choice ends) {
     }
 }
 
-/* Ends a part, unless it is begun once more. The velocities at its end are those of all joints anew
- * where gaps were closed; else the impulses of the mean velocity stay, and what velocities miss is
- * corrected where it is too much. */
+/* Ends a part, unless it is begun once more. Where gaps were closed, the velocities at its end are
+ * solved for anew, with all impulses of joints. Elsewhere the impulses of the mean velocities stay,
+ * and a correction is solved for if a joint has more speed than td_lock_step.end_enough. */
 static void end_part(tree_step *s) {
     td_choice ends = s->within & ~s->shorter;
     td_reals zero = td_reals_all(0.0), one = td_reals_all(1.0);
@@ -381,7 +381,7 @@ static void end_part(tree_step *s) {
     }
 }
 
-/* Solves all parts. A tree whose velocities at the end would require too many leaves the step. */
+/* Solves all parts. A tree whose velocities at the end would require too many parts fails. */
 static void solve_parts(tree_step *s) {
     for (int i = 0; i < s->count; i++) {
         s->sweeping = sweeping_of(&s->bodies[i], s->sweeping);
@@ -476,8 +476,8 @@ TD_INLINE void pay_for_closing(const tree_step *s, td_reals allowed) {
     }
 }
 
-/* The mass of a tree times the square of the speed at which gaps may close, for each of its bodies.
- */
+/* Twice the energy that closing gaps may add (energy_of_closing of island_step_joints.c).
+ * `closing`: the greatest closing speed. */
 TD_INLINE td_reals energy_of_closing(const tree_step *s, td_reals closing) {
     td_reals mass = td_reals_all(0.0), pushed = closing + s->of->gravity_speed;
     for (int i = 0; i < s->count; i++) {

@@ -123,9 +123,9 @@ static void store_normal_velocity(const thud_world *w, const lane *l) {
     }
 }
 
-/* Applies an answer where it, or that of the last step, changes something: sets the lane's marks,
- * settings and veto. The lane is passed by value: the loop's own, whose address then does not
- * escape, stays in registers. */
+/* Applies an answer that differs from the pair's own settings, or follows one that did: sets the
+ * lane's marks, settings and veto. The lane is passed by value, so that the address of the loop's
+ * own lane does not escape, and that lane stays in registers. */
 static void apply_answer(thud_world *w, lane one, const thud_contact_settings *own,
                          const thud_contact_settings *settings, bool yes) {
     const lane *l = &one;
@@ -243,7 +243,7 @@ static bool is_passing(const thud_world *w, const td_block *block, int index) {
 TD_INLINE int visit(thud_world *w, visit_purpose purpose) {
     td_see_fn *see = &TD_PICK_WIDE(w, td_see_block);
     /* Epilogues of objects get all fields, whatever `without` says. Of a decided contact they get
-     * what the prologue was given. */
+     * what the prologue was given, so that it too is then given all fields. */
     unsigned without = w->listeners->tells_objects ? 0 : w->listeners->calls.without;
     td_seeing how = {.solved = purpose >= TELL,
                      .places = purpose != TAKE_ANSWERS && !(without & THUD_CONTACT_POINT),

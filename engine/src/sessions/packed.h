@@ -44,7 +44,8 @@ void td_packed_known(const void *field, size_t first, int count, uint32_t *out);
 /* The sections in the order in which they are packed. A section comes after those from which it is
  * predicted. */
 void td_packed_order(int order[TD_SECTION_COUNT]);
-/* Rows of blocks are packed in several passes, each after those from which it is predicted. Returns
+/* The rows of blocks are packed in several passes, so that a row comes after those from which it is
+ * predicted. Returns
  * the pass, 0 to TD_PACKED_PASSES - 1, of the row at byte `at` of a block of this section. */
 enum { TD_PACKED_PASSES = 6 };
 int td_packed_pass_of(int section, size_t at);

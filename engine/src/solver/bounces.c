@@ -119,8 +119,8 @@ static bool bounces_elastically(const thud_world *w, const lane *l) {
     return apart && fast;
 }
 
-/* Sets the separation of an unloaded contact that touches to 0, so that the soft solver does not
- * push it apart to the distance at which contacts rest. */
+/* Sets the separation of an unloaded contact that is nearer than the skin, and hardly overlaps, to
+ * 0, so that the soft solver does not push it apart to the distance of the skin. */
 static void clear_overlap(const thud_world *w, const lane *l) {
     for (int k = 0; k < l->points; k++) {
         td_point *p = &l->block->point[k];

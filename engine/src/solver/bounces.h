@@ -1,14 +1,14 @@
-/* bounces.h: under `bisect` and `swept`, which contacts with restitution are left out of the soft
- * solver, and are resolved at their time of impact by detection/impacts.c instead. */
+/* bounces.h: chooses the contacts with restitution that the soft solver leaves out, because
+ * detection/impacts.c resolves them at their time of impact (detections `bisect` and `swept`). */
 #ifndef TD_BOUNCES_H
 #define TD_BOUNCES_H
 
 #include "state/world.h"
 
-/* An elastic pair (restitution >= 1) bounces without loss unless it counts as resting, which is
- * decided by its closing speed. This threshold, in multiples of gravity times the time step, is for
- * a pair in free flight: a pair that meets more slowly would meet again some eight times within the
- * step (1 / 0.125). */
+/* The closing speed, in multiples of gravity times the time step, below which a swept pair in free
+ * flight counts as resting at its impact (bounce_speed in detection/collide.c; bounces.c has its
+ * own, FLIGHT_REST). An elastic pair (restitution >= 1) that meets at this speed would meet again
+ * after a quarter of the step (2 * 0.125). */
 #define TD_BOUNCE_REST 0.125
 /* TD_BOUNCE_REST for a pair with a body that other contacts carry. The solver's errors let the
  * velocity of such a body fluctuate by less than this, which must not make the pair bounce. Chosen.

@@ -19,7 +19,8 @@
 typedef struct td_error_hooks {
     /* Before the solver: resets the statistics but energy_decided, which prologues have added to.
      * The energy change begins at minus the kinetic energy that bodies had before prologues decided
-     * velocities; td_finalize adds that at the end of the step. */
+     * velocities. At the end of the step td_finalize adds the kinetic energy that they have then,
+     * less the work of gravity. */
     void (*begin)(thud_world *w);
     td_tally_fn *tally[2]; /* td_tally_points, by thud_world.wide */
     /* Adds the statistics of the contact points and joints that one worker has solved. */

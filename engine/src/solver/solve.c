@@ -137,7 +137,8 @@ typedef struct solving {
     td_worker worker;
     pass which;            /* the present pass */
     const td_phase *phase; /* the present phase */
-    bool relaxed;          /* joints are braced after the relax pass of a substep, not before it */
+    bool relaxed; /* the present bracing is the one after the substep's relax pass, not the one
+                     before its solve pass */
 } solving;
 
 /* Solves the last blocks of a run. The last one may have empty lanes, which read the record of slot
@@ -296,8 +297,9 @@ static bool bounce(solving *s) {
     return passes > 1;
 }
 
-/* Sums up the work of torn joints, and sets td_solve_context.adds if their impulses may have added
- * energy. The caller gives it to the workers as one chunk, so that exactly one of them runs it. */
+/* Adds up the work of the impulses of locks and rods, and sets the flag at td_solve_context.adds if
+ * they may have added energy. This function is given to the workers as one chunk, so that exactly
+ * one of them runs it. */
 static void judge_energy(void *work, int chunk) {
     const solving *s = work;
     (void)chunk;
@@ -318,9 +320,10 @@ static void brace_pass(solving *s, td_brace stage) {
     walk(s, BRACE);
 }
 
-/* Bracing (joints/joint_brace.c): scales down the impulses of torn joints in this substep to the
- * share that adds no energy. A joint is torn if its gap is wider than the bias of one substep
- * closes. Returns false if the impulses added no energy, so that they are unchanged. */
+/* Bracing (joints/joint_brace.c): scales down the impulses of locks and rods in this substep to the
+ * share that adds no energy. Runs only in steps with a torn joint: one whose gap is so wide that
+ * its bias would close it faster than TD_JOINT_CLOSING_SPEED (flag_torn). Returns whether it may
+ * have changed impulses. */
 static bool brace(solving *s) {
     brace_pass(s, TD_BRACE_WORK_WITH);
     td_worker_walk(&s->worker, 1, judge_energy, s);

@@ -10,7 +10,8 @@
  *     n, t           normal from a to b, and tangent t = (n.y, -n.x)
  *     r_a, r_b       lever arms from the centres of mass to the point; cross_a = r_a x n,
  *                    tangent_cross_a = r_a x t (of the points' mean arm)
- *     v              normal speed  n . (v_b - v_a) + w_b cross_b - w_a cross_a; negative: it closes
+ *     v              normal speed  n . (v_b - v_a) + w_b cross_b - w_a cross_a, with the angular
+ *                    speeds w; negative: it closes
  *     m              effective mass (normal_mass): 1 / m = 1/m_a + 1/m_b + cross_a^2 / I_a
  *                    + cross_b^2 / I_b; 0 where there is no point
  *     s              separation: s_start + n . (d_b - d_a) + q_b cross_b - q_a cross_a, with the
@@ -68,8 +69,9 @@ typedef enum td_arms {
     ARMS_NONE     /* none: bodies do not turn (AABBs) */
 } td_arms;
 
-/* Adds impulses to the velocities `v` of both sides (v -= or += inverse mass * impulse, w likewise)
- * and writes them back. `friction`: whether there is a tangential impulse. */
+/* Adds impulses to the velocities `v` of both sides, and writes them back: x and y change by the
+ * inverse mass times the impulse, z by the inverse inertia times its moment, on side a negatively.
+ * `friction`: whether there is a tangential impulse. */
 TD_INLINE void apply_impulses(const td_solve_context *c, const td_block *block, int points,
                               td_arms arms, bool a_static, bool friction, sides v, impulses p) {
     const td_point *point = block->point;
@@ -113,8 +115,8 @@ TD_INLINE void apply_impulses(const td_solve_context *c, const td_block *block, 
     td_scatter(c->velocity, block->b, v.b);
 }
 
-/* The relative speed of two points along a direction, from that of the centres along it (`centres`)
- * and the lever arms crossed with it. */
+/* The speed of a point of b relative to one of a along a direction. `centres`: that of the centres
+ * of mass; cross_a, cross_b: lever arms crossed with the direction. */
 TD_INLINE f8 at_arms(f8 centres, const sides *v, bool a_static, f8 cross_a, f8 cross_b) {
     f8 speed = centres + v->b.z * cross_b;
     return a_static ? speed : speed - v->a.z * cross_a;

@@ -89,11 +89,11 @@ typedef struct td_shape {
     int32_t next_free;
     uint32_t generation;
     uint8_t kind, flags;
-    uint8_t centred; /* 1: the shape's centre is the body's centre of mass; 2: and its angle in the
-                        body's frame is 0; 0: neither, and of lines of ground */
-    uint8_t
-        internal_edges; /* static shapes: faces and corners that others touch: internal_edges.h */
-    uint8_t hidden;     /* static shapes: faces and corners that others cover: internal_edges.h */
+    uint8_t centred; /* 0: the shape's centre is not the body's centre of mass, or it is a line of
+                        ground; 1: it is that centre; 2: it is, and its angle in the body's frame
+                        is 0 */
+    uint8_t internal_edges; /* faces and corners that have a neighbour at them: internal_edges.h */
+    uint8_t hidden; /* faces and corners that one neighbour covers wholly: internal_edges.h */
     td_body_index body;
     int32_t next;           /* next shape of the same body */
     int32_t terrain;        /* index, or TD_NONE */
@@ -128,8 +128,8 @@ enum {
 /* td_constraint.vetoed, of a contact. */
 enum {
     TD_VETOED = 1,  /* does nothing in this step */
-    TD_PASSING = 2, /* a one-way rule lets it pass until the two part, or are apart on the other
-                       side; vetoed as well */
+    TD_PASSING = 2, /* a one-way rule lets the shapes pass until they part, or are found apart on
+                       the solid side (one_way.c); TD_VETOED is set, too */
     TD_HELD = 4     /* a one-way rule holds it until the two part */
 };
 

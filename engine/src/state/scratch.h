@@ -1,5 +1,5 @@
-/* scratch.h: arrays that are valid within one step or query only. They are kept between steps for
- * their memory, and are in no snapshot. */
+/* scratch.h: arrays that are valid within one step or query; those of td_lanes_sequence, while
+ * `sequenced` is set. Their memory is kept between steps; they are in no snapshot. */
 #ifndef TD_SCRATCH_H
 #define TD_SCRATCH_H
 
@@ -19,8 +19,8 @@ typedef struct td_scratch {
     td_array runs;                /* td_run: sequences of `blocks` of one bin */
     int points;                   /* of all `blocks`, one or two each: a measure of their work */
     bool sequenced;               /* `blocks` and `runs` list all blocks of the awake bins */
-    int bin_end[3];               /* bins from here on have no lanes: of two moving bodies, of a
-                                     static one, asleep */
+    int bin_end[3];               /* colours (td_run.bin) from here on have no lanes: [0] of two
+                                     moving bodies, [1] of a static one, [2], asleep, is not read */
     int placed_end;               /* bins by place from here on have no lanes */
     td_array separated;           /* td_block *: with a lane whose shapes no longer touch */
     td_array chunks;              /* td_chunk: pieces of `runs`, each for one worker */
@@ -31,19 +31,19 @@ typedef struct td_scratch {
     td_array begins, ends;        /* int: contacts that begin or end in this step */
     td_array parents;             /* td_awake_slot, by awake slot: union-find, see label.h */
     td_array lane_bins;           /* int: see td_lanes_place */
-    td_array test_blocks;         /* td_block of the largest form: waiting pairs that are tested */
-    td_array test_list;           /* td_block *: pointers to those of test_blocks */
-    td_array fast;                /* td_awake_slot: dynamic bodies that moved further than half
-                                     their min_extent */
-    td_event_queue queue;         /* candidates in the order of their time of impact */
-    td_array trajectories;        /* td_trajectory, by awake slot */
-    td_array extra_candidates;    /* td_toi_candidate: pairs that may collide and are not contacts
-                                   */
+    td_array test_blocks;      /* td_block of the contacts' largest form: waiting pairs to test */
+    td_array test_list;        /* td_block *: pointers to those of test_blocks */
+    td_array fast;             /* td_awake_slot: dynamic bodies that moved further than half
+                                  their min_extent */
+    td_event_queue queue;      /* candidates in the order of their time of impact */
+    td_array trajectories;     /* td_trajectory, by awake slot */
+    td_array extra_candidates; /* td_toi_candidate: pairs that may collide and are not contacts
+                                */
     td_array escaped;      /* td_escaped_shape: shapes that may leave their bounds of the step */
     td_array arrivals;     /* td_arrival: detection/arrival_rows.h */
     td_array impacts;      /* td_impact; before detection, td_pushes by block: gaps.c */
-    td_array odd;          /* td_awake_slot: bodies that wide_finalize.c leaves to
-                              finalize.c: not finite, or too fast for its arithmetic */
+    td_array odd;          /* td_awake_slot: bodies that wide_finalize.c leaves to finalize.c:
+                              without one centred shape, not finite, or too fast for it */
     td_array shares;       /* td_share: state/shared_stages.h */
     td_array next_tied;    /* td_awake_slot, by awake slot: constraint/tied_bodies.h */
     td_array before;       /* float[4], by awake slot: velocities, joints/joint_yield.c */

@@ -1,8 +1,9 @@
 /* world.h: the state of a world: plain data in arrays whose elements refer to each other by index.
  *
  * Data are separated by how often they are used: what every substep reads is in the `awake` arrays,
- * dense, 16 bytes an element; what every step reads is in `pose` and `proxy`; definitions, links
- * and user data are in the records of bodies, shapes and constraints. */
+ * which have an element of at most 16 bytes for each awake body (awake_arrays.h); what every step
+ * reads is in `pose` and `proxy`; definitions, links and user data are in the records of bodies,
+ * shapes and constraints. */
 #ifndef TD_WORLD_H
 #define TD_WORLD_H
 
@@ -115,12 +116,12 @@ struct thud_world {
     uint64_t begun;         /* of thud_world_advance: number of the step that ran out of memory and
                                is tried again; 0: none */
     td_array force_records; /* of thud_world_advance: td_force_record, by body; or empty */
-    uint32_t rest_epoch; /* counts changes of the resting set: islands that fell asleep before one
-                            search pairs again when they wake */
+    uint32_t rest_epoch; /* counts changes of the resting set: an island that fell asleep before the
+                            last change searches for its pairs again when it wakes */
     td_slots bodies, shapes, constraints, joints, terrains;
     td_array pose;         /* td_pose, by body */
     td_array proxy;        /* td_shape_proxy, by shape */
-    td_array previous_fat; /* td_bounds, by moved shape: fat bounds before it moved */
+    td_array previous_fat; /* td_bounds, by shape; of a moved one: its fat bounds before it moved */
     td_array marks;        /* uint8_t, by shape: TD_MARK_MOVED and so on */
     union {                /* arrays by awake slot; by their number, and by name */
         td_array awake[TD_AWAKE_ARRAY_COUNT];

@@ -61,7 +61,9 @@ test("page_of_the_site_that_was_visited_is_there_without_network_and_can_be_sear
     // The page shows its button before its script listens to it.
     const input = page.locator("#localsearch-input");
     const open = async () => {
-      if (!(await input.isVisible())) await page.locator(".DocSearch-Button").click();
+      const button = page.locator(".DocSearch-Button");
+      // The box may open meanwhile, and then lies over the button.
+      if (!(await input.isVisible())) await button.click({ timeout: 1000 }).catch(() => {});
       return input.isVisible();
     };
     await until(open, Boolean, "the search is open");
