@@ -239,11 +239,11 @@ typedef struct tree_misses {
                             freely (island_step_joints.c), length/s */
 } tree_misses;
 
-/* Solves for the velocities of the trees of `which`, some of which may fail. With `mean`
- * these are the mean velocities of the part: an iteration of Newton's method, which also sets the
- * lever arms of the next one. Without `mean` they are those at the end of the part. The impulses
- * found are then corrections, added to the impulses of the mean velocities; in the trees of `anew`
- * they are the whole impulses, and replace these. */
+/* Solves for the velocities of the trees of `which`, some of which may fail. With `mean` these are
+ * the mean velocities of the part: an iteration of Newton's method, which also sets the lever arms
+ * of the next one. Without `mean` they are those at the end of the part. The impulses found are
+ * then corrections, added to the impulses of the mean velocities; in the trees of `anew` they are
+ * the whole impulses, and replace these. */
 static tree_misses solve(tree_step *s, td_choice which, bool mean, td_choice anew) {
     td_reals zero = td_reals_all(0.0), missing = zero, unbalanced = zero, sweeping = zero;
     td_tree_sums sums = {zero, zero};

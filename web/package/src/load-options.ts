@@ -20,7 +20,8 @@ export interface LoadOptions {
    * The threads share steps with so many blocks of contacts (`Stats.blocks`; those with two points, as
    * of boxes, count twice) or more, or with four times as many awake bodies. With fewer, the data of
    * bodies that move between processors cost more time than a second thread saves. A whole number from
-   * 1 (all that have a contact or four bodies) to 4294967295 (none); default 2048, as measured with two threads.
+   * 1 (all that have a contact or four bodies) to 4294967295 (none); default 2048, as measured with two
+   * threads.
    */
   shareFrom?: number;
   /** The engine without threads: as the first argument of `load`. */
