@@ -224,12 +224,25 @@ longest_tests() {
         awk '{ seconds = $1; sub(/^[^ ]+ /, ""); printf "%s%s (%.0f s)", comma, $0, seconds; comma = ", " }'
 }
 
-# failed_tests LOG: the names of the tests that failed in a log, of ctest and of Node.js, in one line.
+# failed_tests LOG: the tests that failed in a log, of ctest and of Node.js, a line each with the first
+# line of what was wrong.
 failed_tests() {
     awk '
-        /^ *[0-9]+\/[0-9]+ Test +#[0-9]+: .*\*\*\*/ { names = names comma $4; comma = ", " }
-        /^not ok [0-9]+ - / { sub(/^not ok [0-9]+ - /, ""); names = names comma $0; comma = ", " }
-        END { print names }
+        function tell(what) {
+            if (name == "") return
+            printf "%sfailed: %s%s", separator, name, what
+            separator = "\n"
+            name = ""
+        }
+        /^ *[0-9]+\/[0-9]+ Test +#[0-9]+: / { tell("") }
+        /^ *[0-9]+\/[0-9]+ Test +#[0-9]+: .*\*\*\*/ { name = $4 }
+        /^\[  ERROR   \] --- / && name { sub(/^\[  ERROR   \] --- /, ": "); tell($0) }
+        /^(not )?ok [0-9]+ - / { tell("") }
+        /^not ok [0-9]+ - / { name = $0; sub(/^not ok [0-9]+ - /, "", name) }
+        below && name { sub(/^ */, ": "); tell($0) }
+        { below = /^  error: [|>]/ }
+        /^  error: / && !below && name { sub(/^  error: /, ": "); tell($0) }
+        END { tell("") }
     ' "$1"
 }
 
@@ -253,7 +266,7 @@ part_ended() {
     failed=$(failed_tests "$log")
     summary="$summary
 $1: $verdict, ${seconds} s${failed:+
-failed: $failed}${closing:+
+$failed}${closing:+
 $closing}${longest:+
 longest: $longest}"
 }
