@@ -49,7 +49,7 @@ PARTS = {
     "CASTS": Part(("casts/each.c", "casts/extrapolate.c", "casts/many.c", "casts/one_shape.c", "casts/predict.c",
                    "casts/walk.c"),
                   "casts hit by hit, many at once or against one shape, and prediction: `thud_casts.h`,"
-                  " `thud_prediction.h`"),
+                  " `thud_prediction.h`", ("RECORDING",)),
     "MOVER": Part(("api/mover*.c",), "characters: `thud_mover.h`", ("RECORDING",)),
     "FIELDS": Part(("fields/*", "casts/walk.c"), "`thud_fields.h`", ("RECORDING",)),
     "LISTENERS": Part(("listeners/*", "detection/sweep_veto.c"), "`thud_listeners.h`", ("RECORDING",)),

@@ -5,11 +5,11 @@
 
   engine/include/thud/thud_recorded.h     redirects the calls that change a world
   engine/src/recording/recorded_calls.h   their numbers
-  engine/src/recording/recorded_calls.c   how their arguments become bytes
+  engine/src/recording/recorded_calls.c   how their arguments, and what queries found, become bytes
   engine/src/recording/recorded.c         the functions to which calls are redirected
   engine/src/recording/play_call.c        calls a function by its number, with decoded arguments
 
-Every function with a world that it may change is recorded, or stands in one of the tables below,
+Every function with a world that is not const is recorded, or stands in one of the tables below,
 which say why not; a function in neither is an error. With --check nothing is written: the exit status
 is 1 where a file differs from what it should be.
 
@@ -30,11 +30,8 @@ NUMBERS = ROOT / "tools" / "recorded_calls.txt"
 # Functions with a world that is not const, and which do not change its state.
 NO_CHANGE = {
     "queries and reads, which need room in the world": """
-        thud_world_draw thud_world_cast_ray thud_world_cast_ray_all thud_world_cast_shape
-        thud_world_cast_shape_all thud_world_overlap_shape thud_world_overlap_aabb thud_world_closest
-        thud_body_get_volume thud_body_get_contacts thud_world_get_poses thud_poses_of
-        thud_world_get_bisection_limit thud_world_cast_ray_each thud_world_cast_shape_each
-        thud_world_cast_rays thud_world_cast_shapes thud_shape_cast_ray thud_shape_contains_point
+        thud_world_draw thud_body_get_volume thud_body_get_contacts thud_world_get_poses
+        thud_poses_of thud_world_get_bisection_limit thud_shape_cast_ray thud_shape_contains_point
         thud_shape_closest_point thud_shape_get_bounds thud_world_predict""",
     "hooks, which are no state": "thud_world_set_log",
     "epilogues of objects, which the recorder finds before the next step":
@@ -44,6 +41,12 @@ NO_CHANGE = {
         "thud_rollback_create",
     "the recorder itself": "thud_recorder_begin",
 }
+# Queries of a world: recorded with what they found where the recorder is asked to, and not made again
+# by a player. Their wrappers are in recorded_queries.c.
+QUERIES = set("""thud_world_cast_ray thud_world_cast_ray_all thud_world_cast_ray_each
+                 thud_world_cast_rays thud_world_cast_shape thud_world_cast_shape_all
+                 thud_world_cast_shape_each thud_world_cast_shapes thud_world_overlap_shape
+                 thud_world_overlap_aabb thud_world_closest""".split())
 # Recorded functions whose wrapper is written by hand, in recorded_by_hand.c.
 BY_HAND = set("""thud_world_advance_with thud_world_set_filter thud_mover_move""".split())
 # Functions that are redirected to a wrapper by hand, and are no recorded call: after the first two
@@ -157,7 +160,7 @@ class Api:
                 code = "STEP_CALLS"
             elif kind == "const thud_contact *":
                 code = "CONTACT"
-            elif kind == "void *":
+            elif kind in ("void *", "thud_cast_fn *", "thud_overlap_fn *"):
                 code = "NOTHING"
             elif kind == "const thud_detection *":
                 code = "DETECTION"
@@ -192,7 +195,7 @@ def select(api):
     silent = {name for names in NO_CHANGE.values() for name in names.split()}
     changing = [name for name, function in api.functions.items()
                 if function["parameters"] and function["parameters"][0]["type"] == "thud_world *"]
-    for name in sorted((silent | BY_HAND | set(REPLACED) | PLAYED_BY_HAND) - set(changing)):
+    for name in sorted((silent | QUERIES | BY_HAND | set(REPLACED) | PLAYED_BY_HAND) - set(changing)):
         raise SystemExit(f"recorded.py: {name} is listed, and changes no world")
     recorded = [name for name in changing if name not in silent and name not in REPLACED]
     numbered = NUMBERS.read_text(encoding="utf-8").split() if NUMBERS.is_file() else []
@@ -204,9 +207,10 @@ def select(api):
 
 def write_header(api, calls):
     lines = ["""/* thud_recorded.h: records the calls of the source files that include it. Each function that
- * changes a world is redirected to one that makes the same call, and adds it to the recording of
- * the world (thud_recording.h), if there is one. Include it last: it includes all headers of thud.
- * Programs that do not include it link nothing of it.
+ * changes a world, and each query of one, is redirected to one that makes the same call, and adds
+ * it to the recording of the world (thud_recording.h), if there is one; queries only where the
+ * recorder is asked to. Include it last: it includes all headers of thud. Programs that do not
+ * include it link nothing of it.
  *
  * Calls have the same arguments, results and errors as without it. thud_all.h does not include this
  * header. */""",
@@ -236,6 +240,9 @@ def write_numbers(calls):
 /* clang-format on */
 
 extern const td_recorded_call td_recorded_calls[TD_CALL_COUNT];
+/* What a query found, as if it were a call with the arguments int count, const thud_ray_hit *hits.
+ */
+extern const td_recorded_call td_recorded_hits;
 
 #endif
 """
@@ -243,7 +250,9 @@ extern const td_recorded_call td_recorded_calls[TD_CALL_COUNT];
 
 def write_tables(api, calls):
     arguments = {name: api.arguments(name) for name in calls}
-    lines = ["/* recorded_calls.c: how the arguments of calls become bytes: tables of codec.h. */",
+    hit = api.element("thud_ray_hit")
+    lines = ["/* recorded_calls.c: how the arguments of calls, and what queries found, become bytes: tables\n"
+             " * of codec.h. */",
              NOTE + '#include "recording/recorded_calls.h"', "", '#include "thud/thud_all.h"', "",
              UNFORMATTED.rstrip(),
              "#define FIELD(type, code, repeat, field, count, codec) \\",
@@ -265,17 +274,22 @@ def write_tables(api, calls):
     lines.append("const td_recorded_call td_recorded_calls[TD_CALL_COUNT] = {")
     for name, rows in arguments.items():
         table = f"ARGUMENTS_{name}" if rows else "NULL"
-        lines.append(f'    [{number_name(name)}] = {{"{name}", {table}, {len(rows)}}},')
-    return "\n".join(lines + ["};", "/* clang-format on */", ""])
+        query = "true" if name in QUERIES else "false"
+        lines.append(f'    [{number_name(name)}] = {{"{name}", {table}, {len(rows)}, {query}}},')
+    lines += ["};",
+              "static const td_codec_field HITS[] = {",
+              f"    {{TD_CODE_INT32, 1, 0, 0, NULL}}, {{TD_CODE_ARRAY, 1, 1, 0, {hit}}}}};",
+              'const td_recorded_call td_recorded_hits = {"", HITS, 2, false};']
+    return "\n".join(lines + ["/* clang-format on */", ""])
 
 
 def write_wrappers(api, calls):
     lines = ["/* recorded.c: the functions of thud_recorded.h: each makes its call within a frame\n"
-             " * (recorder.h). Those that need more are in recorded_by_hand.c. */",
+             " * (recorder.h). Those that need more are in recorded_by_hand.c, queries in recorded_queries.c. */",
              NOTE + '#include "recording/recorder.h"', "", '#include "thud/thud_all.h"', "",
              UNFORMATTED.rstrip()]
     for name in calls:
-        if name in BY_HAND:
+        if name in BY_HAND | QUERIES:
             continue
         function = api.functions[name]
         redirected = name.replace("thud_", "thud_recorded_", 1)
@@ -310,6 +324,8 @@ def write_player(api, calls):
              "thud_result td_play_call(td_play *p, thud_world *w, int call, td_decoded *d) {",
              "    switch (call) {"]
     for name in calls:
+        if name in QUERIES:
+            continue
         function = api.functions[name]
         lines.append(f"    case {number_name(name)}:")
         if name in PLAYED_BY_HAND:

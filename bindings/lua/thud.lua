@@ -227,9 +227,9 @@ struct thud_bytes { const void * data; size_t count; };
 struct thud_prediction { thud_body_id body; thud_pos position; double angle; thud_vec2 velocity; float angular_velocity; double seconds; thud_shape_id met; };
 struct thud_step_settings { thud_vec2 gravity; double time_step; double max_error; int substeps; _Bool sleeping; thud_quality quality; };
 struct thud_broadphase_counts { int moved; int64_t tested; int64_t found; int64_t sort_moves; int cells; int cell_shapes; int cell_shapes_max; };
-struct thud_recorder_options { int hash_steps; _Bool body_hashes; int keyframe_steps; int ring_steps; thud_recording_sink_fn * sink; void * context; };
+struct thud_recorder_options { int hash_steps; _Bool body_hashes; int keyframe_steps; int ring_steps; thud_recording_sink_fn * sink; void * context; _Bool queries; };
 struct thud_call_value { double number; _Bool handle; };
-struct thud_played_call { const char * name; thud_result result; const thud_call_value * values; int value_count; uint32_t returned; };
+struct thud_played_call { const char * name; thud_result result; const thud_call_value * values; int value_count; uint32_t returned; _Bool query; const thud_ray_hit * hits; int hit_count; };
 struct thud_player_options { thud_allocator allocator; thud_log_fn * log; void * log_context; thud_job_system job_system; thud_chunk_fn * chunk; thud_played_call_fn * call; void * context; thud_clock_fn * clock; void * clock_context; };
 struct thud_player_progress { int64_t first; int64_t end; int64_t steps; int64_t hashes; _Bool differs; int64_t differs_after; int64_t differs_at; thud_body_id body; };
 struct thud_rollback_options { int players; int depth; int budget; uint64_t idle; thud_rollback_step_fn * step; void * state; size_t state_bytes; };
@@ -600,6 +600,7 @@ thud.constants = {
     SHAPE_KIND_COUNT = 4,
     MOVER_HITS = 8,
     MOVER_SENSORS = 16,
+    RECORDED_FOUND_MAX = 64,
     RULE_KIND_COUNT = 3,
 }
 local ENUMS = {
@@ -713,9 +714,9 @@ local FIELDS = {
     thud_prediction = { body = "thud_body_id", position = "thud_pos", angle = "double", velocity = "thud_vec2", angular_velocity = "float", seconds = "double", met = "thud_shape_id" },
     thud_step_settings = { gravity = "thud_vec2", time_step = "double", max_error = "double", substeps = "int", sleeping = "_Bool", quality = "thud_quality" },
     thud_broadphase_counts = { moved = "int", tested = "int64_t", found = "int64_t", sort_moves = "int64_t", cells = "int", cell_shapes = "int", cell_shapes_max = "int" },
-    thud_recorder_options = { hash_steps = "int", body_hashes = "_Bool", keyframe_steps = "int", ring_steps = "int", sink = "thud_recording_sink_fn *", context = "void *" },
+    thud_recorder_options = { hash_steps = "int", body_hashes = "_Bool", keyframe_steps = "int", ring_steps = "int", sink = "thud_recording_sink_fn *", context = "void *", queries = "_Bool" },
     thud_call_value = { number = "double", handle = "_Bool" },
-    thud_played_call = { name = "const char *", result = "thud_result", values = "const thud_call_value *", value_count = "int", returned = "uint32_t" },
+    thud_played_call = { name = "const char *", result = "thud_result", values = "const thud_call_value *", value_count = "int", returned = "uint32_t", query = "_Bool", hits = "const thud_ray_hit *", hit_count = "int" },
     thud_player_options = { allocator = "thud_allocator", log = "thud_log_fn *", log_context = "void *", job_system = "thud_job_system", chunk = "thud_chunk_fn *", call = "thud_played_call_fn *", context = "void *", clock = "thud_clock_fn *", clock_context = "void *" },
     thud_player_progress = { first = "int64_t", ["end"] = "int64_t", steps = "int64_t", hashes = "int64_t", differs = "_Bool", differs_after = "int64_t", differs_at = "int64_t", body = "thud_body_id" },
     thud_rollback_options = { players = "int", depth = "int", budget = "int", idle = "uint64_t", step = "thud_rollback_step_fn *", state = "void *", state_bytes = "size_t" },

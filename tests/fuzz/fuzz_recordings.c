@@ -120,7 +120,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     thud_recorder_options options = {.hash_steps = how & 1 ? 1 : 7,
                                      .body_hashes = how & 2,
                                      .keyframe_steps = how & 4 ? 5 : 0,
-                                     .ring_steps = how & 8 ? 20 : 0};
+                                     .ring_steps = how & 8 ? 20 : 0,
+                                     .queries = how & 16};
     thud_recorder *recorder = NULL;
     bool recorded = COUNTED(thud_recorder_begin(s->world, &options, &recorder)) == THUD_OK;
     while (!session_over(s)) {

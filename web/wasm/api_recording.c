@@ -11,12 +11,13 @@
 
 /* Begins to record a world. Slots out: list, whose address is that of the recorder. */
 int api_recorder_begin(thud_world *world, double hash_steps, int body_hashes, double keyframe_steps,
-                       double ring_steps) {
+                       double ring_steps, int queries) {
     thud_recorder *recorder = NULL;
     thud_recorder_options options = {.hash_steps = api_to_int(hash_steps),
                                      .body_hashes = body_hashes != 0,
                                      .keyframe_steps = api_to_int(keyframe_steps),
-                                     .ring_steps = api_to_int(ring_steps)};
+                                     .ring_steps = api_to_int(ring_steps),
+                                     .queries = queries != 0};
     thud_result result = thud_recorder_begin(world, &options, &recorder);
     api_slots.list.address = (double)(uintptr_t)recorder;
     return result;
@@ -49,14 +50,32 @@ int api_recorder_chunk(thud_recorder *recorder, const char *name, const char *by
 
 /* A player, the bytes that it plays, and the chunks of what it played last: for each the lengths of
  * its name and its bytes, 4 bytes each, and then both. Of the last step, not of a seek, also the
- * calls, if they are wanted: for each the length of its name, its result, what it returned and the
- * number of its values, 4 bytes each, then the name, and for each value a double and a byte. */
+ * calls, if they are wanted: for each the length of its name, its result, what it returned, the
+ * number of its values, whether it is a query and the number of its hits, 4 bytes each, then the
+ * name, for each value a double and a byte, and for each hit 8 doubles: shape, point, normal,
+ * fraction, depth. */
 typedef struct playback {
     thud_player *player;
     char *bytes;
     api_buffer chunks, calls;
+    bool keeps; /* calls are wanted */
     bool steps; /* a step is being played */
+    int news;   /* steps, the present one included, in which shapes or terrains may change: those
+                   of a call that changes them, which inside a callback waits for the next step */
 } playback;
+
+/* Whether a call may change the shape table or the line of a terrain. */
+static bool changes_shapes(const char *name) {
+    static const char *const others[] = {"thud_body_create",      "thud_body_create_with_shapes",
+                                         "thud_body_make",        "thud_body_destroy",
+                                         "thud_body_set_enabled", "thud_body_set_kind",
+                                         "thud_world_restore"};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        if (strcmp(name, others[i]) == 0)
+            return true;
+    }
+    return strncmp(name, "thud_shape_", 11) == 0;
+}
 
 static void keep_chunk(const char *name, thud_bytes bytes, void *context) {
     playback *p = context;
@@ -68,15 +87,27 @@ static void keep_chunk(const char *name, thud_bytes bytes, void *context) {
 
 static void keep_call(const thud_played_call *call, void *context) {
     playback *p = context;
-    uint32_t head[] = {(uint32_t)strlen(call->name), (uint32_t)call->result, call->returned,
-                       (uint32_t)call->value_count};
-    if (!p->steps)
+    uint32_t head[] = {(uint32_t)strlen(call->name),
+                       (uint32_t)call->result,
+                       call->returned,
+                       (uint32_t)call->value_count,
+                       call->query,
+                       (uint32_t)call->hit_count};
+    if (!call->query && changes_shapes(call->name))
+        p->news = 2;
+    if (!p->steps || !p->keeps)
         return;
     api_buffer_push(&p->calls, head, sizeof head);
     api_buffer_push(&p->calls, call->name, head[0]);
     for (int i = 0; i < call->value_count; i++) {
         api_buffer_push(&p->calls, &call->values[i].number, sizeof call->values[i].number);
         api_buffer_push(&p->calls, &call->values[i].handle, 1);
+    }
+    for (int i = 0; i < call->hit_count; i++) {
+        const thud_ray_hit *h = &call->hits[i];
+        double numbers[] = {h->shape.index1, h->shape.generation, h->point.x,  h->point.y,
+                            h->normal.x,     h->normal.y,         h->fraction, h->depth};
+        api_buffer_push(&p->calls, numbers, sizeof numbers);
     }
 }
 
@@ -101,9 +132,10 @@ int api_player_create(char *bytes, uint32_t count, int calls) {
         return THUD_ERROR_MEMORY;
     }
     p->bytes = bytes;
+    p->keeps = calls != 0;
     thud_player_options options = {.log = api_world_def().log,
                                    .chunk = keep_chunk,
-                                   .call = calls != 0 ? keep_call : NULL,
+                                   .call = keep_call,
                                    .context = p};
     thud_result result = thud_player_create((thud_bytes){bytes, count}, &options, &p->player);
     if (result != THUD_OK)
@@ -111,7 +143,8 @@ int api_player_create(char *bytes, uint32_t count, int calls) {
     return result;
 }
 
-/* Plays one step. Slots out: list, whose count is 1 unless the recording has ended. */
+/* Plays one step. Slots out: list, whose count is 1 unless the recording has ended, and whose
+ * address is 1 if shapes or terrains may have changed. */
 int api_player_step(playback *p) {
     bool stepped = false;
     api_buffer_clear(&p->chunks);
@@ -120,6 +153,8 @@ int api_player_step(playback *p) {
     thud_result result = thud_player_step(p->player, &stepped);
     p->steps = false;
     api_slots.list.count = stepped;
+    api_slots.list.address = p->news > 0;
+    p->news -= p->news > 0;
     result = result == THUD_OK ? api_buffer_result(&p->chunks) : result;
     return result == THUD_OK ? api_buffer_result(&p->calls) : result;
 }

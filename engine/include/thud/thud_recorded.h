@@ -1,7 +1,8 @@
 /* thud_recorded.h: records the calls of the source files that include it. Each function that
- * changes a world is redirected to one that makes the same call, and adds it to the recording of
- * the world (thud_recording.h), if there is one. Include it last: it includes all headers of thud.
- * Programs that do not include it link nothing of it.
+ * changes a world, and each query of one, is redirected to one that makes the same call, and adds
+ * it to the recording of the world (thud_recording.h), if there is one; queries only where the
+ * recorder is asked to. Include it last: it includes all headers of thud. Programs that do not
+ * include it link nothing of it.
  *
  * Calls have the same arguments, results and errors as without it. thud_all.h does not include this
  * header. */
@@ -166,6 +167,28 @@ THUD_API thud_result thud_recorded_world_use_textures(thud_world *world);
 #define thud_world_use_textures thud_recorded_world_use_textures
 THUD_API thud_result thud_recorded_world_use_step_error(thud_world *world);
 #define thud_world_use_step_error thud_recorded_world_use_step_error
+THUD_API thud_result thud_recorded_world_cast_ray(thud_world *world, const thud_ray *ray, _Bool *out_hit, thud_ray_hit *out);
+#define thud_world_cast_ray thud_recorded_world_cast_ray
+THUD_API thud_result thud_recorded_world_cast_ray_all(thud_world *world, const thud_ray *ray, thud_ray_hit *out, int capacity, int *out_count);
+#define thud_world_cast_ray_all thud_recorded_world_cast_ray_all
+THUD_API thud_result thud_recorded_world_cast_shape(thud_world *world, const thud_shape_cast *cast, _Bool *out_hit, thud_ray_hit *out);
+#define thud_world_cast_shape thud_recorded_world_cast_shape
+THUD_API thud_result thud_recorded_world_cast_shape_all(thud_world *world, const thud_shape_cast *cast, thud_ray_hit *out, int capacity, int *out_count);
+#define thud_world_cast_shape_all thud_recorded_world_cast_shape_all
+THUD_API thud_result thud_recorded_world_overlap_shape(thud_world *world, thud_pos center, thud_geometry shape, const thud_query_filter *filter, thud_overlap_fn *fn, void *context);
+#define thud_world_overlap_shape thud_recorded_world_overlap_shape
+THUD_API thud_result thud_recorded_world_overlap_aabb(thud_world *world, thud_pos lower, thud_pos upper, const thud_query_filter *filter, thud_overlap_fn *fn, void *context);
+#define thud_world_overlap_aabb thud_recorded_world_overlap_aabb
+THUD_API thud_result thud_recorded_world_closest(thud_world *world, thud_pos point, double max_distance, const thud_query_filter *filter, _Bool *out_found, thud_closest_hit *out);
+#define thud_world_closest thud_recorded_world_closest
+THUD_API thud_result thud_recorded_world_cast_ray_each(thud_world *world, const thud_ray *ray, thud_cast_fn *fn, void *context);
+#define thud_world_cast_ray_each thud_recorded_world_cast_ray_each
+THUD_API thud_result thud_recorded_world_cast_shape_each(thud_world *world, const thud_shape_cast *cast, thud_cast_fn *fn, void *context);
+#define thud_world_cast_shape_each thud_recorded_world_cast_shape_each
+THUD_API thud_result thud_recorded_world_cast_rays(thud_world *world, const thud_ray *rays, int count, thud_ray_hit *out_hits);
+#define thud_world_cast_rays thud_recorded_world_cast_rays
+THUD_API thud_result thud_recorded_world_cast_shapes(thud_world *world, const thud_shape_cast *casts, int count, thud_ray_hit *out_hits);
+#define thud_world_cast_shapes thud_recorded_world_cast_shapes
 THUD_API thud_result thud_recorded_world_restore(thud_world *world, const void *buffer, size_t bytes);
 #define thud_world_restore thud_recorded_world_restore
 THUD_API thud_result thud_recorded_world_load(thud_world *world, const char *path, void *out_own, size_t bytes);

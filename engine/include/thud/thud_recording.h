@@ -24,9 +24,10 @@
  *
  * Listeners and filters of the world are recorded by their answers, and by the calls that they
  * make, and are not needed to play the recording. Not recorded: the log, the clock, the allocator,
- * the job system, which change no results; queries, which change nothing; the names of qualities
- * that are not the engine's, which are "recorded" in the world that is played. A world with a
- * time_budget cannot be recorded, since it depends on the clock.
+ * the job system, which change no results; the names of qualities that are not the engine's, which
+ * are "recorded" in the world that is played. Queries, which change nothing, are recorded where
+ * thud_recorder_options.queries is set, with what they found: to be listed and drawn. A world with
+ * a time_budget cannot be recorded, since it depends on the clock.
  *
  * A recording is bytes with a version and checksums, the same on every platform for the same calls,
  * except for the snapshots in it, which thud_packed.h describes: 64-bit machines with the byte
@@ -38,6 +39,7 @@
 #include "thud_ids.h"
 #include "thud_limits.h"
 #include "thud_packed.h"
+#include "thud_queries.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -51,6 +53,9 @@ typedef struct thud_recorder thud_recorder;
 /* Receives the next bytes of a recording; false: they could not be kept, and the recording ends
  * there. It must not call any function of the world. */
 typedef bool thud_recording_sink_fn(const void *bytes, size_t count, void *context);
+
+/* Hits that are recorded of a query with a callback, at most. */
+enum { THUD_RECORDED_FOUND_MAX = 64 };
 
 /* All zero selects the defaults. */
 typedef struct thud_recorder_options {
@@ -68,6 +73,9 @@ typedef struct thud_recorder_options {
                                      keeps no memory for it; not with ring_steps. Default null: the
                                      recording is kept in memory */
     void *context;                /* passed to sink */
+    bool queries;                 /* the casts and overlaps of thud_queries.h and thud_casts.h, and
+                                     thud_world_closest, are recorded with what they found: of those with a callback
+                                     the first THUD_RECORDED_FOUND_MAX hits. Default false */
 } thud_recorder_options;
 
 /* Begins to record a world, from its present state. `options` null: the defaults. THUD_ERROR_NULL;
@@ -118,7 +126,12 @@ typedef struct thud_played_call {
                                       headers. Names, pointers to functions and what the call
                                       returns are left out. Empty for a refused call */
     int value_count;
-    uint32_t returned; /* index1 of the handle that it returned; else 0 */
+    uint32_t returned;        /* index1 of the handle that it returned; else 0 */
+    bool query;               /* a query: it is told, and not made again */
+    const thud_ray_hit *hits; /* what a query found, in its order; of overlaps the shape alone, and
+                                 the rest 0; of thud_world_closest shape, point and normal. Of
+                                 thud_world_cast_rays and _shapes one for each cast */
+    int hit_count;
 } thud_played_call;
 
 /* Is told of a call that has been played. A call made by a callback comes before the call in which

@@ -69,6 +69,7 @@ typedef struct td_recorded_call {
     const char *name;
     const td_codec_field *arguments; /* those after the world */
     uint8_t count;
+    bool query; /* it changes nothing: not made again by a player, which tells what was found */
 } td_recorded_call;
 
 /* Bits of TD_CODE_LISTENERS: the callbacks of a world that are set. */

@@ -164,30 +164,76 @@ static thud_result go_to(thud_player *p, const td_keyframe *keyframe) {
 
 /* ---- calls ---- */
 
-/* Calls options.call for a call that is played. `decoded` null: its arguments are not known. */
-static void tell_call(td_play *p, const char *name, thud_result recorded,
-                      const td_recorded_call *call, const td_decoded *decoded) {
-    thud_player *player = (thud_player *)p; /* its first member */
+/* Calls options.call for a call whose arguments are not known, with the result that it had. */
+static void tell_result(td_play *p, const char *name, thud_result recorded) {
+    const thud_player_options *o = &((thud_player *)p)->options; /* `play` is its first member */
+    if (o->call) {
+        o->call(&(thud_played_call){.name = name, .result = recorded}, o->context);
+    }
+}
+
+/* Calls options.call for a call that was accepted. `found`: the hits of a query, else null. */
+static void tell_call(td_play *p, const td_recorded_call *call, const td_decoded *decoded,
+                      const td_decoded *found) {
+    thud_player *player = (thud_player *)p; /* `play` is its first member */
     const thud_player_options *o = &player->options;
     if (!o->call) {
         return;
     }
-    thud_played_call told = {.name = name, .result = recorded};
-    thud_call_value *values = NULL;
-    if (decoded) {
-        told.value_count = td_call_values(call, decoded, NULL);
-        told.returned = td_call_returned(call, decoded);
-        values = td_memory_get(&player->memory, ((size_t)told.value_count + 1) * sizeof *values);
-        if (!values) {
-            p->short_of_memory = true;
-            return;
-        }
-        td_call_values(call, decoded, values);
-        told.values = values;
+    thud_played_call told = {.name = call->name,
+                             .value_count = td_call_values(call, decoded, NULL),
+                             .returned = td_call_returned(call, decoded),
+                             .query = call->query};
+    size_t bytes = ((size_t)told.value_count + 1) * sizeof(thud_call_value);
+    thud_call_value *values = td_memory_get(&player->memory, bytes);
+    if (!values) {
+        p->short_of_memory = true;
+        return;
+    }
+    td_call_values(call, decoded, values);
+    told.values = values;
+    if (found) {
+        told.hit_count = *(const int *)found->args[0];
+        told.hits = found->values[1].pointer;
     }
     o->call(&told, o->context);
-    if (values) {
-        td_memory_put(&player->memory, values, ((size_t)told.value_count + 1) * sizeof *values);
+    td_memory_put(&player->memory, values, bytes);
+}
+
+/* Reads arguments, or the hits of a query. False, with the reason in *p, where that fails. */
+static bool decode(td_play *p, const td_recorded_call *call, td_decoded *out) {
+    bool done = td_codec_read(p->world, &p->from, call, out);
+    p->short_of_memory |= out->short_of_memory;
+    p->from.broken |= !done && !out->short_of_memory;
+    return done;
+}
+
+/* Tells of a query, whose arguments have been read, and whose hits come next. */
+static void play_query(td_play *p, const td_recorded_call *call, const td_decoded *decoded) {
+    td_decoded found = {.memory = p->memory};
+    if (decode(p, &td_recorded_hits, &found)) {
+        tell_call(p, call, decoded, &found);
+    }
+    td_decoded_free(&found);
+}
+
+/* Makes the call of this number, and compares what it returns. `opened`: records of its callbacks
+ * come next. */
+static void make_recorded_call(td_play *p, int number, td_decoded *decoded, bool opened) {
+    const td_recorded_call *call = &td_recorded_calls[number];
+    td_play_frame frame = {.outer = p->frame};
+    if (opened) {
+        td_play_next_callback(p, &frame);
+    }
+    p->frame = &frame;
+    thud_result result = td_play_call(p, p->world, number, decoded);
+    p->frame = frame.outer;
+    tell_call(p, call, decoded, NULL);
+    if (td_play_goes_on(p)) {
+        p->short_of_memory = result == THUD_ERROR_MEMORY;
+        p->differs = !p->short_of_memory &&
+                     (result != THUD_OK || (opened && td_read_byte(&p->from) != TD_RECORD_CLOSE) ||
+                      !td_codec_same_outs(p->world, &p->from, call, decoded));
     }
 }
 
@@ -200,25 +246,12 @@ static void play_call(td_play *p, uint64_t number, bool opened) {
     }
     const td_recorded_call *call = &td_recorded_calls[number];
     td_decoded decoded = {.memory = p->memory, .pass = td_play_pass};
-    if (!td_codec_read(p->world, &p->from, call, &decoded)) {
-        p->short_of_memory |= decoded.short_of_memory;
-        p->from.broken |= !decoded.short_of_memory;
-        td_decoded_free(&decoded);
-        return;
-    }
-    td_play_frame frame = {.outer = p->frame};
-    if (opened) {
-        td_play_next_callback(p, &frame);
-    }
-    p->frame = &frame;
-    thud_result result = td_play_call(p, p->world, (int)number, &decoded);
-    p->frame = frame.outer;
-    tell_call(p, call->name, THUD_OK, call, &decoded);
-    if (td_play_goes_on(p)) {
-        p->short_of_memory = result == THUD_ERROR_MEMORY;
-        p->differs = !p->short_of_memory &&
-                     (result != THUD_OK || (opened && td_read_byte(&p->from) != TD_RECORD_CLOSE) ||
-                      !td_codec_same_outs(p->world, &p->from, call, &decoded));
+    if (decode(p, call, &decoded)) {
+        if (call->query) {
+            play_query(p, call, &decoded);
+        } else {
+            make_recorded_call(p, (int)number, &decoded, opened);
+        }
     }
     td_decoded_free(&decoded);
 }
@@ -389,7 +422,7 @@ static void play_record(thud_player *p) {
         thud_result result = read_state(p, from);
         play->short_of_memory |= result == THUD_ERROR_MEMORY;
         from->broken |= result == THUD_ERROR_INVALID;
-        tell_call(play, "thud_world_restore", result, NULL, NULL);
+        tell_result(play, "thud_world_restore", result);
         break;
     }
     case TD_RECORD_LISTENERS: {
@@ -404,7 +437,7 @@ static void play_record(thud_player *p) {
         uint64_t number = td_read_count(from);
         thud_result result = (thud_result)td_read_byte(from);
         if (number < TD_CALL_COUNT && !from->broken) {
-            tell_call(play, td_recorded_calls[number].name, result, NULL, NULL);
+            tell_result(play, td_recorded_calls[number].name, result);
         }
         break;
     }

@@ -1,5 +1,5 @@
 /* recorded.c: the functions of thud_recorded.h: each makes its call within a frame
- * (recorder.h). Those that need more are in recorded_by_hand.c. */
+ * (recorder.h). Those that need more are in recorded_by_hand.c, queries in recorded_queries.c. */
 /* Made by tools/recorded.py of the public headers: do not edit. */
 #include "recording/recorder.h"
 

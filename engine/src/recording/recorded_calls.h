@@ -82,10 +82,24 @@ enum td_call {
     TD_CALL_SHAPE_SET_TEXTURE,
     TD_CALL_WORLD_USE_TEXTURES,
     TD_CALL_WORLD_USE_STEP_ERROR,
+    TD_CALL_WORLD_CAST_RAY,
+    TD_CALL_WORLD_CAST_RAY_ALL,
+    TD_CALL_WORLD_CAST_SHAPE,
+    TD_CALL_WORLD_CAST_SHAPE_ALL,
+    TD_CALL_WORLD_OVERLAP_SHAPE,
+    TD_CALL_WORLD_OVERLAP_AABB,
+    TD_CALL_WORLD_CLOSEST,
+    TD_CALL_WORLD_CAST_RAY_EACH,
+    TD_CALL_WORLD_CAST_SHAPE_EACH,
+    TD_CALL_WORLD_CAST_RAYS,
+    TD_CALL_WORLD_CAST_SHAPES,
     TD_CALL_COUNT
 };
 /* clang-format on */
 
 extern const td_recorded_call td_recorded_calls[TD_CALL_COUNT];
+/* What a query found, as if it were a call with the arguments int count, const thud_ray_hit *hits.
+ */
+extern const td_recorded_call td_recorded_hits;
 
 #endif

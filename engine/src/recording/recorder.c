@@ -219,7 +219,7 @@ static void write_call(thud_recorder *r, td_record_frame *frame) {
     const td_recorded_call *call = &td_recorded_calls[frame->call];
     td_writer *to = &r->records;
     bool step = frame->call == TD_CALL_WORLD_STEP && !frame->opened && !frame->outer;
-    r->changed |= !step;
+    r->changed |= !step && !call->query;
     if (step && !frame->locked) {
         r->waiting++;
         return;
@@ -232,6 +232,10 @@ static void write_call(thud_recorder *r, td_record_frame *frame) {
         td_codec_write(r->world, to, call, frame->args);
     }
     td_codec_write_outs(r->world, to, call, frame->args);
+    if (call->query) {
+        const void *const found[] = {&frame->hit_count, &frame->hits};
+        td_codec_write(r->world, to, &td_recorded_hits, found);
+    }
 }
 
 /* Writes that a call was refused. A call that ran out of memory may have changed the world before,
@@ -272,6 +276,18 @@ thud_result td_record_close(td_record_frame *frame, thud_result result) {
     }
     r->failed |= r->records.broken;
     return result;
+}
+
+void td_record_query(thud_world *w, int call, const void *const *args, const thud_ray_hit *hits,
+                     int count) {
+    if (!w->recorder || !w->recorder->options.queries) {
+        return;
+    }
+    td_record_frame frame;
+    td_record_open(&frame, w, call, args);
+    frame.hits = hits;
+    frame.hit_count = count;
+    td_record_close(&frame, THUD_OK);
 }
 
 void td_record_restored(thud_world *w) {

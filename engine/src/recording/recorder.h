@@ -27,6 +27,8 @@ typedef struct td_record_frame {
     const thud_step_calls *steps; /* the caller's own, of thud_world_advance_with */
     thud_mover_pass_fn *pass;     /* the caller's callback of thud_mover_move */
     void *pass_context;
+    const thud_ray_hit *hits; /* of a query: what it found */
+    int hit_count;
 } td_record_frame;
 
 typedef struct td_segment_place {
@@ -72,6 +74,10 @@ struct thud_recorder {
 void td_record_open(td_record_frame *frame, thud_world *w, int call, const void *const *args);
 /* Ends the frame. `result` is that of the call, and is returned. */
 thud_result td_record_close(td_record_frame *frame, thud_result result);
+/* Records a query that has returned THUD_OK, and the `count` hits that it found, if queries are
+ * recorded. */
+void td_record_query(thud_world *w, int call, const void *const *args, const thud_ray_hit *hits,
+                     int count);
 /* Writes the steps that are not in the records yet (`waiting`). */
 void td_record_flush_steps(thud_recorder *r);
 /* Writes what has to stand before the frame's record: the begin of the callback within which it is,

@@ -11,8 +11,8 @@
  * before it is needed to play on from there. A TD_SEGMENT_CALLS has the length of its records and
  * then the records, compressed (repeats.h), each of which begins with a byte: a td_record, or
  * TD_RECORD_CALL plus the number of a call (recorded_calls.h), after which its arguments and the
- * handles that it returned follow. A call within which callbacks made calls, or gave answers that
- * are not the usual ones, is
+ * handles that it returned follow, or what it found if it is a query. A call within which callbacks
+ * made calls, or gave answers that are not the usual ones, is
  *
  *     TD_RECORD_OPEN, number of the call, arguments
  *         TD_RECORD_CALLBACK, how many callbacks after the last one that has a record

@@ -1,7 +1,7 @@
 /* test_recording.c: recordings (thud_recording.h) of small worlds play to the same hashes: with
- * listeners of every kind, filters, calls inside callbacks, and calls that are not recorded;
- * differences are named; damage is refused; failing allocations do no harm. Random calls of the
- * whole API are recorded by tests/fuzz. */
+ * listeners of every kind, filters, calls inside callbacks, queries, and calls that are not
+ * recorded; differences are named; damage is refused; failing allocations do no harm. Random calls
+ * of the whole API are recorded by tests/fuzz. */
 #include "engine_support.h"
 
 #include "hostile_memory.h"
@@ -333,6 +333,140 @@ static void calls_are_told_with_their_arguments(void **state) {
     thud_world_destroy(w);
 }
 
+/* ---- queries ---- */
+
+typedef struct told_queries {
+    int count;
+    char names[16][40];
+    int value_counts[16];
+    thud_call_value values[16][4]; /* the first ones */
+    int hit_counts[16];
+    thud_ray_hit hits[16]; /* the last one of each */
+} told_queries;
+
+static void note_query(const thud_played_call *call, void *context) {
+    told_queries *t = context;
+    if (!call->query) {
+        assert_int_equal(call->hit_count, 0);
+        return;
+    }
+    assert_true(t->count < 16);
+    assert_int_equal(call->result, THUD_OK);
+    strcpy(t->names[t->count], call->name);
+    t->value_counts[t->count] = call->value_count;
+    for (int i = 0; i < 4; i++) {
+        t->values[t->count][i] = call->values[i];
+    }
+    t->hit_counts[t->count] = call->hit_count;
+    if (call->hit_count > 0) {
+        t->hits[t->count] = call->hits[call->hit_count - 1];
+    }
+    t->count++;
+}
+
+/* As note_query, of the last query alone. */
+static void note_last_query(const thud_played_call *call, void *context) {
+    ((told_queries *)context)->count = 0;
+    note_query(call, context);
+}
+
+static double go_on(const thud_ray_hit *out, void *context) {
+    (void)out;
+    (void)context;
+    return THUD_CAST_ON;
+}
+
+static bool find_more(thud_shape_id shape, void *context) {
+    (void)shape;
+    (void)context;
+    return true;
+}
+
+/* Makes every query that is recorded, each along or around the row of balls. */
+static void ask_everything(thud_world *w, thud_ray_hit *first) {
+    thud_ray ray = {.origin = {-9, 2}, .dx = 20}, up = {.origin = {-9, 2}, .dy = 5};
+    thud_ray both[] = {ray, up};
+    thud_shape_cast cast = {.center = {-9, 2}, .shape = thud_circle_at(0, 0, 0.25), .dx = 20};
+    thud_ray_hit hits[8];
+    thud_closest_hit closest;
+    bool found;
+    int count;
+    OK(thud_world_cast_ray(w, &ray, &found, first));
+    assert_true(found);
+    OK(thud_world_cast_ray(w, &up, &found, hits));
+    assert_false(found);
+    OK(thud_world_cast_ray_all(w, &ray, hits, 1, &count));
+    assert_int_equal(count, 2);
+    OK(thud_world_cast_ray_each(w, &ray, go_on, NULL));
+    OK(thud_world_cast_rays(w, both, 2, hits));
+    OK(thud_world_cast_shape(w, &cast, &found, hits));
+    OK(thud_world_cast_shape_all(w, &cast, NULL, 0, &count));
+    OK(thud_world_cast_shape_each(w, &cast, go_on, NULL));
+    OK(thud_world_cast_shapes(w, &cast, 1, hits));
+    OK(thud_world_overlap_shape(w, (thud_pos){0, 2}, thud_circle_at(0, 0, 0.25), NULL, find_more,
+                                NULL));
+    OK(thud_world_overlap_aabb(w, (thud_pos){-1, 1}, (thud_pos){9, 2.25}, NULL, find_more, NULL));
+    OK(thud_world_closest(w, (thud_pos){-1, 2}, 5, NULL, &found, &closest));
+    assert_int_equal(thud_world_cast_ray(w, NULL, &found, hits), THUD_ERROR_NULL);
+}
+
+static void queries_are_told_with_what_they_found(void **state) {
+    (void)state;
+    static const struct {
+        const char *name;
+        double value; /* the first or the second one */
+        int hits;
+        double x; /* of the last hit; 0: it has no point */
+    } wanted[] = {{"thud_world_cast_ray", -9, 1, -0.5},
+                  {"thud_world_cast_ray", -9, 0, 0},
+                  {"thud_world_cast_ray_all", -9, 1, -0.5},
+                  {"thud_world_cast_ray_each", -9, 2, 0}, /* in no certain order */
+                  {"thud_world_cast_rays", -9, 2, -9},
+                  {"thud_world_cast_shape", -9, 1, -0.5},
+                  {"thud_world_cast_shape_all", -9, 0, 0},
+                  {"thud_world_cast_shape_each", -9, 2, 0},
+                  {"thud_world_cast_shapes", -9, 1, -0.5},
+                  {"thud_world_overlap_shape", 0, 1, 0},
+                  {"thud_world_overlap_aabb", -1, 2, 0},
+                  {"thud_world_closest", -1, 1, -0.5}};
+    enum { QUERIES = sizeof wanted / sizeof *wanted };
+    for (int asked = 0; asked < 2; asked++) {
+        game g = make_game(thud_default_world_def());
+        thud_recorder *recorder = begin(g.world, (thud_recorder_options){.queries = asked});
+        thud_ray_hit first;
+        ask_everything(g.world, &first);
+        OK(thud_world_step(g.world));
+        told_queries t = {0};
+        thud_player_options options = {.call = note_query, .context = &t};
+        thud_player *player;
+        expect_same(bytes_of(recorder), g.world);
+        OK(thud_player_create(bytes_of(recorder), &options, &player));
+        OK(thud_player_step(player, NULL));
+        assert_int_equal(t.count, asked ? QUERIES : 0);
+        for (int i = 0; i < t.count; i++) {
+            assert_string_equal(t.names[i], wanted[i].name);
+            assert_true(t.values[i][0].number == wanted[i].value);
+            assert_int_equal(t.hit_counts[i], wanted[i].hits);
+            if (wanted[i].x != 0) {
+                assert_true(fabs(t.hits[i].point.x - wanted[i].x) < 1e-6);
+            }
+        }
+        if (asked) {
+            thud_world *played = world_of(player);
+            thud_body_id body;
+            assert_true(t.values[0][1].number == 2 && t.values[0][2].number == 20);
+            assert_true(t.hits[0].fraction == first.fraction && t.hits[0].normal.x == -1);
+            OK(thud_shape_get_body(played, t.hits[0].shape, &body));
+            assert_int_equal(body.index1, g.ball[0].index1);
+            OK(thud_shape_get_body(played, t.hits[9].shape, &body));
+            assert_int_equal(body.index1, g.ball[0].index1);
+        }
+        thud_player_destroy(player);
+        thud_recorder_end(recorder);
+        thud_world_destroy(g.world);
+    }
+}
+
 static double tick(void *context) {
     return *(double *)context += 0.5;
 }
@@ -525,7 +659,10 @@ static void callbacks_are_not_needed(void **state) {
 static bool hit(thud_shape_id shape, void *context) {
     game *g = context;
     thud_body_id body;
+    bool found;
+    thud_ray_hit first;
     OK(thud_shape_get_body(g->world, shape, &body));
+    OK(thud_world_cast_ray(g->world, &(thud_ray){.dx = 9}, &found, &first));
     OK(thud_body_set_velocity(g->world, g->ball[0], (thud_vec2){1, 5}, 0));
     if (state_of(g->world, body).kind == THUD_BODY_DYNAMIC && g->replaced < 2) {
         thud_body_options ball = {.kind = THUD_BODY_DYNAMIC};
@@ -538,6 +675,9 @@ static bool hit(thud_shape_id shape, void *context) {
 
 static void push_each(thud_world *world, void *context) {
     game *g = context;
+    bool found;
+    thud_ray_hit first;
+    OK(thud_world_cast_ray(world, &(thud_ray){.origin = {-9, 0.5}, .dx = 20}, &found, &first));
     OK(thud_body_apply_center_force(world, g->ball[0], (thud_vec2){(float)(g->calls++ % 5), 12}));
 }
 
@@ -554,30 +694,33 @@ static bool pass_some(const thud_mover *mover, const thud_mover_hit *what, thud_
  * pushes others. */
 static void other_callbacks_are_recorded(void **state) {
     (void)state;
-    game g = make_game(thud_default_world_def());
-    thud_mover mover = thud_default_mover(thud_circle_at(-2, 0.6, 0.5));
-    mover.push_force = 50;
-    mover.pass = pass_some;
-    mover.context = &g;
-    thud_step_calls calls = {.before = push_each, .after = push_each, .context = &g};
-    thud_recorder *recorder = begin(g.world, (thud_recorder_options){.hash_steps = 1});
-    for (int i = 0; i < STEPS; i++) {
-        OK(thud_mover_move(g.world, &mover, (thud_vec2){2, -1}, 1.0 / 60, NULL));
-        assert_ptr_equal(mover.context, &g);
-        OK(thud_world_advance_with(g.world, 0.03, 5, &calls, NULL, NULL));
-        if (i == 20) {
-            OK(thud_world_overlap_aabb(g.world, (thud_pos){2, -1}, (thud_pos){9, 9}, NULL, hit,
-                                       &g));
-            assert_int_equal(g.replaced, 2);
-            OK(thud_body_set_velocity(g.world, g.ball[0], (thud_vec2){0, 0}, 0));
+    for (int queries = 0; queries < 2; queries++) {
+        game g = make_game(thud_default_world_def());
+        thud_mover mover = thud_default_mover(thud_circle_at(-2, 0.6, 0.5));
+        mover.push_force = 50;
+        mover.pass = pass_some;
+        mover.context = &g;
+        thud_step_calls calls = {.before = push_each, .after = push_each, .context = &g};
+        thud_recorder_options options = {.hash_steps = 1, .queries = queries};
+        thud_recorder *recorder = begin(g.world, options);
+        for (int i = 0; i < STEPS; i++) {
+            OK(thud_mover_move(g.world, &mover, (thud_vec2){2, -1}, 1.0 / 60, NULL));
+            assert_ptr_equal(mover.context, &g);
+            OK(thud_world_advance_with(g.world, 0.03, 5, &calls, NULL, NULL));
+            if (i == 20) {
+                OK(thud_world_overlap_aabb(g.world, (thud_pos){2, -1}, (thud_pos){9, 9}, NULL, hit,
+                                           &g));
+                assert_int_equal(g.replaced, 2);
+                OK(thud_body_set_velocity(g.world, g.ball[0], (thud_vec2){0, 0}, 0));
+            }
+            if (i % 30 == 0) {
+                OK(thud_world_advance(g.world, 0.04, 3, NULL, NULL));
+            }
         }
-        if (i % 30 == 0) {
-            OK(thud_world_advance(g.world, 0.04, 3, NULL, NULL));
-        }
+        expect_same(bytes_of(recorder), g.world);
+        thud_recorder_end(recorder);
+        thud_world_destroy(g.world);
     }
-    expect_same(bytes_of(recorder), g.world);
-    thud_recorder_end(recorder);
-    thud_world_destroy(g.world);
 }
 
 /* ---- what is not recorded ---- */
@@ -787,11 +930,15 @@ static void failing_memory_does_no_harm(void **state) {
         game g = make_game(def);
         run(g.world, 40);
         memory_allowed = allowed;
-        thud_recorder_options options = {.hash_steps = 1, .keyframe_steps = 5};
+        thud_recorder_options options = {.hash_steps = 1, .keyframe_steps = 5, .queries = true};
         thud_recorder *recorder = NULL;
         thud_result result = thud_recorder_begin(g.world, &options, &recorder);
         assert_true(result == THUD_OK || (result == THUD_ERROR_MEMORY && allowed >= 0));
         for (int i = 0; i < 20; i++) {
+            bool found;
+            thud_ray_hit first;
+            result = thud_world_cast_ray(g.world, &(thud_ray){.dx = 9}, &found, &first);
+            assert_true(result == THUD_OK || result == THUD_ERROR_MEMORY);
             result = thud_body_set_velocity(g.world, g.ball[i % BALLS], (thud_vec2){1, 2}, 0);
             result = result == THUD_OK ? thud_world_step(g.world) : result;
             if (result == THUD_ERROR_MEMORY) {
@@ -812,7 +959,10 @@ static void failing_memory_does_no_harm(void **state) {
         if (recorder && result == THUD_OK) {
             memory_allowed = allowed;
             thud_player *player = NULL;
-            thud_player_options own = {.allocator = def.allocator};
+            told_queries t = {.count = 0};
+            thud_player_options own = {.allocator = def.allocator,
+                                       .call = note_last_query,
+                                       .context = &t};
             result = thud_player_create(bytes, &own, &player);
             for (bool stepped = true; result == THUD_OK && stepped;) {
                 result = thud_player_step(player, &stepped);
@@ -837,6 +987,7 @@ int main(void) {
         cmocka_unit_test(a_sink_gets_all),
         cmocka_unit_test(chunks_are_kept),
         cmocka_unit_test(calls_are_told_with_their_arguments),
+        cmocka_unit_test(queries_are_told_with_what_they_found),
         cmocka_unit_test(clock_of_the_player_times_its_steps),
         cmocka_unit_test(names_of_qualities_are_kept),
         cmocka_unit_test(keyframes_are_found),

@@ -123,6 +123,7 @@ test("calls_of_a_step_are_told_and_keyframes_found", () => {
       { number: 0.5, handle: false },
     ],
     returned: null,
+    found: null,
   });
   assert.equal(step.name, "thud_world_step");
   player.seek(4);
@@ -140,6 +141,69 @@ test("calls_of_a_step_are_told_and_keyframes_found", () => {
   refusedWith("invalid", /call/, () => new Player(engine, bytes, { call: true }));
   recorder.end();
   game.world.close();
+});
+
+test("queries_are_told_with_what_they_found", () => {
+  for (const queries of [false, true]) {
+    const { world, ball } = heap();
+    const recorder = new Recorder(world, { queries });
+    const hit = world.castRay([-50, 0.1], [100, 0]);
+    assert.notEqual(hit, null);
+    assert.equal(world.castRay([-50, 500], [1, 0]), null);
+    world.overlap({ kind: "bounds", lower: [-50, -50], upper: [50, 50] });
+    world.step();
+    const bytes = recorder.bytes();
+    const player = new Player(engine, bytes, { calls: true });
+    player.step();
+    assert.equal(player.world.hash(), world.hash());
+    const told = player.calls.filter(({ found }) => found !== null);
+    assert.equal(told.length, queries ? 3 : 0);
+    if (queries) {
+      const [ray, miss, box] = told;
+      assert.equal(ray.name, "thud_world_cast_ray");
+      assert.deepEqual(ray.values.slice(0, 4).map(({ number }) => number), [-50, 0.1, 100, 0]);
+      const [{ shape, ...where }] = ray.found;
+      const { shape: own, ...wanted } = hit;
+      assert.deepEqual(where, wanted);
+      assert.equal(shape.index, own.index);
+      assert.ok(player.world.isValid(shape));
+      assert.deepEqual(miss.found, []);
+      assert.equal(box.name, "thud_world_overlap_aabb");
+      assert.ok(box.found.some(({ shape: found }) => player.world.bodyOf(found).index === ball.index));
+    }
+    player.close();
+    recorder.end();
+    world.close();
+  }
+  refusedWith("invalid", /query/, () => new Recorder(heap().world, { query: true }));
+});
+
+test("renderers_are_told_of_bodies_that_come_and_ground_that_changes", () => {
+  const { world, ball } = heap();
+  const recorder = new Recorder(world);
+  for (let step = 0; step < 8; step++) {
+    if (step === 2) world.createCircle(world.createBody({ position: [9, 9] }), { radius: 1 });
+    if (step === 5) world.setVelocity(ball, [1, 0]);
+    if (step === 6) world.setKind(ball, "kinematic");
+    world.step();
+  }
+  const player = new Player(engine, recorder.bytes());
+  const changes = [];
+  for (let before = player.world.revision; player.step(); before = player.world.revision)
+    changes.push(player.world.revision.shapes - before.shapes);
+  // A step more than the one of the call, since edits inside a callback wait for the next step.
+  assert.deepEqual(changes.map((count) => count > 0), [
+    false, false, true, true, false, false, true, true,
+  ]);
+  const { shapes } = player.world.revision;
+  player.seek(1);
+  assert.ok(player.world.revision.shapes > shapes);
+  player.close();
+  recorder.end();
+  const before = world.revision.shapes;
+  world.setKind(ball, "dynamic");
+  assert.ok(world.revision.shapes > before);
+  world.close();
 });
 
 test("difference_is_named_and_damage_refused", () => {

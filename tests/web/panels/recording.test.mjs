@@ -22,10 +22,11 @@ import {
   PHONE,
   pressed,
   runAxeInBothThemes,
+  stepBy,
   untilBodies,
   untilRunning,
 } from "../support/page.mjs";
-import { until, untilFigures, untilStep } from "../support/wait.mjs";
+import { until, untilFigures, untilOverlay, untilStep } from "../support/wait.mjs";
 
 const { Player, Recorder } = await import(`${root}web/package/dist/recording.js`);
 const engine = await thud.load(new URL(`file://${root}web/package/dist/thud-recorded.wasm`));
@@ -37,16 +38,23 @@ after(() => rmSync(folder, { recursive: true }));
 const STEPS = 40;
 
 /** A ball that falls beside others. With `tamper` its velocity changes after step 20 by no call,
- * so that the recording differs from then on. `shown`: the text that tells the page how to show it. */
-function ballRecording({ tamper = false, shown = null } = {}) {
+ * so that the recording differs from then on. `shown`: the text that tells the page how to show it.
+ * `calls`: in step 21 it is pushed and a ray is cast to it, and in step 31 a big ball joins it. */
+function ballRecording({ tamper = false, shown = null, calls = false } = {}) {
   const world = engine.createWorld();
   for (let i = 0; i < 3; i++)
     world.createCircle(world.createBody({ kind: "dynamic", position: [3 * i, 5] }), { radius: 1 });
   const [, ball] = world.bodies();
-  const recorder = new Recorder(world, { hashSteps: 1, bodyHashes: true });
+  const recorder = new Recorder(world, { hashSteps: 1, bodyHashes: true, queries: true });
   if (shown !== null) recorder.chunk("thud-page", Buffer.from(shown));
   for (let step = 0; step < STEPS; step++) {
     if (tamper && step === 20) changeInMemory(world, ball);
+    if (calls && step === 20) {
+      world.setVelocity(ball, [0.5, 0]);
+      world.castRay([3, 20], [0, -30]);
+    }
+    if (calls && step === 30)
+      world.createCircle(world.createBody({ kind: "dynamic", position: [3, 12] }), { radius: 3 });
     world.step();
   }
   const bytes = Buffer.from(recorder.bytes());
@@ -224,6 +232,85 @@ for (const browser of BROWSERS)
         await playToEnd(page, "near.rec", ballRecording({ shown }));
         await until(() => drawn(page), ({ count }) => count > 100, `${shown}: all is in sight`);
       }
+      assert.deepEqual(errors, []);
+      await close();
+    });
+
+    test("calls_of_a_step_are_listed_and_drawn", LOGIC, async () => {
+      for (const options of [DESKTOP, PHONE]) {
+        const { page, errors, close } = await visitor.open("?scene=cradle", options);
+        const view = { x: 3, y: 5, height: 30, width: 20 };
+        const shown = JSON.stringify({ view });
+        await playToEnd(page, "ball.rec", ballRecording({ calls: true, shown }));
+        await seek(page, 21);
+        await untilOverlay(page, (count) => count === 0, "nothing is drawn of calls");
+        await page.click("#calls-button");
+        const list = () => page.innerText("#played-calls");
+        await until(list, (text) => text.startsWith("Calls of step 21: 2"), "step 21");
+        assert.match(await list(), /body_set_velocity\(#1, 0.5, 0, 0\)\s+world_cast_ray\(3, 20, 0, -30, .*\): 1 hit/);
+        await untilOverlay(page, (count) => count > 50, "the ray, its hit and a ring");
+        assert.deepEqual(await runAxeInBothThemes(page, "#bottom"), []);
+        const { x, width } = await page.locator("#played").boundingBox();
+        assert.ok(x >= 0 && x + width <= options.viewport.width, `${x}, ${width}`);
+        await seek(page, 20);
+        await until(list, (text) => /step 20: 0\s+none/.test(text), "step 20");
+        await untilOverlay(page, (count) => count === 0, "nothing in step 20");
+        // The list goes with the recording, and comes back with it.
+        await page.click("#fork");
+        await page.waitForSelector("#played-calls", { state: "hidden" });
+        await page.click("#to-recording");
+        await page.waitForSelector("#played-calls");
+        await page.click("#calls-button");
+        await page.waitForSelector("#played-calls", { state: "hidden" });
+        assert.deepEqual(errors, []);
+        await close();
+      }
+    });
+
+    test("body_that_comes_in_the_midst_of_a_recording_is_drawn_from_then_on", LOGIC, async () => {
+      const { page, errors, close } = await visitor.open("?scene=cradle");
+      const shown = JSON.stringify({ view: { x: 3, y: 5, height: 30, width: 20 } });
+      await playToEnd(page, "ball.rec", ballRecording({ calls: true, shown }));
+      const pixels = () => drawn(page).then(({ count }) => count);
+      await untilBodies(page, 4);
+      const all = await pixels();
+      await seek(page, 30);
+      // The big ball has three times the area of the three others.
+      await until(pixels, (count) => count < all / 2, "it is not there in step 30");
+      await seek(page, 31);
+      await until(pixels, (count) => count > 0.8 * all, "it is there in step 31");
+      assert.deepEqual(errors, []);
+      await close();
+    });
+
+    test("video_of_what_was_seen_is_saved_and_the_scene_goes_on", async () => {
+      const { page, errors, close } = await visitor.open("?scene=cradle&paused=1", DESKTOP, keepBlobs);
+      await stepBy(page, STEPS);
+      await page.keyboard.press("o");
+      await page.click("#save-video");
+      await page.waitForSelector("#stop-film:focus");
+      assert.ok(await page.isHidden("#dock"), "the panel covers nothing");
+      await page.waitForFunction(() => window.kept);
+      await page.waitForSelector("#filming", { state: "detached" });
+      await untilStep(page, STEPS);
+      const [type, size, magic] = await page.evaluate(async () => {
+        const { kept } = window;
+        return [kept.type, kept.size, [...new Uint8Array(await kept.slice(0, 4).arrayBuffer())]];
+      });
+      assert.match(type, /^video\/webm/);
+      // A container of Matroska begins so.
+      assert.deepEqual(magic, [0x1a, 0x45, 0xdf, 0xa3]);
+      assert.ok(size > 5000, `${size} bytes`);
+      // It can be stopped, and what ran goes on.
+      await page.click("#pause");
+      await until(() => figure(page, "awake"), () => true, "it runs");
+      await page.keyboard.press("o");
+      await page.evaluate(() => (window.kept = null));
+      await page.click("#save-video");
+      await page.click("#stop-film");
+      await page.waitForFunction(() => window.kept);
+      await page.waitForSelector("#filming", { state: "detached" });
+      await page.waitForSelector('#pause[aria-pressed="false"]');
       assert.deepEqual(errors, []);
       await close();
     });

@@ -15,7 +15,8 @@ import { checkOptions } from "./checks/names.js";
 import type { Engine } from "./engine.js";
 import { type ErrorCode, RESULT_CODES, ThudError } from "./error.js";
 import { ListAt } from "./generated/slots.js";
-import { bodyId } from "./numbers.js";
+import { bodyId, shapeId } from "./numbers.js";
+import type { RayHit } from "./query-types.js";
 import type { BodyId } from "./types.js";
 import { World } from "./world.js";
 
@@ -32,11 +33,34 @@ export interface RecorderOptions {
   keyframeSteps?: number;
   /** Keeps the last so many steps, up to a keyframe more; 0: all. */
   ringSteps?: number;
+  /**
+   * Also records casts, overlaps and `closest`, with what they found, to be listed and drawn: of an
+   * overlap, and of a cast that calls a function for each hit, the first 64.
+   */
+  queries?: boolean;
 }
 
-const NAMES: readonly (keyof RecorderOptions)[] = ["hashSteps", "bodyHashes", "keyframeSteps", "ringSteps"];
+const NAMES: readonly (keyof RecorderOptions)[] = [
+  "hashSteps",
+  "bodyHashes",
+  "keyframeSteps",
+  "ringSteps",
+  "queries",
+];
 /** THUD_RECORDING_STEPS_MAX. */
 const STEPS_MAX = 1e9;
+
+/** Bytes before the name of a call, and of a hit, in what api_player_calls lists. */
+const HEAD = 24;
+const HIT = 64;
+
+/** The hit whose eight numbers begin at a byte. */
+function hitAt(numbers: DataView, at: number): RayHit {
+  const [index1, generation, x, y, normalX, normalY, fraction, depth] = Array.from({ length: 8 }, (_, i) =>
+    numbers.getFloat64(at + 8 * i, true),
+  );
+  return { shape: shapeId(index1, generation), point: [x, y], normal: [normalX, normalY], fraction, depth };
+}
 
 /** Throws unless the engine is that of thud-recorded.wasm. */
 function demand(engine: Engine): Engine {
@@ -74,12 +98,14 @@ export class Recorder {
   constructor(world: World, options: RecorderOptions = {}) {
     this.#engine = demand(world.engine);
     checkOptions("recorder", options, NAMES);
-    const { hashSteps = 0, bodyHashes = false, keyframeSteps = 0, ringSteps = 0 } = options;
+    const { hashSteps = 0, bodyHashes = false, keyframeSteps = 0, ringSteps = 0, queries = false } = options;
     for (const steps of [hashSteps, keyframeSteps, ringSteps])
       if (!Number.isInteger(steps) || steps < 0 || steps > STEPS_MAX)
         throw new ThudError("invalid", `recorder: steps must be a whole number from 0 to ${STEPS_MAX}: ${steps}`);
     const { api_recorder_begin } = this.#engine.exports;
-    this.#engine.check(api_recorder_begin(world.address, hashSteps, +bodyHashes, keyframeSteps, ringSteps));
+    this.#engine.check(
+      api_recorder_begin(world.address, hashSteps, +bodyHashes, keyframeSteps, ringSteps, +queries),
+    );
     this.#address = this.#engine.slots[ListAt.address];
   }
 
@@ -145,6 +171,8 @@ export interface PlayedCall {
   values: { number: number; handle: boolean }[];
   /** The `index` of the handle that it returned, if any. */
   returned: number | null;
+  /** What a query found when it was recorded; null: it is no query. */
+  found: RayHit[] | null;
 }
 
 /** What a player has played, by steps since the recording began. */
@@ -190,9 +218,11 @@ export class Player {
    * @throws {ThudError} "invalid" where the state differs from what was recorded; "memory".
    */
   step(): boolean {
-    const player = this.#open();
-    this.#engine.check(this.#engine.exports.api_player_step(player));
-    return this.#engine.slots[ListAt.count] !== 0;
+    const result = this.#engine.exports.api_player_step(this.#open());
+    const { [ListAt.address]: changed, [ListAt.count]: stepped } = this.#engine.slots;
+    if (changed !== 0) this.world.noteChanges();
+    this.#engine.check(result);
+    return stepped !== 0;
   }
 
   /**
@@ -200,7 +230,9 @@ export class Player {
    * @throws {ThudError} as `step`, and "invalid" for another step.
    */
   seek(step: number): void {
-    this.#engine.check(this.#engine.exports.api_player_seek(this.#open(), step));
+    const result = this.#engine.exports.api_player_seek(this.#open(), step);
+    this.world.noteChanges();
+    this.#engine.check(result);
   }
 
   get progress(): PlayerProgress {
@@ -230,21 +262,26 @@ export class Player {
     const numbers = new DataView(bytes.buffer);
     const calls: PlayedCall[] = [];
     for (let at = 0; at < bytes.length; ) {
-      const [length, result, returned, count] = [0, 4, 8, 12].map((from) => numbers.getUint32(at + from, true));
+      const [length, result, returned, count, isQuery, hits] = [0, 4, 8, 12, 16, 20].map((from) =>
+        numbers.getUint32(at + from, true),
+      );
       const code = RESULT_CODES[result];
-      const first = at + 16 + length;
-      const name = new TextDecoder().decode(bytes.subarray(at + 16, first));
+      const first = at + HEAD + length;
+      const name = new TextDecoder().decode(bytes.subarray(at + HEAD, first));
       const values = Array.from({ length: count }, (_, i) => {
         const handle = bytes[first + 9 * i + 8] !== 0;
         return { number: numbers.getFloat64(first + 9 * i, true) - +handle, handle };
       });
+      at = first + 9 * count;
+      const found = Array.from({ length: hits }, (_, i) => hitAt(numbers, at + HIT * i));
       calls.push({
         name,
         refused: code === "ok" ? null : code,
         values,
         returned: returned === 0 ? null : returned - 1,
+        found: isQuery ? found : null,
       });
-      at = first + 9 * count;
+      at += HIT * hits;
     }
     return calls;
   }

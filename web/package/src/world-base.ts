@@ -63,7 +63,10 @@ export class WorldBase {
     forgotten?.register(this, null, this);
   }
 
-  /** The length scale that the world was made with (WorldOptions.lengthScale). */
+  /**
+   * The length scale that the world was made with (WorldOptions.lengthScale); 1 for the world of a
+   * `Player`.
+   */
   get lengthScale(): number {
     return this.reach / EVERYWHERE;
   }
@@ -126,13 +129,12 @@ export class WorldBase {
    */
   restore(snapshot: Uint8Array): void {
     restoreSnapshot(this.engine, this.address, snapshot);
-    this.shapesRevision++;
-    this.terrainsRevision++;
+    this.noteChanges();
   }
 
   /**
    * Makes a snapshot small, to be sent or kept: alone, or against an earlier snapshot of the same
-   * world, the base, as a delta. `unpack` gives the same bytes again. The world may be any.
+   * world, the base, as a delta. `unpack` gives the same bytes again. Any world can make the call.
    * @throws {ThudError} "invalid" for bytes that are no whole snapshot of this build; "locked"
    * inside a callback; "memory".
    * @example const small = world.pack(world.snapshot());
@@ -168,12 +170,18 @@ export class WorldBase {
 
   /**
    * Two counters. `shapes` increases when a body or shape was created, destroyed, enabled,
-   * disabled, resized or made a sensor, `terrains` when the line of a terrain changed; `restore`
-   * increases both. A renderer reads the shape table, or the terrains, again when they have
-   * changed.
+   * disabled, resized, made a sensor or given another kind, `terrains` when the line of a terrain changed; `restore`
+   * increases both, as do steps of a `Player` in which that may have happened. A renderer reads the
+   * shape table, or the terrains, again when they have changed.
    */
   get revision(): { readonly shapes: number; readonly terrains: number } {
     return { shapes: this.shapesRevision, terrains: this.terrainsRevision };
+  }
+
+  /** Increases both counters of `revision`: for calls that the module has made by itself. */
+  noteChanges(): void {
+    this.shapesRevision++;
+    this.terrainsRevision++;
   }
 
   // ---- time ----

@@ -155,6 +155,7 @@ export class WorldEdits extends WorldJoints {
    */
   setKind(body: BodyRef, kind: BodyKind): void {
     this.on(Kind.body, "api_body_set_kind", body, indexOf(BODY_KINDS, kind, "kind"));
+    this.shapesRevision++;
   }
 
   /**

@@ -139,15 +139,18 @@ export class View {
     this.#jointRows = rows.length > 0 ? rows : null;
   }
 
-  /** `alpha` is 0 at the frame's `before`, and 1 at its `now`. */
-  draw(frame: Frame, alpha: number, options: DrawOptions): void {
+  /**
+   * `alpha` is 0 at the frame's `before`, and 1 at its `now`. False if the picture is the same as
+   * before, and was not drawn again.
+   */
+  draw(frame: Frame, alpha: number, options: DrawOptions): boolean {
     this.receive(frame);
     const { camera } = this;
     const split = frame.box2d ? options.split : "none";
     camera.split = split === "side";
     const { x, y, scale, panes } = camera;
     const how = JSON.stringify([alpha, options, x, y, scale, panes, [...this.shown]]);
-    if (!this.#stale && this.#drawn?.frame === frame && this.#drawn.how === how) return;
+    if (!this.#stale && this.#drawn?.frame === frame && this.#drawn.how === how) return false;
     this.#drawn = { frame, how };
     this.#colour(split === "none");
     this.#backdrop.draw(camera, this.#theme, this.#shapes?.typicalSize ?? 0);
@@ -180,6 +183,7 @@ export class View {
     const shapes = this.#shapes;
     const picture = { frame, shapes, poses, otherPoses, joints, bearings, marks, held, split };
     this.#overlay.draw(picture, camera, this.#theme, this.shown);
+    return true;
   }
 
   /**

@@ -21,6 +21,8 @@ export interface Listener {
   frame?(frame: Frame): void;
   /** The worker has made steps; one sample for each. */
   samples?(samples: readonly Sample[]): void;
+  /** A picture has been drawn that is not as the one before. */
+  drawn?(): void;
   /** `App.state` has changed. */
   state?(state: Readonly<State>): void;
   /** An error: the scene cannot be started, or, with `running`, it had started and has stopped. */
@@ -125,6 +127,14 @@ export class App {
     await this.client.load(wasm);
   }
 
+  /** Loads another engine into a new worker, and runs the scene from its beginning. Resolves to the
+   * engine's number of threads. */
+  async reload(wasm: ChosenWasm): Promise<number> {
+    const threads = await this.#startWorker(wasm);
+    await this.restart();
+    return threads;
+  }
+
   // ---- scenes ----
 
   /** Runs another scene. True once it runs; false if it failed or another was requested since. */
@@ -210,19 +220,22 @@ export class App {
     const { camera, code: ended } = this.state;
     const before = this.#running?.code === ended ? null : this.#running;
     await this.#startWorker();
-    const { scene, ...more } = before ?? { ...this.#running, scene: this.state.scene, code: null };
+    // The port of a match went to the worker that is gone.
+    const { scene, match: _, ...more } = before ?? { ...this.#running, scene: this.state.scene, code: null };
     await this.open(scene, { ...more, camera });
   }
 
-  /** Replaces the worker by a new one with the engine loaded; no scene runs in it yet. */
-  async #startWorker(): Promise<void> {
+  /** Replaces the worker by a new one with the engine loaded; no scene runs in it yet. Resolves to
+   * the engine's number of threads. */
+  async #startWorker(wasm = this.wasm): Promise<number> {
     // A `#run` that still waits for the old worker must not report that as an error.
     this.#runs++;
     this.#starting = false;
     this.client.restart();
     // Frames cannot be requested until a scene runs in the new worker.
     this.scene = null;
-    await this.load(this.wasm);
+    this.wasm = wasm;
+    return this.client.load(wasm);
   }
 
   /** The running scene's title, with ", edited" where the visitor's code runs. */
@@ -416,6 +429,11 @@ export class App {
   /** Has the shown frame made again, since overlays or the visible part of the world changed. */
   refresh(): void {
     this.#stale = true;
+  }
+
+  /** Tells the listeners that a picture has been drawn. */
+  drawn(): void {
+    this.#tell((listener) => listener.drawn?.());
   }
 
   /** A frame has come from the worker. */

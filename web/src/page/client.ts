@@ -80,6 +80,7 @@ export class Client {
   close(): void {
     this.#worker.terminate();
     clearTimeout(this.#timer);
+    this.#timer = 0;
     this.#ticking = this.#stuck = false;
     const waiting = [...this.#waiting.values()];
     this.#waiting.clear();
@@ -97,7 +98,13 @@ export class Client {
     const answer = new Promise<unknown>((resolve, reject) =>
       this.#waiting.set(id, { resolve, reject, report: (news) => report(news as Progress<Name>) }),
     );
-    this.#send({ kind: "ask", id, name, value }, transfer);
+    try {
+      this.#send({ kind: "ask", id, name, value }, transfer);
+    } catch (error) {
+      // What cannot be sent is not waited for.
+      this.#waiting.delete(id);
+      return Promise.reject(error);
+    }
     return answer as Promise<Questions[Name]["answer"]>;
   }
 

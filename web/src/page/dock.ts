@@ -26,7 +26,10 @@ export interface PanelKind {
 export class Dock {
   readonly #app: App;
   readonly #kinds: Readonly<Record<string, PanelKind>>;
-  readonly #made = new Map<string, Panel>();
+  /** Panels that are made, or being made. */
+  readonly #made = new Map<string, Promise<Panel>>();
+  /** The open panel, once it is made. */
+  #shown: Panel | null = null;
   readonly #changed: () => void;
   #open: string | null = null;
   /** The element outside the dock that had the focus when a panel was opened. */
@@ -77,20 +80,25 @@ export class Dock {
     byId("dock").hidden = false;
     byId("dock").dataset.panel = name;
     this.#mark();
-    let panel = this.#made.get(name);
-    if (!panel) {
+    let making = this.#made.get(name);
+    if (!making) {
       byId("dock-body").replaceChildren(make("p", { class: "quiet" }, "Loading…"));
-      try {
-        panel = (await kind.load())(this.#app);
-        this.#made.set(name, panel);
-      } catch (error) {
-        const text = `This panel cannot be loaded: ${messageOf(error)}`;
-        byId("dock-body").replaceChildren(make("p", { class: "quiet" }, text));
-        return;
-      }
+      making = kind.load().then((create) => create(this.#app));
+      this.#made.set(name, making);
     }
-    // Another panel may have been opened while this one was imported.
-    if (this.#open !== name) return;
+    let panel: Panel;
+    try {
+      panel = await making;
+    } catch (error) {
+      // The next time it is tried again.
+      this.#made.delete(name);
+      const text = `This panel cannot be loaded: ${messageOf(error)}`;
+      if (this.#open === name) byId("dock-body").replaceChildren(make("p", { class: "quiet" }, text));
+      return;
+    }
+    // Meanwhile another panel may have been opened, or this one closed and opened again.
+    if (this.#open !== name || this.#shown) return;
+    this.#shown = panel;
     byId("dock-body").replaceChildren(panel.element);
     this.#changed();
     const ready = panel.opened?.();
@@ -122,7 +130,8 @@ export class Dock {
 
   /** Tells the open panel that it is hidden. */
   #leave(): void {
-    if (this.#open) this.#made.get(this.#open)?.closed?.();
+    this.#shown?.closed?.();
+    this.#shown = null;
   }
 
   /** The page's buttons that open panels. */

@@ -1,23 +1,22 @@
 /**
- * Recordings on the page: opens one, with a bar of its own below the scene, goes on from one of its
- * steps by hand, and saves what runs as one. Imported when the first recording is opened or saved.
+ * Recordings on the page: opens one, with a bar of its own below the scene, lists the calls of its
+ * steps, goes on from one of them by hand, and saves what runs as one. Imported when the first recording is opened or saved.
  */
 import "../style/recording.css";
 import recordedUrl from "thud/thud-recorded.wasm?url";
+import type { Frame } from "../scene/frame";
 import { messageOf } from "../shared/error";
 import type { App } from "./app";
 import { byId, make } from "./dom";
 import { count } from "./format";
 import { notice } from "./messages";
+import { saveFile } from "./save-file";
 import { SPEEDS } from "./url";
 
 /** What plays a recording; no file of web/public/scenes has this name. */
 const RECORDING = "recording";
 /** Bytes of a recording that is opened at most. Chosen. */
 const LARGEST_FILE = 2 ** 28;
-
-/** Milliseconds for which a file that is saved stays there for the browser. Chosen. */
-const KEPT = 60_000;
 
 /** Made when the first recording is opened. */
 let bar: Bar | null = null;
@@ -36,17 +35,14 @@ export async function openRecording(app: App, file: File): Promise<void> {
     app.setPaused(false);
 }
 
-/** Records what the time slider reaches, and gives it to the visitor as a file. */
+/** Records the steps from the first that is kept to the one that is shown, and gives them to the
+ * visitor as a file. */
 export async function saveRecording(app: App): Promise<void> {
-  const { title } = app;
   try {
     const { bytes, steps } = await app.client.ask("record", { wasm: recordedUrl }, (part) =>
       notice(`Recording: ${Math.floor(100 * part)} %`),
     );
-    const url = URL.createObjectURL(new Blob([bytes], { type: "application/octet-stream" }));
-    make("a", { href: url, download: `${title.replace(/[^\p{L}\p{N}]+/gu, "-")}.rec` }).click();
-    // The browser may read it later.
-    setTimeout(() => URL.revokeObjectURL(url), KEPT);
+    saveFile(app, new Blob([bytes], { type: "application/octet-stream" }), "rec");
     notice(`Recorded: ${count(steps)} steps, ${count(Math.ceil(bytes.length / 1000))} kB.`);
   } catch (error) {
     notice(`Nothing is recorded: ${messageOf(error)}`, 20);
@@ -68,14 +64,35 @@ class Bar {
     "Fork here",
   );
   readonly #back = make("button", { id: "to-recording" }, "To the recording");
+  readonly #callsButton = make(
+    "button",
+    {
+      id: "calls-button",
+      "aria-expanded": "false",
+      "aria-controls": "played-calls",
+      title: "List and draw the calls that led to each step",
+    },
+    "Calls",
+  );
+  readonly #callsHead = make("h2", {});
+  readonly #callsList = make("ol", {});
+  readonly #calls = make(
+    "section",
+    { id: "played-calls", class: "panel", tabindex: 0, "aria-label": "Calls of this step", hidden: true },
+    this.#callsHead,
+    this.#callsList,
+  );
   readonly #element = make(
     "div",
     { id: "played", class: "panel", role: "group", "aria-label": "Recording", hidden: true },
     this.#name,
     this.#speed,
+    this.#callsButton,
     this.#fork,
     this.#back,
   );
+  /** Whether calls are listed, also if it is not shown for now. */
+  #lists = false;
   /** The run whose first frame has come. */
   #begun = 0;
   /** The step at which the last fork was made. */
@@ -83,14 +100,18 @@ class Bar {
 
   constructor(app: App) {
     this.#app = app;
-    byId("controls").before(this.#element);
+    byId("controls").before(this.#calls, this.#element);
     this.#speed.addEventListener("change", () => app.setSpeed(Number(this.#speed.value)));
     this.#fork.addEventListener("click", () => void this.#goOn());
     this.#back.addEventListener("click", () => void this.#goBack());
+    this.#callsButton.addEventListener("click", () => this.#listCalls(!this.#lists));
     app.listen({
       run: () => this.#show(),
       state: () => this.#tellSpeed(),
-      frame: ({ run, step, ended }) => this.#follow(run, step, ended ?? false),
+      frame: (frame) => {
+        this.#follow(frame);
+        this.#tellCalls(frame);
+      },
     });
     this.#tellSpeed();
   }
@@ -98,14 +119,41 @@ class Bar {
   /** Another scene, or the same one, has begun. */
   #show(): void {
     const { recording } = this.#app.state;
-    const hidden = this.#element.hidden;
-    this.#element.hidden = !recording;
     const forked = recording?.fork !== null;
-    this.#fork.hidden = forked;
+    this.#element.hidden = !recording;
+    this.#fork.hidden = this.#callsButton.hidden = forked;
     this.#back.hidden = !forked;
     this.#name.textContent = forked ? "Fork" : "Recording";
+    this.#showCalls();
+  }
+
+  /** Lists the calls, or no longer. */
+  #listCalls(on: boolean): void {
+    this.#lists = on;
+    this.#showCalls();
+  }
+
+  /** Shows the list where it belongs, and asks the worker for it. */
+  #showCalls(): void {
+    const { recording } = this.#app.state;
+    const plays = recording?.fork === null;
+    this.#callsButton.setAttribute("aria-expanded", String(this.#lists));
+    this.#calls.hidden = !plays || !this.#lists;
+    if (plays) {
+      void this.#app.client.ask("listCalls", { on: this.#lists }).catch(() => {});
+      this.#app.refresh();
+    }
     // The page makes room for what comes, and takes what goes.
-    if (hidden !== this.#element.hidden) window.dispatchEvent(new Event("resize"));
+    window.dispatchEvent(new Event("resize"));
+  }
+
+  #tellCalls({ step, calls }: Frame): void {
+    if (!calls || this.#calls.hidden) return;
+    const { count: all, lines } = calls;
+    this.#callsHead.textContent = `Calls of step ${step}: ${all}`;
+    const rest = all > lines.length ? [`and ${all - lines.length} more`] : [];
+    const rows = all === 0 ? ["none beside the step itself"] : [...lines, ...rest];
+    this.#callsList.replaceChildren(...rows.map((text) => make("li", {}, text)));
   }
 
   #tellSpeed(): void {
@@ -113,7 +161,7 @@ class Bar {
   }
 
   /** A frame has come. What a ring has kept does not begin at step 0, and a recording ends. */
-  #follow(run: number, step: number, ended: boolean): void {
+  #follow({ run, step, ended }: Frame): void {
     const { state, player } = this.#app;
     if (!state.recording) return;
     if (this.#begun !== run && step > player.place) player.skipTo(step);

@@ -194,7 +194,7 @@ export class Stage {
     const target = this.#follows ? this.view.follow(frame, alpha) : null;
     if (target && held !== "pan" && held !== "pinch")
       this.view.camera.follow(target, 1 - Math.exp(-FOLLOW_RATE * seconds));
-    this.view.draw(frame, alpha, { split: this.split, held: this.outlined });
+    if (this.view.draw(frame, alpha, { split: this.split, held: this.outlined })) this.#app.drawn();
   }
 
   // ---- commands ----

@@ -1,4 +1,5 @@
-/** The panel Options: speed, theme, threads, random seed, a recording, and a link to the present view. */
+/** The panel Options: speed, theme, threads, random seed, files of what was seen, and a link to the
+ * present view. */
 import type { App } from "../page/app";
 import { choiceBar, make } from "../page/dom";
 import type { Panel } from "../page/dock";
@@ -15,17 +16,15 @@ const THREADS = [1, 2, 3, 4, 6, 8, 12, 16];
  * their number, which is 1 where they cannot be had.
  */
 async function useThreads(app: App, threads: number): Promise<number> {
-  app.wasm = { ...app.wasm, threads: threads > 1 ? threads : undefined };
-  app.scene = null;
-  app.client.restart();
-  const used = await app.client.load(app.wasm);
+  const used = await app.reload({ ...app.wasm, threads: threads > 1 ? threads : undefined });
   app.client.ask("complete", {}).catch(() => {}); // the first call that needs it tries again
-  await app.restart();
   return used;
 }
 
 /** The bar that shows and chooses the number of threads. */
 function createThreadBar(app: App): HTMLElement {
+  /** The number of choices so far: of one that is replaced while it loads, nothing is told. */
+  let choices = 0;
   const most = crossOriginIsolated && app.wasm.simd ? navigator.hardwareConcurrency : 1;
   const bar = choiceBar(
     "threads",
@@ -33,9 +32,12 @@ function createThreadBar(app: App): HTMLElement {
     most > 1 ? "for large scenes; the same bits with any number" : "this page cannot share memory",
     THREADS.filter((count) => count <= most).map((count) => ({ value: String(count), label: String(count) })),
     async (value) => {
+      const choice = ++choices;
       try {
-        bar.show(String(await useThreads(app, Number(value))));
+        const used = await useThreads(app, Number(value));
+        if (choice === choices) bar.show(String(used));
       } catch (error) {
+        if (choice !== choices) return;
         notice(`The engine with threads cannot be loaded: ${messageOf(error)}`);
         bar.show(String(await useThreads(app, 1)));
       }
@@ -93,19 +95,31 @@ export function createPanel(app: App): Panel {
       () => notice("The clipboard is not allowed here: copy the address from the address bar."),
     );
   });
-  const record = make("button", { class: "wide", id: "record" }, "Save a recording");
-  record.addEventListener("click", async () => {
-    record.disabled = true;
-    try {
-      const { saveRecording } = await import("../page/recording");
-      await saveRecording(app);
-    } catch (error) {
-      notice(`A part of the page cannot be loaded: ${messageOf(error)}`);
-    }
-    record.disabled = false;
-    // A button that is disabled loses the focus.
-    if (document.activeElement === document.body) record.focus();
-  });
+  const record = make(
+    "button",
+    { class: "wide", id: "record", title: "From the first step that the time slider reaches to this one" },
+    "Save a recording",
+  );
+  const video = make(
+    "button",
+    { class: "wide", id: "save-video", title: "All that the time slider reaches, played once more" },
+    "Save a video",
+  );
+  const saves = (button: HTMLButtonElement, act: () => Promise<void>) =>
+    button.addEventListener("click", async () => {
+      record.disabled = video.disabled = true;
+      try {
+        await act();
+      } catch (error) {
+        notice(`A part of the page cannot be loaded: ${messageOf(error)}`);
+      }
+      record.disabled = video.disabled = false;
+      // A button that is disabled loses the focus.
+      if (document.activeElement === document.body) button.focus();
+    });
+  saves(record, async () => (await import("../page/recording")).saveRecording(app));
+  saves(video, async () => (await import("../page/film")).saveVideo(app));
+  video.hidden = typeof MediaRecorder !== "function";
   const element = make(
     "div",
     {},
@@ -124,10 +138,11 @@ export function createPanel(app: App): Panel {
       make(
         "legend",
         {},
-        "Recording ",
-        make("small", {}, "of all that the time slider reaches, to be opened under Scenes"),
+        "What you saw ",
+        make("small", {}, "a recording is opened again under Scenes, any step of it"),
       ),
       record,
+      video,
     ),
     make("div", { class: "section" }, share),
   );

@@ -59,10 +59,19 @@ export interface Frame {
   history: { first: number; last: number };
   /** Nothing comes after this step: a recording ends here. */
   ended?: boolean;
+  /** The calls that led to this step, of a recording of which they are listed. */
+  calls?: Calls;
   /** The other engine's poses, laid out like `before` and `now`, while it runs. */
   box2d?: { before: Float32Array; now: Float32Array };
   /** Why the other engine does not run although the page wants it. */
   box2dTrouble?: string;
+}
+
+/** The calls of a step of a recording, without the step itself. */
+export interface Calls {
+  count: number;
+  /** The first ones, as text. */
+  lines: string[];
 }
 
 /** Time and error of one step, for plots. */

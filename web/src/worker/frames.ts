@@ -87,6 +87,7 @@ export class Frames {
     };
     const { controls, state } = session.scene;
     if (controls) frame.settings = settingsOf(controls, state);
+    frame.calls = session.calls;
     this.#addShapes(frame);
     // A paused scene needs few frames, so each of them tells which bodies sleep.
     const standing = session.step === this.#step;

@@ -6,13 +6,16 @@
 import type { Engine } from "thud";
 import { load } from "thud/first";
 import { Player } from "thud/recording";
+import type { Calls } from "../scene/frame";
 import type { Paint, Scene, View } from "../scene/scene";
 import { messageOf } from "../shared/error";
 import { checkScene } from "./check";
 import type { Command } from "./commands";
 import { History } from "./history";
+import { listCalls, markCalls } from "./played-calls";
 import type { Recording, Rerun } from "./protocol";
 import { Session } from "./session";
+import { describe } from "./stage";
 import { SceneError } from "./trouble";
 
 /** What visitors do to bodies, which a recording does not allow. */
@@ -62,7 +65,7 @@ export async function play(recording: Recording, run: number): Promise<Session> 
 
 function openPlayer(recorded: Engine, { name, bytes }: Recording): Player {
   try {
-    return new Player(recorded, bytes);
+    return new Player(recorded, bytes, { calls: true });
   } catch (error) {
     // The engine says first which kind of error it is, and then what is wrong.
     const why = messageOf(error).replace(/^.*player: /, "");
@@ -135,6 +138,9 @@ export abstract class Played extends Session {
 export class Playback extends Played {
   /** The step up to which the visitor is told that nothing can be changed. */
   #told = -1;
+  /** Whether calls are listed and drawn, and the height of the view, by which they are. */
+  #lists = false;
+  #height = 0;
 
   constructor(run: number, player: Player, title: string, shown: Partial<Shown>) {
     super(run, player, title, shown, { paint: () => paintOf(player) }, new Recorded(player));
@@ -144,6 +150,16 @@ export class Playback extends Played {
   override get end(): number {
     const { end, difference } = this.player.progress;
     return difference ? this.step : end;
+  }
+
+  override get calls(): Calls | undefined {
+    return this.#lists ? listCalls(this.player.calls) : undefined;
+  }
+
+  override listCalls(on: boolean): void {
+    this.#lists = on;
+    this.#height ||= describe(this).view.height;
+    this.#show();
   }
 
   override do({ kind }: Command): void {
@@ -167,7 +183,7 @@ export class Playback extends Played {
     const { first, last } = this.history;
     if (step < first || step > last) return false;
     this.#told = -1;
-    this.#play(() => this.player.seek(step));
+    this.#play(() => this.#goTo(step));
     return true;
   }
 
@@ -175,7 +191,7 @@ export class Playback extends Played {
     const { step, hash } = this.hash;
     const from = Math.max(this.history.first, step - steps);
     this.player.seek(from);
-    this.player.seek(step);
+    this.#goTo(step);
     return { from, step, hash, again: this.world.hash() };
   }
 
@@ -188,8 +204,15 @@ export class Playback extends Played {
       this.player.seek(step);
       return [before, read()];
     } finally {
-      this.player.seek(present);
+      this.#goTo(present);
     }
+  }
+
+  /** Goes to a step. It is played, and not sought, since only then its calls are known. */
+  #goTo(step: number): void {
+    const { first } = this.history;
+    this.player.seek(Math.max(first, step - 1));
+    if (step > first) this.player.step();
   }
 
   /** Plays or seeks. A difference from what was recorded is no error here: it is shown. */
@@ -206,6 +229,10 @@ export class Playback extends Played {
   #show(): void {
     const paint = paintOf(this.player);
     if (this.step < this.#told) paint.message ??= REFUSAL;
+    if (this.#lists) {
+      const { calls, world } = this.player;
+      paint.marks = [...markCalls(calls, world, this.#height), ...(paint.marks ?? [])];
+    }
     this.paint = paint;
   }
 }

@@ -189,6 +189,8 @@ export interface Questions {
    * of thud-recorded.wasm. The progress is a part of the whole.
    */
   record: { ask: { wasm: string }; answer: Recorded; progress: number };
+  /** Lists and draws the calls of each step of a recording from now on, or ends that. */
+  listCalls: { ask: { on: boolean }; answer: void };
   /** See World.bisectionLimit. */
   bisectionLimit: { ask: Record<string, never>; answer: number };
   /** The state of the body in a slot; null if there is none. */

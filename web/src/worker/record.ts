@@ -92,6 +92,7 @@ function repeat(session: Session, again: Session, report: (part: number) => void
     hashSteps: Math.max(1, Math.ceil(hashBytes / HASH_BYTES)),
     bodyHashes: true,
     keyframeSteps: KEYFRAME_STEPS,
+    queries: true,
   });
   let reported = performance.now();
   try {

@@ -1,6 +1,6 @@
 /** A running scene: its world, its present step and its past, and what the visitor holds in it. */
 import type { Vec2, World } from "thud";
-import type { Sample } from "../scene/frame";
+import type { Calls, Sample } from "../scene/frame";
 import {
   type Input,
   KEY_NAMES,
@@ -112,6 +112,14 @@ export class Session {
   get end(): number {
     return Infinity;
   }
+
+  /** The calls that led to this step; undefined unless they are listed. */
+  get calls(): Calls | undefined {
+    return undefined;
+  }
+
+  /** Begins or ends to list and draw the calls of each step. Only recordings know them. */
+  listCalls(_on: boolean): void {}
 
   /** Whether the world may have joints. */
   get tied(): boolean {

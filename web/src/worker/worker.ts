@@ -1,6 +1,7 @@
 /**
  * The worker in which physics runs, so that a slow step never blocks the page. It makes steps when
- * the page asks for them, and answers questions in the order in which they arrive.
+ * the page asks for them, and answers questions. It begins with each question when it arrives; one
+ * that has to wait, as for a file, may be answered after later ones.
  */
 import type { Engine } from "thud";
 import { load } from "thud/first";
@@ -10,7 +11,7 @@ import { importScene } from "./module";
 import type { Progress, QuestionName, Questions, SceneRequest, ToPage, ToWorker } from "./protocol";
 import type { Session } from "./session";
 import { describe, setUp } from "./stage";
-import { troubleOf } from "./trouble";
+import { SceneError, troubleOf } from "./trouble";
 
 /** Milliseconds of one tick, after which a frame is sent even if steps remain. Chosen. */
 const PATIENCE = 24;
@@ -90,9 +91,15 @@ const answers: Answers = {
   rerun: ({ steps }) => needSession().rerun(steps),
 
   async record({ wasm }, report) {
+    const running = needSession();
+    const [request, run] = [begun, runs];
+    // To build a match once more would take its connections.
+    if (request.match) throw new SceneError({ message: "A match over a network cannot be recorded." });
     const { record } = await import("./record");
-    return record(needSession(), wasm, (engine) => open(begun, runs, engine), report);
+    return record(running, wasm, (engine) => open(request, run, engine), report);
   },
+
+  listCalls: ({ on }) => needSession().listCalls(on),
 
   bisectionLimit: () => needSession().world.bisectionLimit(),
 

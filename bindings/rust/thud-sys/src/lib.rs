@@ -91,6 +91,7 @@ pub const THUD_DRAW_JOINT_FORCES: i64 = 4096;
 pub const THUD_SHAPE_KIND_COUNT: i64 = 4;
 pub const THUD_MOVER_HITS: i64 = 8;
 pub const THUD_MOVER_SENSORS: i64 = 16;
+pub const THUD_RECORDED_FOUND_MAX: i64 = 64;
 pub const THUD_RULE_KIND_COUNT: i64 = 3;
 pub type thud_result = c_uint;
 pub const THUD_OK: thud_result = 0;
@@ -1078,6 +1079,7 @@ pub struct thud_recorder_options {
     pub ring_steps: c_int,
     pub sink: Option<thud_recording_sink_fn>,
     pub context: *mut c_void,
+    pub queries: bool,
 }
 
 #[repr(C)]
@@ -1101,6 +1103,9 @@ pub struct thud_played_call {
     pub values: *const thud_call_value,
     pub value_count: c_int,
     pub returned: u32,
+    pub query: bool,
+    pub hits: *const thud_ray_hit,
+    pub hit_count: c_int,
 }
 
 #[repr(C)]

@@ -205,6 +205,7 @@ export class CheckPart {
     steps: readonly number[],
     change: Partial<App["request"]>,
   ): Promise<StateHash[] | null> {
+    this.#end();
     const proof = (this.#proof = new Proof(this.#app.wasm));
     this.#check.textContent = "Stop";
     this.#tell("open", "Running…");

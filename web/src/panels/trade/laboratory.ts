@@ -29,16 +29,8 @@ export class Laboratory {
 
   /** The request that runs the page's scene with the present choices. */
   get request(): SceneRequest {
-    const app = this.#app;
-    const { scene, code, size, seed, choices } = app.state;
-    return {
-      name: scene,
-      code: code ?? undefined,
-      files: app.files,
-      size,
-      seed,
-      choices: { ...choices },
-    };
+    const { request } = this.#app;
+    return { ...request, choices: { ...request.choices } };
   }
 
   /**

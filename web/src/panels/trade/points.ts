@@ -75,10 +75,11 @@ export class TriedPoints {
     this.#begin();
   }
 
-  /** The key of the running scene with its size, seed and code: points are comparable within it. */
+  /** The key of the running scene with its size, seed, code, and level or recording: points are
+   * comparable within it. */
   get #place(): string {
-    const { scene, seed, code } = this.#app.state;
-    return JSON.stringify([scene, this.#app.scene?.size, seed, code]);
+    const { scene, seed, code, level, recording } = this.#app.state;
+    return JSON.stringify([scene, this.#app.scene?.size, seed, code, level?.name, recording?.name]);
   }
 
   /** A scene has started, or the setting has changed. */

@@ -1,0 +1,148 @@
+/**
+ * Makes a video of what the time slider reaches: goes through its steps once more, as fast as they
+ * were, and copies the scene's three canvases into one each time they are drawn, of which the
+ * browser's MediaRecorder makes the video. Imported when the first one is made.
+ */
+import "../style/film.css";
+import { messageOf } from "../shared/error";
+import type { App } from "./app";
+import { byId, make } from "./dom";
+import { count } from "./format";
+import { notice } from "./messages";
+import { saveFile } from "./save-file";
+
+/** The canvases of the scene, the lowest first. */
+const CANVASES = ["backdrop", "bodies", "overlay"];
+/** Formats of a video with the endings of their files, the best first. */
+const FORMATS = [
+  ["video/webm;codecs=vp9", "webm"],
+  ["video/webm;codecs=vp8", "webm"],
+  ["video/webm", "webm"],
+  ["video/mp4", "mp4"],
+] as const;
+/** Pictures a second, at most, and bits a second: enough for thin lines that move. Chosen. */
+const RATE = 60;
+const BITS = 8_000_000;
+
+/** The format that this browser makes; undefined: it makes no videos. */
+function formatOf(): readonly [type: string, ending: string] | undefined {
+  const films = typeof MediaRecorder === "function" && "captureStream" in HTMLCanvasElement.prototype;
+  return films ? FORMATS.find(([type]) => MediaRecorder.isTypeSupported(type)) : undefined;
+}
+
+/** Milliseconds for which the last picture stays. Chosen. */
+const LAST_PICTURE = 200;
+
+class Film {
+  readonly #canvas = document.createElement("canvas");
+  readonly #parts: Blob[] = [];
+  readonly #recorder: MediaRecorder;
+  readonly #ended: Promise<void>;
+  readonly #forget: () => void;
+  /** The ending of the file's name. */
+  readonly ending: string;
+
+  /** Begins to film. Throws where the browser cannot. */
+  constructor(app: App) {
+    const format = formatOf();
+    if (!format) throw new Error("this browser makes none.");
+    this.ending = format[1];
+    // Encoders want even numbers of pixels. A window whose size changes is fitted into the first one.
+    const { width, height } = byId<HTMLCanvasElement>("overlay");
+    this.#canvas.width = width & ~1;
+    this.#canvas.height = height & ~1;
+    this.#take();
+    const stream = this.#canvas.captureStream(RATE);
+    this.#recorder = new MediaRecorder(stream, { mimeType: format[0], videoBitsPerSecond: BITS });
+    this.#ended = new Promise((resolve, reject) => {
+      this.#recorder.onstop = () => resolve();
+      this.#recorder.onerror = () => reject(new Error("the browser has stopped it."));
+    });
+    this.#recorder.ondataavailable = ({ data }) => this.#parts.push(data);
+    this.#recorder.start();
+    this.#forget = app.listen({ drawn: () => this.#take() });
+  }
+
+  /** Copies the picture. WebGL keeps its own only until the browser has shown it. */
+  #take(): void {
+    const { width, height } = this.#canvas;
+    const context = this.#canvas.getContext("2d")!;
+    context.fillStyle = getComputedStyle(document.body).backgroundColor;
+    context.fillRect(0, 0, width, height);
+    for (const id of CANVASES) {
+      const layer = byId<HTMLCanvasElement>(id);
+      if (layer.width > 0 && layer.height > 0) context.drawImage(layer, 0, 0, width, height);
+    }
+  }
+
+  /** Ends the film, and returns it. May be called again. */
+  async end(): Promise<Blob> {
+    this.#forget();
+    if (this.#recorder.state !== "inactive") this.#recorder.stop();
+    await this.#ended;
+    for (const track of this.#recorder.stream.getTracks()) track.stop();
+    return new Blob(this.#parts, { type: this.#recorder.mimeType });
+  }
+}
+
+/** Films what the time slider reaches, and gives the visitor the video. The scene must not be a match
+ * over a network, which cannot go back. */
+export async function saveVideo(app: App): Promise<void> {
+  const shown = app.player.shown?.frame;
+  if (!shown || !app.scene) return;
+  const { paused } = app.state;
+  const { run } = app.scene;
+  const stop = make("button", { id: "stop-film", class: "primary" }, "Stop");
+  const told = make("span", { "aria-hidden": "true" });
+  const bar = make("div", { id: "filming", class: "panel", role: "group", "aria-label": "Video" }, told, stop);
+  let stopped = false;
+  stop.addEventListener("click", () => (stopped = true));
+  app.setPaused(true);
+  // The panel would cover the scene.
+  byId("dock").querySelector<HTMLElement>(".close")!.click();
+  byId("controls").before(bar);
+  stop.focus();
+  window.dispatchEvent(new Event("resize"));
+  try {
+    const film = await play(app, () => stopped, (text) => (told.textContent = text));
+    if (app.scene) saveFile(app, film.video, film.ending);
+    notice(`The video has ${count(Math.ceil(film.video.size / 1000))} kB.`);
+  } catch (error) {
+    notice(`There is no video: ${messageOf(error)}`, 20);
+  }
+  const hadFocus = bar.contains(document.activeElement);
+  bar.remove();
+  window.dispatchEvent(new Event("resize"));
+  if (hadFocus) byId("overlay").focus();
+  if (app.scene?.run === run && app.state.paused) app.setPaused(paused);
+}
+
+/** Goes through the steps while it films. Ends early if `stopped`, if the visitor lets the scene go
+ * on, and if another one begins. */
+async function play(
+  app: App,
+  stopped: () => boolean,
+  tell: (text: string) => void,
+): Promise<{ video: Blob; ending: string }> {
+  const { run, timeStep } = app.scene!;
+  const { first, last } = app.player.shown!.frame.history;
+  const goesOn = () => !stopped() && app.state.paused && app.scene?.run === run;
+  const seconds = (steps: number) => Math.round(steps * timeStep);
+  await app.seek(first);
+  await new Promise(requestAnimationFrame);
+  const film = new Film(app);
+  try {
+    const begun = performance.now();
+    for (let step = first; step < last && goesOn(); ) {
+      await new Promise(requestAnimationFrame);
+      const since = ((performance.now() - begun) / 1000) * app.state.speed;
+      const due = Math.min(last, first + Math.floor(since / timeStep));
+      if (due > step && goesOn()) await app.seek((step = due));
+      tell(`Video: ${seconds(step - first)} of ${seconds(last - first)} s`);
+    }
+    await new Promise((seen) => setTimeout(seen, LAST_PICTURE));
+  } finally {
+    film.end().catch(() => {});
+  }
+  return { video: await film.end(), ending: film.ending };
+}
