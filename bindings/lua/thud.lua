@@ -468,6 +468,7 @@ thud_result thud_world_get_broadphase_counts(const thud_world * world, thud_broa
 thud_result thud_recorder_begin(thud_world * world, const thud_recorder_options * options, thud_recorder ** out);
 void thud_recorder_end(thud_recorder * recorder);
 thud_result thud_recorder_get_bytes(thud_recorder * recorder, thud_bytes * out);
+thud_result thud_recorder_salvage(thud_recorder * recorder, thud_bytes * out);
 thud_result thud_recorder_add_chunk(thud_recorder * recorder, const char * name, thud_bytes bytes);
 thud_result thud_player_create(thud_bytes recording, const thud_player_options * options, thud_player ** out);
 void thud_player_destroy(thud_player * player);

@@ -6,7 +6,10 @@
 #include <scene.h>
 #include <thud/thud_recording.h>
 
-enum { LAST_SECONDS = 30 };
+enum {
+    LAST_SECONDS = 30,
+    LAST_SECONDS_PATH = 200 /* characters of a file's path, its terminating 0 included */
+};
 
 typedef struct last_seconds {
     thud_recorder *recorder; /* null: nothing is recorded, since memory was short */
@@ -24,5 +27,8 @@ void last_seconds_end(last_seconds *l);
 /* Saves the last seconds as a file in the present folder, NAME-1.rec or the next number that is
  * free, where NAME is the scene's. False if that fails. Either way `message` says so. */
 bool last_seconds_save(last_seconds *l, const scene *s, char *message, size_t message_size);
+/* The same in a crash, with the step under way as the last one (thud_recorder_salvage). False if
+ * nothing was recorded or written; else its file is at `path`. Afterwards nothing is recorded. */
+bool last_seconds_salvage(last_seconds *l, const scene *s, char path[LAST_SECONDS_PATH]);
 
 #endif

@@ -1,5 +1,6 @@
 /* main.c: the program thud-play: a viewer in a window, or a picture without a display. */
 #define SDL_MAIN_HANDLED
+#include "crash.h"
 #include "input.h"
 #include "options.h"
 #include "draw/picture.h"
@@ -124,6 +125,7 @@ static int play(viewer *v, const options *o) {
         fail("cannot open a window");
     } else if (open_first(v, o)) {
         v->frame_seconds = 1.0 / 60;
+        crash_watch(&v->session);
         run(v, window, o->frames);
         status = EXIT_SUCCESS;
     }

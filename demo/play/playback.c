@@ -98,21 +98,88 @@ static void write_call(const thud_played_call *call, char *line) {
         return;
     }
     APPEND(line, used, "(");
-    for (int i = 0; i < call->value_count; i++)
-        APPEND(line, used, call->values[i].handle ? "%s#%.0f" : "%s%.4g", i > 0 ? ", " : "",
-               call->values[i].number);
+    for (int i = 0; i < call->value_count; i++) {
+        double number = call->values[i].number;
+        bool whole = number == rint(number) && fabs(number) < 1e15;
+        APPEND(line, used,
+               call->values[i].handle ? "%s#%.0f"
+               : whole                ? "%s%.0f"
+                                      : "%s%.4g",
+               i > 0 ? ", " : "", number);
+    }
     APPEND(line, used, ")");
     if (call->returned)
         APPEND(line, used, " = #%" PRIu32, call->returned);
+    if (call->query)
+        APPEND(line, used, ": %d hit%s", call->hit_count, call->hit_count == 1 ? "" : "s");
     if (used >= PLAYBACK_TEXT_MAX)
         strcpy(line + PLAYBACK_TEXT_MAX - 4, "...");
 }
 
+/* The shape whose seven numbers begin at `at`, about the centre (x, y). */
+static thud_geometry shape_at(const thud_call_value *at, double x, double y) {
+    return (thud_geometry){.kind = (thud_shape_kind)at[0].number,
+                           .x = x + at[1].number,
+                           .y = y + at[2].number,
+                           .c = at[3].number,
+                           .s = at[4].number,
+                           .hx = at[5].number,
+                           .hy = at[6].number};
+}
+
+/* Reads where a query looked from its arguments, which begin with two numbers each time: a place.
+ * False for queries of many rays or shapes at once, which are listed, and not drawn. */
+static bool read_query(const thud_played_call *call, playback_query *out) {
+    const char *name = call->name + strlen("thud_world_");
+    const thud_call_value *v = call->values;
+    double x = v[0].number, y = v[1].number;
+    *out = (playback_query){.points = true};
+    if (strncmp(name, "cast_ray", 8) == 0 && strcmp(name, "cast_rays") != 0) {
+        out->ray = true;
+        out->shape = thud_circle_at(x, y, 0);
+        out->dx = v[2].number;
+        out->dy = v[3].number;
+    } else if (strncmp(name, "cast_shape", 10) == 0 && strcmp(name, "cast_shapes") != 0) {
+        out->shape = shape_at(v + 2, x, y);
+        out->dx = v[9].number;
+        out->dy = v[10].number;
+    } else if (strcmp(name, "overlap_shape") == 0) {
+        out->shape = shape_at(v + 2, x, y);
+        out->points = false;
+    } else if (strcmp(name, "overlap_aabb") == 0) {
+        double right = v[2].number, top = v[3].number;
+        out->shape = thud_aabb_at((x + right) / 2, (y + top) / 2, (right - x) / 2, (top - y) / 2);
+        out->points = false;
+    } else if (strcmp(name, "closest") == 0) {
+        out->ray = true;
+        out->shape = thud_circle_at(x, y, 0);
+        if (call->hit_count > 0) {
+            out->dx = call->hits[0].point.x - x;
+            out->dy = call->hits[0].point.y - y;
+        }
+    } else {
+        return false;
+    }
+    return true;
+}
+
+static void hear_query(const thud_played_call *call, playback *p) {
+    playback_query *q = &p->queries[p->query_count];
+    if (p->query_count == PLAYBACK_QUERIES_MAX || !read_query(call, q))
+        return;
+    q->hit_count = call->hit_count < PLAYBACK_HITS_MAX ? call->hit_count : PLAYBACK_HITS_MAX;
+    for (int i = 0; i < q->hit_count; i++)
+        q->hits[i] = call->hits[i];
+    p->query_count++;
+}
+
 static void hear_call(const thud_played_call *call, void *context) {
     playback *p = context;
+    if (call->query)
+        hear_query(call, p);
     if (call->result == THUD_OK && strcmp(call->name, "thud_world_step") == 0)
         return;
-    p->changed = true;
+    p->changed |= !call->query;
     if (p->call_count < PLAYBACK_CALLS_MAX)
         write_call(call, p->calls[p->call_count]);
     p->call_count++;
@@ -141,7 +208,7 @@ static void read_view(playback *p) {
     p->view.length_scale = 1;
     thud_player_step(p->player, NULL);
     look(p, thud_player_seek(p->player, p->progress.first));
-    p->call_count = 0;
+    p->call_count = p->query_count = 0;
     p->why[0] = '\0';
 }
 
@@ -185,7 +252,7 @@ bool playback_goes_on(const playback *p) {
 /* Plays the next step. Calls after the last one are played with it, and the last hash is
  * compared. */
 static void play_step(playback *p) {
-    p->call_count = 0;
+    p->call_count = p->query_count = 0;
     thud_result result = thud_player_step(p->player, NULL);
     look(p, result);
     if (result == THUD_OK && p->progress.steps == p->progress.end)
@@ -216,7 +283,7 @@ void playback_seek(playback *p, int64_t step) {
         return;
     p->forked = false;
     p->changed = true;
-    p->call_count = 0;
+    p->call_count = p->query_count = 0;
     p->target = step;
     /* The calls of the last step are wanted: it is played, and not gone to. */
     int64_t before = step > at->first ? step - 1 : step, from = at->first;
@@ -240,7 +307,7 @@ bool playback_fork(playback *p) {
     p->target = -1;
     p->forked = true;
     p->forked_steps = 0;
-    p->call_count = 0;
+    p->call_count = p->query_count = 0;
     return true;
 }
 

@@ -8,10 +8,22 @@
 #include <thud/thud_threads.h>
 
 enum {
-    PLAYBACK_TEXT_MAX = 160,  /* characters of a call, its terminating 0 included */
-    PLAYBACK_CALLS_MAX = 100, /* calls of a step that are kept; further ones are counted */
-    PLAYBACK_WHY_MAX = 240    /* characters of the reason why there is nothing to play */
+    PLAYBACK_TEXT_MAX = 160,    /* characters of a call, its terminating 0 included */
+    PLAYBACK_CALLS_MAX = 100,   /* calls of a step that are kept; further ones are counted */
+    PLAYBACK_QUERIES_MAX = 200, /* queries of a step that are kept, and hits of each */
+    PLAYBACK_HITS_MAX = 16,
+    PLAYBACK_WHY_MAX = 240 /* characters of the reason why there is nothing to play */
 };
+
+/* A query of a step: the shape with which it looked, how far it moved that, and what it found. */
+typedef struct playback_query {
+    bool ray;            /* of `shape` the centre alone counts */
+    thud_geometry shape; /* where it began, in the world */
+    double dx, dy;       /* its way; 0 for an overlap */
+    bool points;         /* its hits have points */
+    thud_ray_hit hits[PLAYBACK_HITS_MAX];
+    int hit_count;
+} playback_query;
 
 /* How the recording says that it is to be shown: height and width 0: it does not. */
 typedef struct playback_view {
@@ -37,6 +49,8 @@ typedef struct playback {
     /* The calls that led to the present step. */
     char calls[PLAYBACK_CALLS_MAX][PLAYBACK_TEXT_MAX];
     int call_count;
+    playback_query queries[PLAYBACK_QUERIES_MAX]; /* the queries among them */
+    int query_count;
     void (*log)(thud_result result, const char *text, void *context); /* of the world, once open */
     void *log_context;
     char why[PLAYBACK_WHY_MAX]; /* what the player has said last */

@@ -5,6 +5,7 @@
 #include "draw/draw_fields.h"
 #include "draw/draw_joints.h"
 #include "draw/draw_overlays.h"
+#include "draw/draw_queries.h"
 #include "draw/draw_world.h"
 #include "panel/hud.h"
 #include "draw/palette.h"
@@ -249,6 +250,8 @@ void viewer_draw(viewer *v) {
         if (overlays_have(v->overlays, OVERLAY_FORCES))
             draw_joint_forces(c, &v->camera, &v->session);
         thud_pos anchor;
+        if (v->lists_calls && v->session.played)
+            draw_queries(c, &v->camera, v->session.played);
         timeline_mark(v);
         if (grab_anchor(&v->grab, &v->session, &anchor))
             draw_pull(c, &v->camera, anchor, v->grab.target);

@@ -1,6 +1,9 @@
 /* test_playback.c: tests how the viewer shows recordings, by its keys and its pointer, on a screen
  * that nobody sees. */
+#define _POSIX_C_SOURCE 200809L
+#include "crash.h"
 #include "input.h"
+#include "draw/palette.h"
 #include "panel/hud.h"
 
 #include <setjmp.h>
@@ -8,7 +11,14 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+#ifndef _WIN32
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
 
 #include <cmocka.h>
 #include <thud/thud_recording.h>
@@ -23,7 +33,7 @@ static thud_result push_in_secret(thud_world *world, thud_body_id body) {
 
 #define OK(call) assert_int_equal(call, THUD_OK)
 
-enum { STEPS = 50, PUSHED = 20, DROPPED = 30, WIDTH = 1000, HEIGHT = 300 };
+enum { STEPS = 50, ASKED = 10, PUSHED = 20, DROPPED = 30, WIDTH = 1000, HEIGHT = 300 };
 
 static const char FILE_NAME[] = "test_playback.rec";
 
@@ -37,18 +47,43 @@ static void write_file(const char *path, const void *bytes, size_t count) {
     assert_int_equal(fclose(file), 0);
 }
 
-/* Records a ball that falls on ground, is pushed after PUSHED steps, and is joined by a second one
- * after DROPPED. `secret`: after 35 steps it also gets a push that is not recorded. */
+static bool find_all(thud_shape_id shape, void *context) {
+    (void)shape;
+    (void)context;
+    return true;
+}
+
+/* Asks in four ways where the ball is, and what is below it. */
+static void ask(thud_world *world) {
+    thud_ray down = {.origin = {0, 9}, .dy = -20};
+    thud_shape_cast along = {.center = {-3, 0.5}, .shape = thud_circle_at(0, 0, 0.4), .dx = 2};
+    thud_ray_hit hit;
+    thud_closest_hit closest;
+    bool found;
+    OK(thud_world_cast_ray(world, &down, &found, &hit));
+    OK(thud_world_cast_shape(world, &along, &found, &hit));
+    OK(thud_world_overlap_aabb(world, (thud_pos){-1, -1}, (thud_pos){1, 4}, NULL, find_all, NULL));
+    OK(thud_world_closest(world, (thud_pos){1, 3}, 5, NULL, &found, &closest));
+}
+
+/* Records a ball that falls on ground, is asked for after ASKED steps, is pushed after PUSHED
+ * steps, and is joined by a second one after DROPPED. `secret`: after 35 steps it also gets a push
+ * that is not recorded. */
 static void record(const char *path, bool secret) {
     thud_world *world = thud_world_make((thud_vec2){0, -10}, &thud_quality_default);
     thud_body_make(world, thud_aabb_at(0, -1, 40, 2), NULL);
     thud_body_options falls = {.kind = THUD_BODY_DYNAMIC};
     thud_body_id ball = thud_body_make(world, thud_circle_at(0, 3, 0.5), &falls);
-    thud_recorder_options options = {.hash_steps = 1, .body_hashes = true, .keyframe_steps = 16};
+    thud_recorder_options options = {.hash_steps = 1,
+                                     .body_hashes = true,
+                                     .keyframe_steps = 16,
+                                     .queries = true};
     thud_recorder *recorder = NULL;
     OK(thud_recorder_begin(world, &options, &recorder));
     for (int i = 0; i < STEPS; i++) {
         hashes[i] = thud_hash_of(world);
+        if (i == ASKED)
+            ask(world);
         if (i == PUSHED)
             OK(thud_body_set_velocity(world, ball, (thud_vec2){2, 1.5f}, 0));
         if (i == DROPPED)
@@ -128,6 +163,18 @@ static void point(screen *s, Uint32 type, int x, int y) {
     }
     assert_int_equal(SDL_PushEvent(&event), 1);
     frame(s, 0);
+}
+
+/* Pixels of this colour. */
+static int pixels_of(const screen *s, SDL_Color color) {
+    int count = 0;
+    for (int y = 0; y < HEIGHT; y++) {
+        const Uint32 *row =
+            (const Uint32 *)((const char *)s->surface->pixels + (size_t)y * s->surface->pitch);
+        for (int x = 0; x < WIDTH; x++)
+            count += (row[x] & 0xFFFFFF) == (Uint32)(color.r << 16 | color.g << 8 | color.b);
+    }
+    return count;
 }
 
 static void stands_at(screen *s, int step) {
@@ -225,14 +272,30 @@ static void calls_of_a_step_are_listed(void **state) {
     for (int step = STEPS; step > 0; step--) {
         viewer_go_to(&s->v, step);
         frame(s, 0);
-        assert_int_equal(p->call_count, step == PUSHED + 1 || step == DROPPED + 1);
+        bool asked = step == ASKED + 1, changed = step == PUSHED + 1 || step == DROPPED + 1;
+        assert_int_equal(p->call_count, asked ? 4 : changed);
+        assert_int_equal(p->query_count, asked ? 4 : 0);
+        assert_int_equal(pixels_of(s, COLOR_INTERVAL) > 0, asked);
         if (step == PUSHED + 1)
             assert_string_equal(p->calls[0], "thud_body_set_velocity(#2, 2, 1.5, 0)");
         if (step == DROPPED + 1)
             assert_non_null(strstr(p->calls[0], "thud_body_make("));
     }
+    viewer_go_to(&s->v, ASKED + 1);
+    frame(s, 0);
+    assert_string_equal(p->calls[0], "thud_world_cast_ray(0, 9, 0, -20): 1 hit");
+    assert_string_equal(p->calls[3], "thud_world_closest(1, 3, 5): 1 hit");
+    /* The ball above, by rays and shapes that begin where they were told to. */
+    const playback_query *q = p->queries;
+    assert_true(q[0].ray && q[0].shape.y == 9 && q[0].dy == -20 && q[0].points);
+    assert_true(q[0].hits[0].point.y > 2 && q[0].hits[0].point.y < 3.5);
+    assert_true(!q[1].ray && q[1].shape.hx == 0.4 && q[1].shape.x == -3 && q[1].dx == 2);
+    assert_true(!q[2].points && q[2].shape.y == 1.5 && q[2].shape.hy == 2.5);
+    assert_int_equal(q[2].hit_count, 2);
+    assert_true(q[3].ray && q[3].dx < 0);
     press(s, SDLK_i, false);
     assert_false(s->v.lists_calls);
+    assert_int_equal(pixels_of(s, COLOR_INTERVAL), 0);
     close_screen(s);
 }
 
@@ -429,6 +492,61 @@ static void a_body_that_is_stopped_is_worth_a_recording(void **state) {
     remove("tall_stack-1.rec");
 }
 
+#ifndef _WIN32
+/* A prologue that crashes. */
+static bool crash(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
+                  void *context) {
+    (void)world;
+    (void)contact;
+    (void)settings;
+    (void)context;
+    raise(SIGSEGV);
+    return true;
+}
+
+/* Opens the first scene, makes STEPS steps of it, and crashes within one, or after them. */
+static void run_and_crash(bool within) {
+    screen *s = open_screen();
+    session *shown = &s->v.session;
+    crash_watch(shown);
+    if (!viewer_open(&s->v, 0) || !freopen("crash.txt", "w", stderr))
+        exit(1);
+    for (int i = 0; i < STEPS; i++)
+        session_step(shown);
+    if (within) {
+        (void)!thud_world_set_listeners(shown->world, &(thud_listeners){.prologue = crash});
+        session_step(shown);
+    }
+    raise(SIGABRT);
+    exit(1);
+}
+
+static void a_crash_saves_what_led_to_it(void **state) {
+    (void)state;
+    for (int within = 0; within < 2; within++) {
+        remove("pyramid-1.rec");
+        pid_t child = fork();
+        if (child == 0)
+            run_and_crash(within);
+        int status = 0;
+        assert_int_equal(waitpid(child, &status, 0), child);
+        assert_true(WIFSIGNALED(status));
+        assert_int_equal(WTERMSIG(status), within ? SIGSEGV : SIGABRT);
+        screen *s = open_screen();
+        assert_true(viewer_open_recording(&s->v, "pyramid-1.rec"));
+        playback *p = s->v.session.played;
+        assert_int_equal(p->progress.end, STEPS + within);
+        viewer_go_to(&s->v, p->progress.end);
+        frame(s, 0);
+        assert_int_equal(p->progress.steps, p->progress.end);
+        assert_false(p->stopped || p->progress.differs);
+        close_screen(s);
+    }
+    remove("pyramid-1.rec");
+    remove("crash.txt");
+}
+#endif
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(keys_go_to_every_step),
@@ -441,6 +559,9 @@ int main(void) {
         cmocka_unit_test(a_recording_is_dropped_and_a_scene_follows),
         cmocka_unit_test(the_last_seconds_are_saved),
         cmocka_unit_test(a_body_that_is_stopped_is_worth_a_recording),
+#ifndef _WIN32
+        cmocka_unit_test(a_crash_saves_what_led_to_it),
+#endif
     };
     SDL_SetHint(SDL_HINT_VIDEODRIVER, "dummy");
     if (SDL_Init(SDL_INIT_VIDEO) != 0)

@@ -16,9 +16,8 @@ static SDL_FPoint at(const camera *view, double x, double y) {
     return camera_from_center(view, (float)x, (float)y);
 }
 
-/* Draws the outline of a circle or box. */
-static void outline(canvas *c, const camera *view, const thud_geometry *s, float width,
-                    SDL_Color color) {
+void draw_outline(canvas *c, const camera *view, const thud_geometry *s, float width,
+                  SDL_Color color) {
     if (s->kind == THUD_SHAPE_CIRCLE) {
         canvas_ring(c, at(view, s->x, s->y), (float)(s->hx * view->scale), width, color);
         return;
@@ -72,8 +71,8 @@ void draw_impact(canvas *c, const camera *view, const thud_geometry *a, thud_mot
         return;
     SDL_Color color = color_fade(hit ? COLOR_CONTACT : COLOR_MOTION, 0.8f);
     thud_geometry end[] = {later(a, by_a, time), later(b, by_b, time)};
-    outline(c, view, &end[0], 1.2f * c->unit, color);
-    outline(c, view, &end[1], 1.2f * c->unit, color);
+    draw_outline(c, view, &end[0], 1.2f * c->unit, color);
+    draw_outline(c, view, &end[1], 1.2f * c->unit, color);
     canvas_line(c, at(view, a->x, a->y), at(view, end[0].x, end[0].y), c->unit, color);
     canvas_line(c, at(view, b->x, b->y), at(view, end[1].x, end[1].y), c->unit, color);
     if (hit) {
@@ -103,7 +102,7 @@ void draw_volumes(canvas *c, const camera *view, const thud_geometry *shape) {
         char line[48];
         if (thud_volume_around_shape(volumes[i].kind, shape, &around) != THUD_OK)
             continue;
-        outline(c, view, &around, 1.5f * c->unit, volumes[i].color);
+        draw_outline(c, view, &around, 1.5f * c->unit, volumes[i].color);
         snprintf(line, sizeof line, "%s %.2f", volumes[i].name, area(&around) / area(shape));
         canvas_text(c, text.x, text.y, volumes[i].color, line);
         text.y += 15 * c->unit;

@@ -8,6 +8,10 @@
 
 #include <thud/thud_geometry.h>
 
+/* Draws the outline of a circle or box, so many pixels wide. */
+void draw_outline(canvas *c, const camera *view, const thud_geometry *s, float width,
+                  SDL_Color color);
+
 /* Draws the shortest line between two shapes, or out of each other if they overlap, with its
  * length. */
 void draw_closest(canvas *c, const camera *view, const thud_geometry *a, const thud_geometry *b);

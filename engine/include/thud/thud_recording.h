@@ -96,6 +96,13 @@ THUD_API void thud_recorder_end(thud_recorder *recorder);
  * earlier call: the recording has then ended at that call, and is lost. */
 THUD_API thud_result thud_recorder_get_bytes(thud_recorder *recorder, thud_bytes *out);
 
+/* For a program that crashes, as in a handler of a signal: gets the recording so far, with the
+ * step under way as its last one, so that playing it crashes as well. It has no hash at its end.
+ * The world is not used, whose state may be broken; memory is allocated. Nothing more is recorded,
+ * and nothing else may be done with the recorder. THUD_ERROR_NULL; THUD_ERROR_INVALID for a
+ * recorder with a sink; THUD_ERROR_MEMORY, also if memory was short before. */
+THUD_API thud_result thud_recorder_salvage(thud_recorder *recorder, thud_bytes *out);
+
 /* Adds the caller's own bytes, under a name, at this place: inputs, a message, the state of a game.
  * THUD_ERROR_NULL for a null recorder or name, or null bytes of a count; THUD_ERROR_LOCKED inside a
  * recorded call; THUD_ERROR_MEMORY as above. */

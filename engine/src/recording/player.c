@@ -461,7 +461,7 @@ static void begin_records(thud_player *p, const segment *s) {
 }
 
 /* Begins the next segment. A keyframe is skipped, since the world has that state already. In the
- * end segment the hash is compared. */
+ * end segment the hash is compared, if it has one. */
 static void begin_segment(thud_player *p) {
     segment s;
     if (!read_segment(p->bytes, p->count, p->next, &s)) {
@@ -470,7 +470,9 @@ static void begin_segment(thud_player *p) {
     }
     if (s.kind == TD_SEGMENT_END) {
         td_reader from = {p->bytes, s.at, s.at + s.count, false};
-        is_same_hash(p, &from);
+        if (s.count > 0) {
+            is_same_hash(p, &from);
+        }
         p->ended = true;
         return;
     }

@@ -238,11 +238,14 @@ static void write_call(thud_recorder *r, td_record_frame *frame) {
     }
 }
 
+static bool is_step(int call) {
+    return call == TD_CALL_WORLD_STEP || call == TD_CALL_WORLD_ADVANCE ||
+           call == TD_CALL_WORLD_ADVANCE_WITH;
+}
+
 /* Writes that a call was refused. A call that ran out of memory may have changed the world before,
  * and so may calls that its callbacks made: then a snapshot is written as well (catch_up). */
 static void write_refusal(thud_recorder *r, td_record_frame *frame, thud_result result) {
-    bool steps = frame->call == TD_CALL_WORLD_STEP || frame->call == TD_CALL_WORLD_ADVANCE ||
-                 frame->call == TD_CALL_WORLD_ADVANCE_WITH;
     if (frame->opened) {
         r->records.count = frame->start;
         r->stale = true;
@@ -252,7 +255,7 @@ static void write_refusal(thud_recorder *r, td_record_frame *frame, thud_result 
         td_write_count(&r->records, (uint64_t)frame->call);
         td_write_byte(&r->records, result);
     }
-    r->stale |= steps && result == THUD_ERROR_MEMORY;
+    r->stale |= is_step(frame->call) && result == THUD_ERROR_MEMORY;
 }
 
 thud_result td_record_close(td_record_frame *frame, thud_result result) {
@@ -411,6 +414,36 @@ static thud_result check(const thud_recorder *r) {
     return r->failed ? td_refuse(w, THUD_ERROR_MEMORY,
                                  "recorder: memory was short, and the recording has ended")
                      : THUD_OK;
+}
+
+thud_result thud_recorder_salvage(thud_recorder *r, thud_bytes *out) {
+    if (!r || !out) {
+        return THUD_ERROR_NULL;
+    }
+    if (r->options.sink) {
+        return THUD_ERROR_INVALID;
+    }
+    td_record_frame *frame = r->frame;
+    while (frame && frame->outer) {
+        frame = frame->outer;
+    }
+    if (frame && frame->opened) {
+        r->records.count = frame->start; /* a call without its end cannot be played */
+    }
+    if (r->world && !r->failed) {
+        if (frame && is_step(frame->call)) {
+            uint64_t steps = r->world->steps - r->steps + 1;
+            r->waiting += steps;
+            r->time += steps;
+        }
+        finish_records(r);
+        write_segment(r, TD_SEGMENT_END, r->time, NULL, 0);
+    }
+    bool done = !r->failed;
+    r->failed = true;
+    r->frame = NULL;
+    *out = (thud_bytes){r->whole.bytes, r->whole.count};
+    return done ? THUD_OK : THUD_ERROR_MEMORY;
 }
 
 thud_result thud_recorder_get_bytes(thud_recorder *r, thud_bytes *out) {

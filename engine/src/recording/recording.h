@@ -5,7 +5,7 @@
  *     segment   kind (1 byte), number (4), steps recorded before it (8), length (8),
  *               contents, checksum of all of these (8: td_stream_sum)
  *     ...       numbers rise by one. The first segment is a TD_SEGMENT_KEYFRAME, the last one is
- *               the TD_SEGMENT_END
+ *               the TD_SEGMENT_END, with the hash of the world (8), or empty (salvaged)
  *
  * A keyframe is the def of the world, the listeners that it has, and its snapshot, packed: nothing
  * before it is needed to play on from there. A TD_SEGMENT_CALLS has the length of its records and

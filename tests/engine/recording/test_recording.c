@@ -918,6 +918,75 @@ static void damage_is_refused(void **state) {
     thud_world_destroy(g.world);
 }
 
+/* ---- crashes ---- */
+
+typedef struct crash {
+    thud_recorder *recorder;
+    thud_bytes bytes;
+    int after; /* callbacks */
+} crash;
+
+/* A prologue that makes calls, and takes what there is of the recording as if it crashed. */
+static bool crash_in_prologue(thud_world *world, const thud_contact *contact,
+                              thud_contact_settings *settings, void *context) {
+    (void)contact;
+    (void)settings;
+    crash *c = context;
+    thud_body_id body;
+    OK(thud_shape_get_body(world, contact->shape_b, &body));
+    OK(thud_body_apply_center_impulse(world, body, (thud_vec2){0.125f, 0}));
+    if (c->after-- == 0) {
+        OK(thud_recorder_salvage(c->recorder, &c->bytes));
+    }
+    return true;
+}
+
+/* A recording that is taken in the midst of a step has this step as its last one. */
+static void a_crash_leaves_what_led_to_it(void **state) {
+    (void)state;
+    for (int way = 0; way < 4; way++) {
+        bool inside = way > 0, advances = way == 2, rings = way == 3;
+        game g = make_game(thud_default_world_def());
+        crash c = {.recorder = begin(g.world, (thud_recorder_options){.hash_steps = 1,
+                                                                      .ring_steps = rings ? 8 : 0}),
+                   .after = inside ? 40 : -1};
+        thud_listeners l = {.prologue = crash_in_prologue, .context = &c};
+        if (inside) {
+            OK(thud_world_set_listeners(g.world, &l));
+        }
+        uint64_t last = 0, steps = 0; /* before the crash */
+        while (!c.bytes.data && steps < 200) {
+            last = thud_hash_of(g.world);
+            steps = thud_stats_of(g.world).steps;
+            if (!inside && steps == 50) {
+                OK(thud_recorder_salvage(c.recorder, &c.bytes));
+            } else if (advances) {
+                OK(thud_world_advance(g.world, 1.0 / 60, 1, NULL, NULL));
+            } else {
+                OK(thud_world_step(g.world));
+            }
+        }
+        assert_non_null(c.bytes.data);
+        thud_player *player = open_player(c.bytes);
+        assert_int_equal(progress_of(player).end, steps + inside);
+        OK(thud_player_seek(player, (int64_t)steps));
+        assert_int_equal(thud_hash_of(world_of(player)), last);
+        bool stepped;
+        OK(thud_player_step(player, &stepped));
+        assert_int_equal(stepped, inside);
+        OK(thud_player_step(player, &stepped));
+        assert_false(stepped || progress_of(player).differs);
+        thud_player_destroy(player);
+        thud_bytes again;
+        assert_int_equal(thud_recorder_get_bytes(c.recorder, &again), THUD_ERROR_MEMORY);
+        thud_recorder_end(c.recorder);
+        OK(thud_world_step(g.world));
+        thud_world_destroy(g.world);
+    }
+    thud_bytes bytes;
+    assert_int_equal(thud_recorder_salvage(NULL, &bytes), THUD_ERROR_NULL);
+}
+
 /* ---- memory ---- */
 
 static void failing_memory_does_no_harm(void **state) {
@@ -998,6 +1067,7 @@ int main(void) {
         cmocka_unit_test(wrong_calls_are_refused),
         cmocka_unit_test(a_world_may_be_destroyed_first),
         cmocka_unit_test(damage_is_refused),
+        cmocka_unit_test(a_crash_leaves_what_led_to_it),
         cmocka_unit_test(failing_memory_does_no_harm),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

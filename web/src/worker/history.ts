@@ -15,9 +15,10 @@ export interface Moment {
   rest: unknown;
 }
 
-/** Number of steps that the visitor can go back: 20 s at 60 steps a second. Chosen. */
-const SPAN = 1200;
-/** Bytes that the moments of SPAN steps may take together. Chosen. */
+/** Number of steps that the visitor can go back: 30 s at 60 steps a second. Chosen. */
+const SPAN = 1800;
+/** Bytes that the moments of SPAN steps may take together, each counted as the memory of its world.
+ * Chosen. */
 const MOST_BYTES = 128 * 2 ** 20;
 /** Milliseconds that running on from a moment to a step before the next one may take. Chosen. */
 const PATIENCE = 60;
@@ -43,7 +44,7 @@ export class History {
 
   /**
    * Whether a moment should be kept after this step. `stepMilliseconds` is what a step takes, and
-   * `bytes` is the size of a moment.
+   * `bytes` is the memory of the world, which is taken for the size of a moment.
    */
   wants(step: number, stepMilliseconds: number, bytes: number): boolean {
     const previous = this.#moments.at(-1);

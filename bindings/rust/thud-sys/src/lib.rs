@@ -1499,6 +1499,7 @@ extern "C" {
     pub fn thud_recorder_begin(world: *mut thud_world, options: *const thud_recorder_options, out: *mut *mut thud_recorder) -> thud_result;
     pub fn thud_recorder_end(recorder: *mut thud_recorder);
     pub fn thud_recorder_get_bytes(recorder: *mut thud_recorder, out: *mut thud_bytes) -> thud_result;
+    pub fn thud_recorder_salvage(recorder: *mut thud_recorder, out: *mut thud_bytes) -> thud_result;
     pub fn thud_recorder_add_chunk(recorder: *mut thud_recorder, name: *const c_char, bytes: thud_bytes) -> thud_result;
     pub fn thud_player_create(recording: thud_bytes, options: *const thud_player_options, out: *mut *mut thud_player) -> thud_result;
     pub fn thud_player_destroy(player: *mut thud_player);
