@@ -188,6 +188,20 @@ let score: InstanceType<typeof import("./page/score").Score> | null = null;
 
 let slow: Promise<void> | null = null;
 
+/** Tells that the scene has stopped by an error, and offers a recording of what led to it. */
+function tellStopped(app: App, message: string): void {
+  notice(`The scene stopped: ${message} `, 30);
+  if (app.state.match || app.state.recording?.fork === null) return;
+  const button = make("button", { id: "save-stopped" }, "Save a recording of it");
+  button.addEventListener("click", () => {
+    void import("./page/recording").then(
+      ({ saveRecording }) => saveRecording(app),
+      (error) => notice(`A part of the page cannot be loaded: ${messageOf(error)}`),
+    );
+  });
+  byId("notice").append(button);
+}
+
 /** Most scenes never come to that. */
 function tellSlow(app: App): void {
   slow ??= import("./page/slow").then(({ watch }) => watch(app));
@@ -343,7 +357,7 @@ function listenToScenes(
         return;
       }
       const { message, details } = trouble;
-      if (running) notice(`The scene stopped: ${message}`, 30);
+      if (running) tellStopped(app, message);
       else
         takeBack = fail(
           `This ${app.state.recording ? "recording" : app.state.level ? "level" : "scene"} cannot be run`,

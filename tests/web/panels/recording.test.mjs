@@ -315,6 +315,36 @@ for (const browser of BROWSERS)
       await close();
     });
 
+    test("scene_that_stops_by_an_error_offers_a_recording_of_what_led_to_it", LOGIC, async () => {
+      const scene = `export const title = "Stops";
+        export default function ({ createWorld }) {
+          const world = createWorld();
+          const ball = world.createBody({ kind: "dynamic", position: [0, 9], velocity: [0, 1] });
+          world.createCircle(ball, { radius: 1 });
+          const update = ({ step }) => {
+            world.applyCenterForce(ball, [step % 3, 0]);
+            if (step === 30) throw new Error("no more");
+          };
+          return { world, update, view: { x: 0, y: 0, height: 20 } };
+        }`;
+      const replace = async (page) => {
+        await keepBlobs(page);
+        await page.route("**/scenes/cradle.js*", (route) =>
+          route.fulfill({ body: scene, contentType: "text/javascript" }),
+        );
+      };
+      const { page, errors, close } = await visitor.open("?scene=cradle", DESKTOP, replace);
+      await until(() => page.textContent("#notice"), (text) => /stopped: no more/.test(text), "it stops");
+      const bytes = await savedBy(page, browser, () => page.click("#save-stopped"));
+      const player = new Player(engine, new Uint8Array(bytes), { calls: true });
+      player.seek(player.progress.end);
+      assert.equal(player.progress.end, 30);
+      assert.equal(player.progress.difference, null);
+      player.close();
+      assert.deepEqual(errors, []);
+      await close();
+    });
+
     test("recording_cannot_be_changed_and_says_so", LOGIC, async () => {
       const { page, errors, close } = await visitor.open("?scene=cradle");
       await playToEnd(page, "ball.rec", ballRecording());

@@ -54,7 +54,7 @@ for (const name of ["platformer_game", "meetings", "textured", "lab_latency", "e
 
 test("what_the_visitor_did_is_recorded_and_what_is_older_than_the_history_is_not", async () => {
   const session = await openSession(engine, "bounce");
-  makeSteps(session, 1300);
+  makeSteps(session, 1900);
   // The scene itself has no joint; this pull is one.
   const [body] = session.world.bodies().filter((id) => session.world.bodyStateOf(id).kind === "dynamic");
   const [x, y] = session.world.positionOf(body);
@@ -67,7 +67,7 @@ test("what_the_visitor_did_is_recorded_and_what_is_older_than_the_history_is_not
   const parts = [];
   const build = (within) => openSession(within, "bounce");
   const { bytes, steps } = await record(session, wasm, build, (part) => parts.push(part));
-  assert.equal(steps, 1330 - first);
+  assert.equal(steps, 1930 - first);
   assert.ok(parts.every((part) => part > 0 && part <= 1), String(parts));
   assert.deepEqual([played(bytes).hash, played(bytes).end], [session.world.hash(), steps]);
   session.close();

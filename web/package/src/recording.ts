@@ -220,7 +220,7 @@ export class Player {
   step(): boolean {
     const result = this.#engine.exports.api_player_step(this.#open());
     const { [ListAt.address]: changed, [ListAt.count]: stepped } = this.#engine.slots;
-    if (changed !== 0) this.world.noteChanges();
+    if (changed !== 0) World.noteChanges(this.world);
     this.#engine.check(result);
     return stepped !== 0;
   }
@@ -231,7 +231,7 @@ export class Player {
    */
   seek(step: number): void {
     const result = this.#engine.exports.api_player_seek(this.#open(), step);
-    this.world.noteChanges();
+    World.noteChanges(this.world);
     this.#engine.check(result);
   }
 

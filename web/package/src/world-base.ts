@@ -129,7 +129,7 @@ export class WorldBase {
    */
   restore(snapshot: Uint8Array): void {
     restoreSnapshot(this.engine, this.address, snapshot);
-    this.noteChanges();
+    WorldBase.noteChanges(this);
   }
 
   /**
@@ -178,10 +178,12 @@ export class WorldBase {
     return { shapes: this.shapesRevision, terrains: this.terrainsRevision };
   }
 
-  /** Increases both counters of `revision`: for calls that the module has made by itself. */
-  noteChanges(): void {
-    this.shapesRevision++;
-    this.terrainsRevision++;
+  /**
+   * Increases both counters of a world's `revision`: for calls that the module has made by itself.
+   */
+  static noteChanges(world: WorldBase): void {
+    world.shapesRevision++;
+    world.terrainsRevision++;
   }
 
   // ---- time ----

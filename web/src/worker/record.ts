@@ -2,7 +2,7 @@
  * Records what runs: the scene is built once more, in the engine that records, and goes through the
  * steps that the history keeps, with the visitor's commands. So recording costs nothing while a
  * scene runs, and what was seen can be recorded afterwards. The last hash is compared with that of
- * the running world. Imported when the first recording is made.
+ * the running world, unless its last step has failed. Imported when the first recording is made.
  */
 import type { Engine } from "thud";
 import { load } from "thud/first";
@@ -102,7 +102,7 @@ function repeat(session: Session, again: Session, report: (part: number) => void
       reported = performance.now();
       report((step - first) / steps);
     });
-    if (world.hash() !== session.world.hash())
+    if (!session.broken && world.hash() !== session.world.hash())
       throw new SceneError({
         message:
           "This scene does not repeat itself, so it cannot be recorded: its update may depend " +

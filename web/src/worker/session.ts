@@ -62,6 +62,8 @@ export class Session {
   step = 0;
   /** What the scene's `paint` returned last. */
   paint: Paint | null = null;
+  /** A step has failed halfway: the world may not be that of any step. */
+  broken = false;
   /** The samples of the steps since the last frame. */
   samples: Sample[] = [];
   companion: Companion | null = null;
@@ -142,6 +144,12 @@ export class Session {
 
   /** Makes a step, and keeps a moment where the history wants one. */
   makeStep(): void {
+    this.broken = true;
+    this.#makeStep();
+    this.broken = false;
+  }
+
+  #makeStep(): void {
     if (this.#sought) this.#takeOver();
     const commands = this.#done;
     this.#done = [];
@@ -167,12 +175,13 @@ export class Session {
   seek(step: number): boolean {
     const moment = this.history.before(step);
     if (!moment || step > this.history.last) return false;
-    // Commands since the last step are undone: they are not in the journal.
-    const edited = this.#done.length > 0;
+    // Commands since the last step are undone, as they are not in the journal, and so is half a step.
+    const edited = this.#done.length > 0 || this.broken;
     this.#done = [];
     // The visitor lets go of a body that is held.
     this.#present.pulls = false;
     this.#sought = true;
+    this.broken = false;
     if (step !== this.step || edited) this.companion?.end();
     if (step < this.step || moment.step > this.step || edited) this.#goTo(moment);
     this.#runAgain(step);
