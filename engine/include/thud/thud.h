@@ -24,9 +24,15 @@
  * of every field. The ranges of all values are in thud_limits.h; thud_math.h says which vector type
  * is used where.
  *
- * Errors: every call that can fail returns a thud_result. When a call fails, it has changed
- * nothing, written no output, and the log hook has been told the reason. Output pointers may be
- * null where the caller does not need the output, unless the comment says otherwise.
+ * Errors: calls that can fail return a thud_result, except for some that return a handle or a bool.
+ * Unless its comment says otherwise, a call that fails has changed nothing and written no output,
+ * and the log hook of its world has been told the reason, but for some calls that lack a pointer.
+ * Where comments say nothing, functions of one body, shape or joint accept null outputs, and
+ * functions of a whole world refuse them (THUD_ERROR_NULL).
+ *
+ * Callbacks: "inside a callback" means in a function that the engine calls during a step, query,
+ * cast, move or drawing. The functions of thud_step_calls are called between steps, and do not
+ * count.
  *
  * Floating-point mode: a world computes, and calls callbacks, in a mode of its own (rounding to
  * nearest, denormals kept), whatever the mode of the calling thread or a thread of the job system
@@ -89,8 +95,9 @@ typedef struct thud_world_def {
     thud_vec2 gravity;  /* length/s^2; default (0, -10) */
     double time_step;   /* s, (0, THUD_TIME_STEP_MAX]; default 1/60 */
     float length_scale; /* size of a typical body in the caller's unit, [THUD_LENGTH_SCALE_MIN,
-                           THUD_LENGTH_SCALE_MAX]; default 1, for metres. Every tolerance of the
-                           engine is a multiple of it */
+                           THUD_LENGTH_SCALE_MAX]; default 1, for metres. A "length scale" is
+                           this, rounded down to a power of two (100: 64); every tolerance of the
+                           engine is a multiple of that */
     const thud_quality *quality; /* default &thud_quality_default; never null */
     /* Overrides of the quality; the default 0 takes the value of the quality. */
     int substeps;            /* number of substeps in a step, 1 .. THUD_SUBSTEPS_MAX */
@@ -101,9 +108,10 @@ typedef struct thud_world_def {
     float push_speed; /* [0, THUD_SPEED_MAX]: the largest speed at which overlapping shapes
                          are separated; default 3 */
     float restitution_threshold; /* [0, THUD_SPEED_MAX]: pairs that approach more slowly do not
-                                    bounce; default 1. With restitution 1 the threshold is at most
-                                    4 * gravity * time_step, and for swept bodies in free flight
-                                    gravity * time_step / 8 */
+                                    bounce; default 1. With restitution 1 or more it is at most
+                                    4 * gravity * time_step, length/s, and for swept bodies in free
+                                    flight at most gravity * time_step / 8, of gravity along the
+                                    normal. Those with less restitution use the larger of both */
     float
         hit_speed; /* [0, THUD_SPEED_MAX]: pairs that approach faster make hit events; default 1 */
     float maximum_speed; /* (0, THUD_SPEED_MAX]; default THUD_SPEED_MAX. A step clamps the
@@ -152,8 +160,8 @@ THUD_API thud_world_def thud_default_world_def_of(const thud_quality *quality);
  * All else is the same, bit for bit.
  *
  * Sensors: a thud_shape_def whose `sensor` is true is refused (THUD_ERROR_INVALID) until
- * thud_shape_set_sensor has been called in the world, or a snapshot of one with sensors restored
- * into it; both link sensors.
+ * thud_shape_set_sensor has made a shape of the world a sensor, or a snapshot of one with sensors
+ * restored into it; both link sensors.
  *
  * Restitution: a thud_shape_def or thud_rule whose `restitution` is above 0 is refused likewise,
  * and the settings of a prologue stay as they were, until thud_shape_set_restitution has been
@@ -178,11 +186,11 @@ THUD_NODISCARD THUD_API thud_result thud_world_create(const thud_world_def *def,
  * the world the call does nothing either, and the log hook is told THUD_ERROR_LOCKED. */
 THUD_API void thud_world_destroy(thud_world *world);
 
-/* Runs one step of time_step seconds. A body without contacts and joints follows the exact path of
- * its acceleration and damping, at every quality, to the rounding of its velocity to a float. On
- * THUD_ERROR_MEMORY no body has moved and no event is reported, but edits have taken effect, and
- * bodies that the step was going to wake may be awake. If the step is run again, it has the same
- * results, bit for bit, and the same events. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a
+/* Runs one step of time_step seconds. A dynamic body without contacts and joints follows the exact
+ * path of its acceleration and damping, at every quality, to the rounding of its velocity to a
+ * float. On THUD_ERROR_MEMORY no body has moved and no event is reported, but edits have taken
+ * effect, and bodies that the step was going to wake may be awake. If the step is run again, it has
+ * the same results, bit for bit, and the same events. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a
  * callback. */
 THUD_API thud_result thud_world_step(thud_world *world);
 
@@ -203,7 +211,8 @@ THUD_API thud_result thud_world_step(thud_world *world);
  *
  * If a step runs out of memory the call returns THUD_ERROR_MEMORY; *out_steps, *out_alpha and the
  * events are those of the steps before it, and the rest of the time waits for the next call. If it
- * was the first step, nothing has changed. THUD_ERROR_NULL; THUD_ERROR_INVALID for a value out of
+ * was the first step, it is as if thud_world_step had failed: no body has moved and no time has
+ * passed, but edits have taken effect. THUD_ERROR_NULL; THUD_ERROR_INVALID for a value out of
  * range; THUD_ERROR_LOCKED inside a callback. */
 THUD_API thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps,
                                         int *out_steps, double *out_alpha);
@@ -212,11 +221,12 @@ THUD_API thud_result thud_world_advance(thud_world *world, double elapsed, int m
 typedef void thud_step_fn(thud_world *world, void *context);
 
 /* Callbacks before and after each step. Inside them the world may be edited, queried and saved to a
- * snapshot as between two calls of thud_world_step; only stepping, thud_world_restore and
- * thud_world_destroy are THUD_ERROR_LOCKED. Forces applied inside them act in one step: those of
- * `before` in the step that follows, those of `after` in the one after it. Events are those of the
- * last step alone; in `after` these are the events of the step just run. When a step that ran out
- * of memory is tried again, `before` is not called again. */
+ * snapshot as between two calls of thud_world_step; only stepping, thud_world_restore,
+ * thud_world_load, thud_world_destroy and calls of a recorder are THUD_ERROR_LOCKED. Forces applied
+ * inside them act in one step: those of `before` in the step that follows, those of `after` in the
+ * one after it. Events are those of the last step alone; in `after` these are the events of the
+ * step just run. When a step that ran out of memory is tried again, `before` is not called again.
+ */
 typedef struct thud_step_calls {
     thud_step_fn *before, *after; /* null: not called */
     void *context;                /* passed to both */
@@ -239,10 +249,12 @@ THUD_API thud_result thud_world_set_log(thud_world *world, thud_log_fn *log, voi
 THUD_API thud_result thud_world_set_gravity(thud_world *world, thud_vec2 gravity);
 /* The length of a step, s, (0, THUD_TIME_STEP_MAX]. */
 THUD_API thud_result thud_world_set_time_step(thud_world *world, double time_step);
-/* length, [0, THUD_MAX_ERROR_MAX]; see thud_world_def.max_error. */
+/* length, [0, THUD_MAX_ERROR_MAX]; see thud_world_def.max_error. THUD_ERROR_INVALID also above 0 in
+ * a world without island solver. Wakes all bodies. */
 THUD_API thud_result thud_world_set_max_error(thud_world *world, double max_error);
 /* Substeps, contact_stiffness, contact_damping and detection keep their values if the def of the
- * world set them. `quality` is copied. Wakes all bodies. */
+ * world set them. `quality` is copied; THUD_ERROR_NULL if it is null, THUD_ERROR_INVALID also if it
+ * has no island solver and max_error is above 0. Wakes all bodies. */
 THUD_API thud_result thud_world_set_quality(thud_world *world, const thud_quality *quality);
 /* Whether islands fall asleep; false wakes all bodies. */
 THUD_API thud_result thud_world_set_sleeping(thud_world *world, bool sleeping);
@@ -271,8 +283,9 @@ typedef struct thud_body_def {
     float linear_damping;   /* 1/s, >= 0; default 0. After t seconds a velocity is multiplied by
                                exp(-damping * t) */
     float angular_damping;  /* 1/s, >= 0; default 0; the same for the angular velocity */
-    bool fixed_rotation;    /* no torque turns the body; default false */
-    bool may_sleep;         /* default true */
+    bool fixed_rotation; /* no torque turns the body; default false. It keeps the angular_velocity
+                            of this def; thud_body_set_velocity gives a dynamic one none */
+    bool may_sleep;      /* default true */
     const thud_detection *detection; /* default null: the world's */
     uint64_t user_data;              /* the caller's own; default 0 */
     uint32_t cookie;                 /* set by thud_default_body_def */
@@ -307,7 +320,9 @@ typedef struct thud_body_state {
                       and where rotation is fixed */
     float gravity_scale;
     bool awake, enabled;
-    bool quarantined; /* its position or velocity became non-finite, and the engine stopped it */
+    bool quarantined; /* its velocity or motion became non-finite: it has no contacts any more, and
+                         stays where it was. Edits of its pose, velocity, forces, awake and enabled
+                         have no effect; it can be destroyed */
     uint64_t user_data;
     int shape_count;
 } thud_body_state;
@@ -332,19 +347,21 @@ THUD_API thud_result thud_body_set_transform(thud_world *world, thud_body_id bod
  * THUD_ERROR_INVALID for a static body, and for a kinematic body with an AABB that would turn. */
 THUD_API thud_result thud_body_set_velocity(thud_world *world, thud_body_id body,
                                             thud_vec2 velocity, float angular_velocity);
-/* Changes the velocities of a dynamic body by an impulse, mass * length / s, at a point in world
- * coordinates, |x|, |y| <= THUD_PLACE_MAX length scales. */
+/* Changes the velocities of a dynamic body by an impulse, mass * length / s, finite, at a point in
+ * world coordinates, |x|, |y| <= THUD_PLACE_MAX length scales. */
 THUD_API thud_result thud_body_apply_impulse(thud_world *world, thud_body_id body,
                                              thud_vec2 impulse, thud_pos point);
-/* Applies a force, mass * length / s^2, at the centre of mass of a dynamic body during the next
- * step, or during `elapsed` of the next thud_world_advance. Forces add up. At a point of the body:
- * thud_forces.h. */
+/* Applies a force, mass * length / s^2, finite, at the centre of mass of a dynamic body during the
+ * next step, or during `elapsed` of the next thud_world_advance. Forces add up. At a point of the
+ * body: thud_forces.h. */
 THUD_API thud_result thud_body_apply_center_force(thud_world *world, thud_body_id body,
                                                   thud_vec2 force);
-/* The same with a torque, mass * length^2 / s^2. */
+/* The same with a torque, mass * length^2 / s^2, finite. */
 THUD_API thud_result thud_body_apply_torque(thud_world *world, thud_body_id body, float torque);
-/* For a dynamic body: true wakes it. False: it counts as at rest, and falls asleep as soon as all
- * bodies of its island are at rest. */
+/* For a dynamic body, else THUD_ERROR_INVALID: true wakes it. False: it need not wait for 0.5 s,
+ * but falls asleep with its island as soon as all bodies of that are at rest, itself too. That has
+ * no effect on a body that moves faster than the speed at thud_world_def.sleeping, with may_sleep
+ * false, or if another edit of the body follows before the step. */
 THUD_API thud_result thud_body_set_awake(thud_world *world, thud_body_id body, bool awake);
 /* False removes the body and its shapes from the simulation, as if it were destroyed: its contacts
  * end, and no body, query or joint acts on it. True brings it back at its pose, with the velocity
@@ -455,9 +472,11 @@ typedef struct thud_pose {
 
 /* The poses of all bodies between the last two steps, interpolated by alpha in [0, 1] (0: the step
  * before, 1: the last step). The array *out is indexed by slot (thud_body_id.index1 - 1) and has
- * *out_count elements; slots without a body have x = y = NaN. It belongs to the world and is valid
- * until the world's next call. THUD_ERROR_NULL, THUD_ERROR_INVALID if alpha is out of range or
- * |origin.x| or |origin.y| > THUD_PLACE_MAX length scales, THUD_ERROR_MEMORY. */
+ * *out_count elements; slots without a body have x = y = NaN, but not those of anchors
+ * (thud_locks.h), which thud_world_get_body_at does not name. It belongs to the world, and is valid
+ * until the next thud_world_get_poses, thud_world_restore or thud_world_destroy. THUD_ERROR_NULL,
+ * THUD_ERROR_INVALID if alpha is out of range or |origin.x| or |origin.y| > THUD_PLACE_MAX length
+ * scales, THUD_ERROR_MEMORY. */
 THUD_API thud_result thud_world_get_poses(thud_world *world, thud_pos origin, double alpha,
                                           const thud_pose **out, int *out_count);
 
@@ -586,10 +605,10 @@ static inline thud_step_error thud_step_error_of(const thud_world *world) {
     return error;
 }
 
-/* Penetration and energy of the present state. */
+/* Penetration as the last step left it, and the present energy. */
 typedef struct thud_measure {
-    /* Length, over the points of touching pairs, asleep or awake; if detection moved or held
-     * bodies, as in thud_step_error. */
+    /* Length, over the points of touching pairs, asleep or awake; if detection moved or held bodies
+     * in the last step, as in thud_step_error. */
     double penetration_max, penetration_mean;
     /* mass * length^2 / s^2, of dynamic bodies; the potential energy is 0 at the world's origin. */
     double kinetic_energy, potential_energy;

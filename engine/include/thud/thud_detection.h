@@ -49,8 +49,9 @@ extern THUD_API const thud_broadphase thud_broadphase_all;
 THUD_API const char *thud_broadphase_name(const thud_broadphase *broadphase); /* "" for null */
 
 /* How collisions of moving shapes are found: a choice for a world (thud_world_def.detection), and
- * for single bodies (thud_body_def.detection). For a pair of two moving bodies, the later of both
- * choices in the order below is used; for sensors see thud_events.h. docs/catalogue.md has the cost
+ * for single bodies (thud_body_def.detection). For a pair of two dynamic bodies the later of both
+ * choices in the order below is used, else that of the dynamic body; the choice of a static or
+ * kinematic body has no effect. For sensors see thud_events.h. docs/catalogue.md has the cost
  * and the errors of each. */
 typedef struct thud_detection thud_detection;
 
@@ -68,8 +69,15 @@ extern THUD_API const thud_detection thud_detection_continuous;
  * it. */
 extern THUD_API const thud_detection thud_detection_bisect;
 /* Bodies advance to each of their times of impact, in the order of time, get new velocities there,
- * and continue with these. No body passes through another, and separate shapes do not begin to
- * overlap, with these exceptions: a kinematic body moves at its velocity, whatever is in its path;
+ * and continue with these.
+ *
+ * What follows holds in a world that chooses it. A body that chooses it alone
+ * (thud_body_def.detection), or bisect, passes through nothing, but its contacts are those of the
+ * world's detection: they may overlap under a load, its path counts as straight, and elastic
+ * bounces may change energy.
+ *
+ * No body passes through another, and separate shapes do not begin to overlap, with these
+ * exceptions: a kinematic body moves at its velocity, whatever is in its path;
  * and a load may press touching shapes together, by up to 0.00035 length scales a step, before the
  * contacts have settled.
  *
@@ -79,8 +87,9 @@ extern THUD_API const thud_detection thud_detection_bisect;
  * it is solved with all contacts of these at once, and comes to rest against them at the end of the
  * step in place of the time of impact; its prologue, epilogue and hit event are those of an impact.
  * A body stops at its position for the rest of the step, and is counted in thud_stats.held_bodies,
- * in three cases: it has impacts more than 8 times, 16 if elastic, in a step (in the mean of a
- * fall one circle of seven hundred in a pit, one box of twenty in a full drum); it has an impact
+ * in three cases: it has impacts more than 8 times, 16 if elastic, in a step (while a
+ * scene comes to rest, in the mean one circle of seven hundred in a pit, one box of twenty in a
+ * full drum); it has an impact
  * after the step has worked out 8192 times of collision, and 48 more for each awake body
  * (thud_stats.motion_exact); or it leaves the predicted bounds of its path, and there is no memory
  * to find the shapes that it may meet there.
@@ -100,13 +109,14 @@ extern THUD_API const thud_detection thud_detection_bisect;
  * the quality's island_limit and island_work; a quality without an island solver, such as draft,
  * gets one and at least four substeps, unless its island_limit is 1. Stacks that stand under
  * continuous also stand here: columns of 30 and 100 boxes, which sink by 0.21 and 0.56 m at
- * default, lose no height, and boxes and discs on slopes stay within 1e-4 m of their path (0.043
- * and 0.035 m). Larger islands are left to the soft solver. Their contacts rest 0.003 length scales
- * apart, at high and exact 0.001, so that shapes that a load presses together do not overlap; under
- * a higher load they do: in a pit of a thousand bodies by 0.02 m in the mean of a step, under
- * continuous by 0.05 m. Swept has no advantage in large heaps that collapse, where a step takes
- * seven times (circles in a pit) to thirty times (boxes in a full drum) as long as under
- * continuous, or between bodies with joints. docs/tradeoff.md has the figures. */
+ * default, lose no height, and boxes and discs on slopes stay within 1e-4 m of their path (under
+ * continuous they leave it by 0.043 and 0.035 m). Larger islands are left to the soft solver. Their
+ * contacts rest 0.003 length scales apart, at high and exact 0.001, so that shapes that a load
+ * presses together do not overlap; under a higher load they do: in a pit of a thousand bodies by
+ * 0.02 m in the mean of a step, under continuous by 0.05 m. Swept has no advantage in large heaps
+ * that collapse, where a step takes seven times (circles in a pit) to thirty times (boxes in a full
+ * drum) as long as under continuous, or between bodies with joints. docs/tradeoff.md has the
+ * figures. */
 extern THUD_API const thud_detection thud_detection_swept;
 
 THUD_API const char *thud_detection_name(const thud_detection *detection); /* "" for null */

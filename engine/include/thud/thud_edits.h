@@ -61,10 +61,12 @@ THUD_API thud_result thud_shape_set_filter(thud_world *world, thud_shape_id shap
  * (pre-solve callback). */
 THUD_API thud_result thud_shape_set_friction(thud_world *world, thud_shape_id shape,
                                              float friction);
-/* The restitution; that of a pair is found as its friction is. */
+/* The restitution; a pair has the larger of both values, which a rule and then a prologue may
+ * replace. */
 THUD_API thud_result thud_shape_set_restitution(thud_world *world, thud_shape_id shape,
                                                 float restitution);
-/* The speed of the surface, length/s; that of a pair is found as its friction is. */
+/* The speed of the surface, length/s; a pair has the sum of both, which a rule and then a prologue
+ * may replace. */
 THUD_API thud_result thud_shape_set_surface_speed(thud_world *world, thud_shape_id shape,
                                                   float surface_speed);
 /* Recomputes the mass of the body at once; its centre of mass moves. The velocity keeps its value,

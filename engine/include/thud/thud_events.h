@@ -4,6 +4,10 @@
  * Events are in a deterministic order, and valid until the next step or thud_world_advance. Inside
  * a callback of a step the previous step's events are still returned.
  *
+ * Touching: two shapes touch, here and in callbacks, lists of contacts and statistics, if they are
+ * nearer to each other than 0.02 length scales; thud_contact.separation is their distance. Sensors
+ * and queries need an overlap, or a touch without any gap.
+ *
  * Begin and end: begin and end events of a pair of shapes alternate, and each begin is followed by
  * an end, even if a shape or its body is destroyed, moved or changed, or falls asleep. If an edit
  * ended a contact, the end event comes with the next step. If a pair is in both lists of one step,
@@ -29,9 +33,12 @@
  * Passing through: a shape that enters and leaves a sensor within one step is reported as begun and
  * ended if detection tests the motion: thud_detection_continuous tests bodies that pass sensors of
  * static bodies; thud_detection_bisect and thud_detection_swept test all bodies that move further
- * than half their smallest half extent in a step. The time of such an event is the time of the
- * overlap within the step, exact up to rounding where nothing rotates. The time of other events is
- * 1, or 0 if an edit ended the pair before the step. */
+ * than half their smallest half extent in a step.
+ *
+ * Times of sensor events: the time of a begin or end is that of the overlap within the step, exact
+ * up to rounding where nothing rotates, if detection tests the motion of the pair: always under
+ * bisect and swept, and for sensors of static bodies under continuous. It is 1 for other pairs, and
+ * 0 if an edit ended the pair before the step. */
 #ifndef THUD_EVENTS_H
 #define THUD_EVENTS_H
 

@@ -57,8 +57,8 @@ typedef struct thud_explosion {
 THUD_API thud_explosion thud_default_explosion(void);
 
 /* Applies impulses to the dynamic bodies around the centre, away from it, at once. Inside a
- * callback they act during the next step, as other impulses do (thud_forces.h), with
- * THUD_ERROR_MEMORY if memory is short. *out_pushed (may be null): the number of bodies that got an
+ * callback they act during the next step, as other impulses do (thud_forces.h). THUD_ERROR_MEMORY,
+ * inside a callback or not. *out_pushed (may be null): the number of bodies that got an
  * impulse. Sleeping bodies wake.
  *
  * The side of a shape that faces the centre is divided into `rays` pieces of equal width, measured
@@ -138,8 +138,7 @@ THUD_API thud_result thud_geometry_area_below(const thud_geometry *shape, thud_h
  * radius * (normal force of the last step) against the rotation relative to the bodies that the
  * circles touch. The coefficient is in [0, THUD_DRAG_MAX]; on level ground it decelerates a rolling
  * disc by 2/3 * coefficient * gravity. The torque at most stops the rotation, and does not act on
- * the other body. On a slope it slows a ball down, but does not hold it. THUD_ERROR_MEMORY as in
- * queries. */
+ * the other body. On a slope it slows a ball down, but does not hold it. */
 THUD_API thud_result thud_body_apply_rolling_resistance(thud_world *world, thud_body_id body,
                                                         float coefficient);
 
@@ -152,8 +151,9 @@ THUD_API thud_result thud_body_apply_rolling_resistance(thud_world *world, thud_
  * |y| of the point <= THUD_SIZE_MAX length scales.
  *
  * The force accounts for the velocity that gravity and the forces applied so far will give the
- * point in the step, and for the effective mass of the body at the point. At the end of the step
- * the point has reached the speed, or is nearer to it, but never beyond it. At speed 0 the force
+ * point in the step, and for the effective mass of the body at the point. If no contact, joint,
+ * damping or later force acts on the body, the point has reached the speed at the end of the step,
+ * or is nearer to it, but never beyond it. At speed 0 the force
  * adds no energy. */
 THUD_API thud_result thud_body_apply_grip(thud_world *world, thud_body_id body, thud_vec2 point,
                                           thud_vec2 axis, float speed, float max_force);

@@ -8,10 +8,11 @@
  * time_step / 2: an orbit then keeps its energy, while a force for the position before the step
  * adds energy in each step. A force applied between two calls of thud_world_advance acts over the
  * `elapsed` of the second, and changes the velocity by force * elapsed / mass. An impulse changes
- * the velocity at once; inside a callback it becomes a force during the next step with the same
- * effect. Both wake the body, and the bodies that it touches, if it sleeps. A disabled body keeps
- * the velocity that an impulse gave it; forces on it are dropped. A static or kinematic body is
- * THUD_ERROR_INVALID.
+ * the velocity at once; inside a callback an impulse of this header acts as a force during the next
+ * step, with the same effect, while thud_body_apply_impulse of thud.h changes the velocity as that
+ * step begins. Both wake the body, and the bodies that it touches, if it sleeps. A disabled body
+ * keeps the velocity that an impulse gave it; forces on it are dropped. A static or kinematic body
+ * is THUD_ERROR_INVALID.
  *
  * All return THUD_ERROR_NULL for a null world, THUD_ERROR_STALE, THUD_ERROR_INVALID for a value
  * that is not finite, a force or impulse above THUD_FORCE_MAX, or a position beyond THUD_PLACE_MAX

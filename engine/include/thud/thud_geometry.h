@@ -116,7 +116,9 @@ THUD_API thud_result thud_geometry_contacts(const thud_geometry *a, const thud_g
                                             double margin, thud_contacts *out);
 
 /* Whether the ray hits the shape; *out_fraction, in [0, 1], is the fraction of the ray before the
- * hit, (*out_nx, *out_ny) the unit outward normal there. A ray that starts inside hits nothing. */
+ * hit, (*out_nx, *out_ny) the unit outward normal there. A ray that starts inside hits nothing.
+ * False, too, for a shape or ray that is not valid. Outputs are written only for a hit, and may be
+ * null. */
 THUD_API bool thud_geometry_cast_ray(const thud_geometry *shape, thud_segment ray,
                                      double *out_fraction, double *out_nx, double *out_ny);
 

@@ -1,7 +1,7 @@
 /* thud_joint.h: joints, constraints between two bodies, whether or not their shapes touch: rods,
  * ropes, springs, hinges, sliders, welds, wheels, targets and gears. A program that creates no
- * joint links none of this. Lengths are in the caller's unit; a bound in length scales is a
- * multiple of thud_world_def.length_scale.
+ * joint links none of this. Lengths are in the caller's unit; for bounds in
+ * length scales see thud_limits.h.
  *
  * A joint has a frame in each body: an anchor and an x axis. It measures body b relative to body a
  * in three directions: along the x axis of frame a, across it (along its y axis), and in rotation
@@ -31,13 +31,15 @@
  * An island with an overloaded joint is solved directly, with its contacts, as long as
  * thud_quality.island_work lasts. If it is used up, or a contact of the island bounces in this
  * step, groups of up to 128 bodies that joints connect may be solved directly by themselves. The
- * conditions are that at least half of the group's joints are overloaded, at most 64 joints of the
- * world are, and the group has no more contacts with moving bodies than it has bodies. Its contacts
- * then keep the impulses of the soft solver, and the joints may not bring shapes closer together
- * than in the soft solver's result. If joints and contacts cannot both be satisfied so, or the
- * result would gain energy, the soft solver's result is kept. Where closing gaps lifts bodies,
- * their kinetic energy pays for it, so that a bridge or a rope that gives way does not swing up by
- * itself; not so in islands with motors or springs, or joined to a body that the caller moves.
+ * conditions are that at least half of the group's joints are overloaded (a quarter, if all are
+ * hinges and welds), at most 64 joints of the world are, and the group has no more contacts with
+ * moving bodies than it has bodies. Its contacts then keep the impulses of the soft solver, and the
+ * joints may not bring shapes closer together than in the soft solver's result. If joints and
+ * contacts cannot both be satisfied so, a tree of hinges and welds is solved without regard to
+ * contacts, which may then overlap more until the next step; of others, and where the result would
+ * gain energy, the soft solver's result is kept. Where closing gaps lifts bodies, their kinetic
+ * energy pays for it, so that a bridge or a rope that gives way does not swing up by itself; not so
+ * in islands with motors or springs, or joined to a body that the caller moves.
  *
  * Detection (thud_detection.h). If detection stops a body within a step, all bodies that locked
  * directions connect to it stop at the same fraction of their motions, and lose the speed that
@@ -224,7 +226,7 @@ THUD_API thud_result thud_joint_get_state(const thud_world *world, thud_joint_id
 THUD_API thud_result thud_joint_get_def(const thud_world *world, thud_joint_id joint,
                                         thud_joint_def *out);
 /* Replaces the drive of a direction; the kind must drive it. Wakes the bodies. THUD_ERROR_NULL,
- * THUD_ERROR_STALE, THUD_ERROR_INVALID, THUD_ERROR_LOCKED. */
+ * THUD_ERROR_STALE, THUD_ERROR_INVALID, THUD_ERROR_MEMORY, THUD_ERROR_LOCKED. */
 THUD_API thud_result thud_joint_set_drive(thud_world *world, thud_joint_id joint,
                                           thud_direction direction, const thud_drive *drive);
 /* Sets the length of a THUD_JOINT_DISTANCE, (0, THUD_JOINT_LENGTH_MAX] length scales. Wakes the
@@ -272,19 +274,19 @@ static inline const thud_joint_event *thud_joint_events_of(const thud_world *wor
     return events;
 }
 
-/* The joints of the world in a deterministic order, written as the lists of thud_lists.h.
+/* The joints of the world in the order of their slots, written as the lists of thud_lists.h.
  * *out_count is their number; at most `capacity` (>= 0) are written. THUD_ERROR_NULL,
  * THUD_ERROR_INVALID for a negative capacity. */
 THUD_API thud_result thud_world_get_joints(const thud_world *world, thud_joint_id *out,
                                            int capacity, int *out_count);
-/* The same with the joints of a body. THUD_ERROR_NULL, THUD_ERROR_STALE, THUD_ERROR_INVALID for a
- * negative capacity. */
+/* The same with the joints of a body, in a deterministic order. THUD_ERROR_NULL, THUD_ERROR_STALE,
+ * THUD_ERROR_INVALID for a negative capacity. */
 THUD_API thud_result thud_body_get_joints(const thud_world *world, thud_body_id body,
                                           thud_joint_id *out, int capacity, int *out_count);
 
 /* Prepares a world for joints, as creating one does. A world that never had a joint must be
- * prepared before it can be restored from a snapshot with joints. THUD_ERROR_NULL,
- * THUD_ERROR_MEMORY. */
+ * prepared before it can be restored from a snapshot with joints. THUD_ERROR_NULL;
+ * THUD_ERROR_LOCKED inside a callback. */
 THUD_API thud_result thud_world_use_joints(thud_world *world);
 
 #ifdef __cplusplus

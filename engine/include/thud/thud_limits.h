@@ -45,8 +45,9 @@
 
 /* ---- forces and fields ---- */
 
-/* |component| of a force, torque, impulse or angular impulse, of the force into which an impulse is
- *  converted inside a callback, and of the change of velocity by an impulse. */
+/* Of the calls of thud_forces.h and thud_fields.h: |component| of a force, torque, impulse or
+ * angular impulse, of the force into which an impulse is converted inside a callback, and of the
+ * change of velocity by an impulse. */
 #define THUD_FORCE_MAX 1e30f
 #define THUD_DRAG_MAX \
     1e6f /* coefficients of drag, lift and rolling resistance; drag in water, 1/s */

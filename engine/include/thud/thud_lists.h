@@ -138,15 +138,15 @@ typedef struct thud_event_pair {
 } thud_event_pair;
 
 /* Finds the next pair of shapes with categories of `first` and `second` (bits of
- * thud_filter.category) that began to touch or hit each other in the last step, even if they are
- * apart again, or of which one is a sensor that began to overlap the other. If there are no more,
- * the result is false, and all fields but `next` are zero:
+ * thud_filter.category) that began to touch or hit each other in the last step or
+ * thud_world_advance, even if they are apart again, or of which one is a sensor that began to
+ * overlap the other. If there are no more, the result is false, and all fields but `next` are zero:
  *
  *     for (thud_event_pair m = {0}; thud_world_next_event_pair(world, BRICK, BALL, &m);)
  *         thud_body_destroy(world, m.a.body);
  *
- * In one step a pair is returned once; a pair that hits in one step and begins to touch in the next
- * is returned in both. A pair with a destroyed shape is not returned, even if the caller destroyed
+ * A pair is returned once for each thud_world_step or thud_world_advance, even if it met in several
+ * of its steps. A pair with a destroyed shape is not returned, even if the caller destroyed
  * it between two calls. A pair that matches the categories in both orders is returned in the order
  * of its event. Each call continues the search through the events (thud_events.h), and compares a
  * pair that it finds with the earlier events. The result is also false, and the reason is logged,

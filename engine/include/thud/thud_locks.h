@@ -3,9 +3,9 @@
  *
  * A lock is a joint (thud_joint.h) between the body's centre of mass and a static body without
  * shapes, the anchor, which the engine creates if there is none nearby, and destroys with its last
- * lock. Lists leave anchors out, but statistics count them. A lock of x or of y is a wheel joint
- * without spring and motor, a lock of both is a hinge. It is in the lists of joints, and can be
- * destroyed as a joint. It is solved together with all other constraints: a locked body resists
+ * lock. Lists leave anchors out, but statistics and poses do not. A lock of x or of y is a wheel
+ * joint without spring and motor, a lock of both is a hinge. It is in the lists of joints, and can
+ * be destroyed as a joint. It is solved together with all other constraints: a locked body resists
  * forces along the locked axis, including gravity, as stiffly as joints do (docs/joints.md has the
  * figures). Sleep, workers and snapshots treat it as any joint: a world that never had a joint or a
  * lock needs thud_world_use_joints before it is restored from a snapshot with locks.

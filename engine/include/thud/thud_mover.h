@@ -2,8 +2,9 @@
  * not use it does not link it.
  *
  * A mover is a circle, AABB or OBB that belongs to the caller, who moves it by thud_mover_move,
- * once for each step. After the step it follows the ground at once; before the step it follows a
- * moving platform a step late, but its `body` is then at its place at the end of that step. It is
+ * once for each step. If that is called after the step, the mover follows a moving platform at
+ * once, and its `body` is a step late; if before the step, the mover is a step late, and its `body`
+ * reaches it in that step. It is
  * not a body: no force or contact moves it, and it does not turn. It slides along shapes that it
  * hits (collide and slide), walks on slopes, climbs steps, follows the ground downhill, and moves
  * with the body that it stands on. Gravity and jumps are up to the caller:
@@ -45,9 +46,10 @@ typedef struct thud_mover_hit {
 } thud_mover_hit;
 
 /* Called for each shape that would stop the mover; if it returns true, the mover passes through the
- * shape. `velocity` is the argument of thud_mover_move. The world is locked meanwhile: edits wait
- * until the move is done, but shapes that are destroyed no longer stop the mover; calls that cannot
- * wait return THUD_ERROR_LOCKED. */
+ * shape. Of each part of the way only the nearest 16 shapes are looked at. `velocity` is the
+ * argument of thud_mover_move. The world is locked meanwhile: edits wait until the move is done,
+ * but shapes that are destroyed no longer stop the mover; calls that cannot wait return
+ * THUD_ERROR_LOCKED. */
 typedef bool thud_mover_pass_fn(const thud_mover *mover, const thud_mover_hit *hit,
                                 thud_vec2 velocity, void *context);
 
@@ -80,7 +82,8 @@ struct thud_mover {
                              like walls */
     thud_body_id body;    /* a kinematic body that follows the mover's centre, so that dynamic
                              bodies and sensors react to it: each move sets the velocity by which
-                             the next step brings the body to the mover. It does not stop the
+                             a step of length dt brings the body to the mover, if it has no damping
+                             and that is not beyond maximum_speed. It does not stop the
                              mover, and is not in its report. Default null: none */
     thud_query_filter filter; /* which shapes stop the mover; default all except sensors. Sensors
                                  never stop it; with `sensors` the report lists those that it

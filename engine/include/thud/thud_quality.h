@@ -37,10 +37,13 @@ typedef struct thud_quality {
     const thud_detection *detection;   /* not null */
     const thud_island_solver *islands; /* null: only the soft solver (for an exception see
                                           thud_detection_swept) */
-    float overlap_limit; /* >= 0: an island in which a contact would overlap under its load by more
-                        than this share of the smaller body's size is solved by `islands`; 0: every
-                        island is. In a world that chooses bisect or swept every island without
-                        joints is (thud_detection_swept) */
+    float overlap_limit; /* >= 0: an island is solved by `islands` if a contact in it would overlap
+                        under its load by more than this share of the smaller body's thinnest
+                        shape, in two checks (in large worlds eight steps apart), while both bodies
+                        are nearly at rest against each other; 0: every island is. An island in
+                        which a contact bounces is left to the soft solver in that step. In a world
+                        that chooses bisect or swept every island without joints is
+                        (thud_detection_swept) */
     int island_limit;    /* bodies, 1 .. THUD_ISLAND_LIMIT_MAX: larger islands are left to the soft
                             solver */
     int64_t
@@ -54,10 +57,11 @@ typedef struct thud_quality {
                         steps at quality high (docs/tradeoff.md): at rest a column of boxes takes
                         1.1 µs a body, a pyramid 4.0 µs. An island without contacts may use eight
                         times the rest of the budget. Whatever the budget is, islands with joints
-                        together use a bounded part of a frame, which is larger in worlds of over a
-                        thousand bodies, and each island may use at least its bodies' share of this
-                        part. An island that uses up its share is left to the soft solver for some
-                        steps, and for twice as many each time that this happens again */
+                        together use at most 4,000 operations a step for each awake body of the
+                        world, or those of 1,000 bodies if there are fewer, and each island may use
+                        at least 4,000 for each of its bodies. An island that uses up its share is
+                        left to the soft solver for some steps, and for twice as many each time that
+                        this happens again */
     int island_slow_steps; /* number of successive slow steps after which an island is left to the
                             soft solver for a pause of 120 steps, 0 .. THUD_ISLAND_SLOW_STEPS_MAX. A
                             step is slow if the island needs more than eight factorisations; while

@@ -3,8 +3,9 @@
  *
  * A query sees all edits made before it, including those that take effect with the next step,
  * except edits made inside callbacks, which wait for the next step. It finds shapes of every kind.
- * The order of its results depends neither on the broadphase nor on history: nearer hits first, and
- * at equal distance the lower slot (thud_shape_id.index1 - 1).
+ * The order of hits depends neither on the broadphase nor on history: rays and casts give nearer
+ * hits first, and at equal distance the lower slot (thud_shape_id.index1 - 1); overlaps are in the
+ * order of slots.
  *
  * Positions, and the ends of rays and casts, must lie within THUD_PLACE_MAX length scales of the
  * origin; shapes must be valid by thud_geometry_check. Otherwise a query returns
@@ -102,7 +103,8 @@ typedef bool thud_overlap_fn(thud_shape_id shape, void *context);
 THUD_API thud_result thud_world_overlap_shape(thud_world *world, thud_pos center,
                                               thud_geometry shape, const thud_query_filter *filter,
                                               thud_overlap_fn *fn, void *context);
-/* The same for the box from `lower` to `upper`. THUD_ERROR_NULL also for a null callback. */
+/* The same for the box from `lower` to `upper`, which must be greater in x and in y
+ * (THUD_ERROR_INVALID). THUD_ERROR_NULL also for a null callback. */
 THUD_API thud_result thud_world_overlap_aabb(thud_world *world, thud_pos lower, thud_pos upper,
                                              const thud_query_filter *filter, thud_overlap_fn *fn,
                                              void *context);

@@ -34,14 +34,15 @@
 extern "C" {
 #endif
 
-/* The result of every call that can fail. A call that fails has changed nothing. */
+/* The result of calls that can fail. A call that fails has changed nothing, unless its comment says
+ * otherwise. */
 typedef enum thud_result {
     THUD_OK = 0,
     THUD_ERROR_NULL,    /* a pointer that must not be null is null */
     THUD_ERROR_INVALID, /* a value is not finite or outside its documented range */
     THUD_ERROR_STALE,   /* a handle is not valid: its object was destroyed, never existed, or
                            belongs to another world */
-    THUD_ERROR_MEMORY,  /* the allocator returned null; the world is as before the call */
+    THUD_ERROR_MEMORY,  /* the allocator returned null */
     THUD_ERROR_LOCKED   /* not allowed inside a callback */
 } thud_result;
 

@@ -86,9 +86,9 @@ typedef struct thud_rollback_progress {
     int64_t steps;     /* steps run: the number of the next step */
     int64_t confirmed; /* all inputs of the steps before this one are known: they are final */
     int64_t replayed;  /* number of times that a step was run again */
-    int64_t settled;   /* steps - settled have to be run again; states before this one and
-                          `confirmed` are the same on all peers */
-    double ahead;      /* frames by which this peer is ahead of the others' mean, by what
+    int64_t settled;   /* the first step that has to be run again; `steps` if none has. States up to
+                          the smaller of this and `confirmed` are the same on all peers */
+    double ahead;      /* steps by which this peer is ahead of the others' mean, by what
                           thud_rollback_set_lead heard: slow down by so many; negative: catch up */
 } thud_rollback_progress;
 
@@ -152,11 +152,12 @@ THUD_API thud_result thud_rollback_compare(thud_rollback *rollback, const void *
  * number with each message. THUD_ERROR_INVALID for a player that is none. */
 THUD_API thud_result thud_rollback_get_lead(const thud_rollback *rollback, int player,
                                             int64_t *out_lead);
-/* Notes that a player's message told this lead over the own inputs, |lead| <=
- * THUD_ROLLBACK_DEPTH_MAX. Half the difference of both leads is how far this peer is ahead: the
- * delay between them cancels out where it is the same in both directions. `progress.ahead` is the
- * mean of that over all players heard of, smoothed. It is as old as the delay, so correct a small
- * share of it in each frame. THUD_ERROR_INVALID. */
+/* Notes the lead that a player's message has told, its thud_rollback_get_lead for this peer: how
+ * many more steps it has run than it has inputs from here, |lead| <= THUD_ROLLBACK_DEPTH_MAX. Half
+ * the difference of both leads is how far this peer is ahead: the delay between them cancels out
+ * where it is the same in both directions. `progress.ahead` is the mean of that over all players
+ * heard of, smoothed. It is as old as the delay, so correct a small share of it in each frame.
+ * THUD_ERROR_INVALID. */
 THUD_API thud_result thud_rollback_set_lead(thud_rollback *rollback, int player, int64_t lead);
 
 /* ---- players who come and go ---- */

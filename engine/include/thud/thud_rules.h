@@ -68,7 +68,8 @@ THUD_API thud_result thud_world_set_rule(thud_world *world, uint32_t first, uint
                                          const thud_rule *rule);
 /* Gets the rule of two kinds, one bit each: *out is the rule, or the default; *out_is_set: whether
  * there is one; *out_reversed: whether it was set with `second` as the first kind. Each output may
- * be null. */
+ * be null. THUD_ERROR_NULL for a null world, THUD_ERROR_INVALID unless each kind is exactly one
+ * bit. */
 THUD_API thud_result thud_world_get_rule(const thud_world *world, uint32_t first, uint32_t second,
                                          thud_rule *out, bool *out_is_set, bool *out_reversed);
 

@@ -80,7 +80,8 @@ THUD_API thud_result thud_world_restore(thud_world *world, const void *buffer, s
 /* Writes a snapshot, packed (thud_packed.h), to a file, with `bytes` bytes of the caller's own data
  * (`own`; null if there are none): score, handles, movers. `path` is a path for fopen. The data is
  * first written to the path with a ~ appended, and then renamed, so that an existing file is
- * unchanged if saving fails. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback;
+ * unchanged if saving fails; on Windows it is removed just before the renaming, and is lost if that
+ * fails. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback;
  * THUD_ERROR_MEMORY, since the call allocates a buffer; THUD_ERROR_INVALID if the file cannot be
  * written. */
 THUD_API thud_result thud_world_save(thud_world *world, const char *path, const void *own,

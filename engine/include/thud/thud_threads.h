@@ -15,7 +15,7 @@
  * until there is one, so that an idle pool uses no processor.
  *
  * Several worlds may use one pool, and may be stepped at the same time by different threads. A pool
- * works for one step at a time: a step that finds the pool busy does not wait for it, but runs on
+ * works for one task at a time: a step that finds the pool busy does not wait for it, but runs on
  * the calling thread alone. A thread of the pool that is late does not hold up a step either: the
  * calling thread then does that thread's part.
  *
@@ -44,8 +44,8 @@ typedef struct thud_threads thud_threads;
 THUD_NODISCARD THUD_API thud_result thud_threads_create(int workers,
                                                         const thud_allocator *allocator,
                                                         thud_threads **out);
-/* Ends the threads and frees the pool; null does nothing. THUD_ERROR_LOCKED while a step or a call
- * for casts uses the pool. */
+/* Ends the threads and frees the pool; null does nothing. To be called only when no world steps or
+ * casts with it. THUD_ERROR_LOCKED if a task of a step or of casts runs at that moment. */
 THUD_API thud_result thud_threads_destroy(thud_threads *threads);
 
 /* The job system for thud_world_def.job_system. Its `workers` may be set to another number: with

@@ -25,7 +25,8 @@ void td_drawing_bounds(const td_drawing *d, int64_t min_x, int64_t min_y, int64_
 void td_drawing_line(const td_drawing *d, thud_vec2 a, thud_vec2 b, thud_style style);
 
 /* Draws a line between the centres of a contact's two shapes, or of the two bodies of another
- * constraint; between a terrain and a shape the line is vertical. */
+ * constraint; from a terrain the line begins at the point of the contact's segment with the x
+ * nearest to the shape's centre. */
 void td_drawing_pair(const td_drawing *d, const td_constraint *constraint, thud_style style);
 
 /* draw_detection.c: cells, intervals and pairs of the broadphase, and swept motions. The broadphase

@@ -28,7 +28,7 @@ void td_drawing_bounds(const td_drawing *d, int64_t min_x, int64_t min_y, int64_
                  d->draw->context);
 }
 
-/* The point of the contact's terrain segment straight above or below `other`. */
+/* The point of the contact's terrain segment whose x is nearest to that of `other`. */
 static thud_vec2 ground_point(const td_drawing *d, const td_contact *contact, thud_vec2 other) {
     thud_terrain ground = td_terrain_view(d->w, contact->shape_a);
     thud_vec2 at = td_drawing_local(d, td_shape_proxy_at(d->w, contact->shape_a)->center);

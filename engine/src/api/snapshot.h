@@ -205,7 +205,8 @@ td_snapshot_head td_snapshot_head_of(thud_world *w);
  * elements only. */
 void td_snapshot_list_sections(thud_world *w, const td_snapshot_head *head,
                                td_snapshot_section sections[TD_SECTION_COUNT]);
-/* The offset in TD_SECTION_FIELDS of a field at byte `member` of thud_world, which must be one. */
+/* The offset in TD_SECTION_FIELDS of the field at byte `member` of thud_world. The field must be in
+ * FIELDS (snapshot_stream.c). */
 size_t td_snapshot_field_at(size_t member);
 /* The size of a snapshot with this head, bytes. */
 uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head);

@@ -67,13 +67,15 @@ static void meet(const thud_world *w, int shape, const chord *c, const td_array 
     }
 }
 
-/* The number of chords for a flight of this time: one for each step, up to a maximum. */
+/* The number of chords for a flight of this time: one for each step or part of a step, up to a
+ * maximum. A part below 0.001 step, which may be rounding, does not count. */
 static int chords_of(const thud_world *w, double seconds) {
     double steps = seconds / w->def.time_step + 0.999;
     return steps < THUD_PREDICTION_CHORDS_MAX ? (int)steps : THUD_PREDICTION_CHORDS_MAX;
 }
 
-/* Whether the end of the chord is in the world; beyond, nothing is met. */
+/* Whether both ends of the chord are in the world. A chord that is not is not cast: it meets
+ * nothing. */
 static bool ends_inside(const thud_world *w, const chord *c) {
     thud_pos at = td_place_to(w, c->from);
     return td_place_valid(w, at.x, at.y) && td_place_valid(w, at.x + c->dx, at.y + c->dy);

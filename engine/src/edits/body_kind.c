@@ -91,7 +91,8 @@ static int sensors_of(const thud_world *w, const td_body *body) {
     return count;
 }
 
-/* Gives the body its new kind: mass, velocity and forces follow. */
+/* Sets the kind and recomputes the mass from the shapes, also where the caller had set it. Clears
+ * the forces, and the velocities that the new kind cannot have. */
 static void set_kind(thud_world *w, td_body_index index, int kind) {
     td_body *body = td_body_at(w, index);
     int sensors = sensors_of(w, body);

@@ -1,6 +1,6 @@
 /* body_settings.c: setters of a body's damping, gravity scale, fixed rotation, sleep, detection and
- * mass; see thud_edits.h. Each changes td_body, copies what steps read to the body's awake slot
- * (td_awake_refresh), and marks the body as changed. */
+ * mass; see thud_edits.h. Each changes td_body and marks the body as changed. Damping and gravity
+ * scale are copied to the awake slot at once (td_awake_refresh), a new mass by the next step. */
 #include "thud/thud_edits.h"
 
 #include "edits/edit.h"

@@ -106,7 +106,7 @@ void td_edit_look_around(thud_world *w, int shape) {
     }
 }
 
-/* Scales the accumulated (warm-start) impulses of all constraints of the body. */
+/* Scales the accumulated (warm-start) impulses of the body's constraints that act. */
 static void scale_impulses(thud_world *w, td_body_index body, float scale) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));

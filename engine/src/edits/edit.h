@@ -28,8 +28,8 @@ void td_edit_end_contacts(thud_world *w, td_body_index body, int shape, bool all
  * memory is short. */
 bool td_edit_ends_reserve(thud_world *w, td_body_index body, int shape, bool all);
 
-/* Recomputes friction, restitution, surface speed and rule of all contacts of a shape, of sleeping
- * bodies as well. */
+/* Recomputes friction, restitution, surface speed and rule of those contacts of a shape that act
+ * (TD_TOUCHING), of sleeping bodies as well. */
 void td_edit_settle_contacts(thud_world *w, int shape);
 
 /* Makes the broadphase of the next step search for new pairs of the shape. */

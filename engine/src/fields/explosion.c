@@ -2,10 +2,11 @@
  * other body shields.
  *
  * The side of a shape that faces the centre is cut into `rays` segments of equal width, measured
- * across the direction from the centre to the shape's nearest point. A ray to the middle of each
- * segment finds a point of the shape's surface; unless another body covers that point, the segment
- * gets impulse = def.impulse * width * falloff_factor(distance) away from the centre. Points are
- * relative to the centre of the explosion, in the caller's unit. */
+ * across the direction from the centre to the shape's nearest point. A ray parallel to that
+ * direction, through the middle of each segment, finds a point of the shape's surface. Unless a
+ * body covers that point from the centre, the segment gets impulse = def.impulse * width *
+ * falloff_factor(distance) away from the centre. Points are relative to the centre of the
+ * explosion, in the caller's unit. */
 #include "fields/fields.h"
 
 #include "casts/walk.h"

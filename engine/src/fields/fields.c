@@ -74,8 +74,8 @@ td_push td_push_dissipative(const thud_world *w, const td_field_body *a, td_push
     double power = -(force.x * a->x + force.y * a->y + force.turn * a->turn);
     double response =
         inv_mass * (force.x * force.x + force.y * force.y) + inv_inertia * force.turn * force.turn;
-    /* With force f, velocity u, M the masses and h the time step, the share p of the force changes
-     * the kinetic energy by
+    /* With force f, velocity u, M = diag(mass, mass, inertia) and h the time step, the share p of
+     * the force changes the kinetic energy by
      *     -p h power + p^2 h^2 response / 2,   power = -f u,   response = f M^-1 f,
      * with its minimum at p = power / (h response). */
     double max = w->def.time_step * response;

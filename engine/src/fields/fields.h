@@ -19,8 +19,10 @@ typedef struct td_push {
 /* A body in a field. */
 typedef struct td_field_body {
     td_body_index index;
-    double x, y, turn; /* velocity, relative to the flow of the medium */
-    bool takes_force;  /* false: asleep, disabled or quarantined: no force acts */
+    double x, y;      /* velocity, length/s, in the world; td_field_body_in_flow makes it relative to
+                         the medium */
+    double turn;      /* angular velocity, rad/s; 0 if the body cannot rotate */
+    bool takes_force; /* false: asleep, disabled or quarantined: no force acts */
 } td_field_body;
 
 /* Adds a force (fx, fy) that acts at the point (x, y). */

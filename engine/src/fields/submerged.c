@@ -4,8 +4,9 @@
 
 #include "base/trig.h"
 
-/* The angle in [0, pi] with this cosine and this sine, >= 0. Starts from a rational approximation
- * with an error of at most 0.08 rad, and iterates angle += sin(true - angle). An error e becomes e
+/* The angle in [0, pi] with this cosine and this sine; the sine must be >= 0. Starts from a
+ * rational approximation with an error of at most 0.08 rad, and iterates
+ * angle += sin(true - angle). An error e becomes e
  * - sin e, about e^3 / 6: 1e-4, then 1e-13, then the error of td_sincos. */
 static double angle_of(double cosine, double sine) {
     double part = 0.5 * TD_PI * sine / (td_abs(cosine) + sine);

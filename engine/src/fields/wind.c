@@ -6,7 +6,7 @@
  *     lift:  -density / 2 * lift * L (n u) (|u| n - (n u) u / |u|),
  * so that lift is perpendicular to u and does no work. A circle of radius r counts as an edge as
  * long as its diameter, through its centre and perpendicular to u; its lift comes from its rotation
- * (Magnus effect). */
+ * (Magnus effect): density / 2 * lift * 2 r * (r * angular velocity) * (-u.y, u.x). */
 #include "fields/fields.h"
 
 #include "state/handles.h"

@@ -37,8 +37,8 @@ static const double AGAIN = 1.0 / 64.0;
 /* Step widths of a search: at its start; at the end of the coarse search, after which shapes are
  * compared; and at the end of the fine search of the best one. */
 static const double STEP_FIRST = 0.25, STEP_COMPARED = 1.0 / 32.0, STEP_LAST = 1.0 / 4096.0;
-/* The minimum half extent of a shape, and the minimum score of a shape, as a share of the polygon's
- * area. Chosen. */
+/* SMALLEST: the minimum half extent of a shape, in internal lengths. WORTH: the minimum score of a
+ * shape, as a share of the polygon's area. Chosen. */
 static const double SMALLEST = 1e-5, WORTH = 1e-6;
 
 /* One of the searches: its shapes so far, and its errors. */
@@ -181,7 +181,8 @@ static void improve(const work *w, const search *s, candidate *best, double from
 
 /* ---- starting points ---- */
 
-/* The distance of a point from the segment from a to b, and the direction of that. */
+/* The distance of a point from the segment from a to b. *along: the unit direction of the segment.
+ */
 static double from_segment(thud_pos p, thud_pos a, thud_pos b, thud_pos *along) {
     double x = b.x - a.x, y = b.y - a.y, length = __builtin_sqrt(x * x + y * y);
     *along = length > 0.0 ? (thud_pos){x / length, y / length} : (thud_pos){1.0, 0.0};
@@ -271,8 +272,8 @@ static int add_direction(thud_pos *list, int count, thud_pos along) {
     return count + 1;
 }
 
-/* The directions of the longest edges, the longest first; `count` elements are already in the
- * list. */
+/* The directions of the longest edges, the longest first; of edges of exactly equal length only the
+ * first is used; `count` elements are already in the list. */
 static int edge_directions(const work *w, thud_pos *list, int count) {
     double below = 1e300;
     for (int i = 0; i < w->count && count < DIRECTIONS; i++) {
@@ -412,8 +413,8 @@ static size_t bytes_of_lists(int points, int shapes) {
     return lines * each * sizeof(td_interval);
 }
 
-/* Gives each line its memory: points / 2 + shapes intervals that are not covered, and one for each
- * shape that is covered. */
+/* Gives each line its memory: points + shapes + 2 intervals for `open`, more than the points / 2 +
+ * shapes that can occur, and shapes + 2 for `taken`. */
 static void give_room(work *w, td_interval *lists, int points, int shapes) {
     int open = points + shapes + 2, taken = shapes + 2;
     for (int i = 0; i < SEARCHES; i++) {

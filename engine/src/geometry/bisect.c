@@ -1,7 +1,7 @@
-/* bisect.c: the time of collision by bisection. Each overlap test halves the interval that contains
- * it, so that a tolerance of 2^-20 of the motion takes twenty tests. If the shapes are apart again
- * at the end of the motion, the collision is not found: thud_geometry_is_bisectable says when that
- * cannot happen. */
+/* bisect.c: the time of collision by bisection. Two tests at the ends of the motion, then each
+ * overlap test halves the interval that contains it: a tolerance of 2^-20 of the motion takes 22
+ * tests. If the shapes are apart again at the end of the motion, the collision is not found:
+ * thud_geometry_is_bisectable says when that cannot happen. */
 #include "geometry/bisect.h"
 
 bool td_bisect(td_overlap_at_fn *overlap_at, const void *pair, double tolerance, double *time) {
@@ -57,9 +57,10 @@ static double thickness(const thud_geometry *shape) {
     return 2.0 * td_kind_half_thickness(shape->kind, shape->hx, shape->hy);
 }
 
-/* An upper bound of the distance by which rotation moves a point of the shape. It is 0 for a shape
- * that does not turn, and for one with no point further from its centre than half of the sum of
- * both thicknesses: such a point cannot pass through the middle of the other shape. */
+/* The allowance for a shape's rotation, length: an upper bound of the distance by which it moves a
+ * point of the shape. It is 0 if the shape does not turn, and if no point is further from its
+ * centre than half of the sum of the two shapes' thicknesses, since rotation then carries no point
+ * through the middle of the other shape. */
 static double turning_reach(const thud_geometry *shape, thud_motion m, const thud_geometry *other) {
     double radius = __builtin_sqrt(shape->hx * shape->hx + shape->hy * shape->hy);
     bool far = radius > 0.5 * (thickness(shape) + thickness(other));

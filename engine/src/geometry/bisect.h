@@ -12,8 +12,9 @@ typedef bool td_overlap_at_fn(const void *pair, double time);
  * *time, and overlaps at some time at most `tolerance` later; otherwise *time is 1. */
 bool td_bisect(td_overlap_at_fn *overlap_at, const void *pair, double tolerance, double *time);
 
-/* Whether a tolerance, a share of the motion, is in range. Below THUD_TOLERANCE_MIN the midpoint
- * rounds to one of the ends, and the bisection would not end. */
+/* Whether a tolerance, a share of the motion, is in range. Below 2^-53 (1.1e-16) the midpoint may
+ * round to one of the ends, and the bisection would not end; THUD_TOLERANCE_MIN leaves some margin.
+ */
 static inline bool td_tolerance_valid(double tolerance) {
     return tolerance >= THUD_TOLERANCE_MIN && tolerance <= 1.0;
 }

@@ -83,9 +83,9 @@ static bool try_axes(const thud_geometry *reference, const thud_geometry *a, con
     return better;
 }
 
-/* Sets the points of two overlapping boxes if the normal in *out is that of a face of a: the
- * deepest corner of b, and its projection onto that face, clamped to the face's ends if b's edge is
- * parallel to it and longer. */
+/* Sets the points of two boxes that overlap, or whose corners nearly touch, if the normal in *out
+ * is that of a face of a: the point on a is the projection of b's deepest corner onto that face,
+ * clamped to the face's ends; the point on b is `distance` from there along the normal. */
 static void deepest_points(const thud_geometry *a, const thud_geometry *b, thud_closest *out) {
     double u, v, x, y;
     td_to_frame(b, -out->nx, -out->ny, &u, &v);

@@ -14,7 +14,8 @@ typedef struct td_interval {
 } td_interval;
 
 /* A horizontal line in the middle of the strip from y0 to y1: its intervals in the polygon that no
- * shape covers, and those that shapes cover, in rising order and disjoint. */
+ * shape covers, and the intervals of shapes, inside or outside of the polygon, in rising order and
+ * disjoint. */
 typedef struct td_cover_line {
     double y0, y1;
     td_interval *open, *taken;
@@ -40,7 +41,8 @@ typedef struct td_cover_gain {
 
 td_cover_gain td_cover_gain_of(const td_cover_line *lines, int count, const thud_geometry *shape);
 
-/* Adds a shape to the lines. */
+/* Adds a shape: takes its interval from `open` and adds it to `taken`, on each line over more than
+ * half of whose strip's height the shape extends. */
 void td_cover_add(td_cover_line *lines, int count, const thud_geometry *shape);
 
 /* Areas, in squares of the internal unit of length. */
@@ -68,8 +70,9 @@ td_convex td_convex_of_shape(const thud_geometry *shape);
 td_convex td_convex_of_triangle(thud_pos a, thud_pos b, thud_pos c);
 
 enum {
-    TD_PIECE_CORNERS = 12, /* maximum corners of a piece. Chosen: a piece with this many is first
-                              cut through the middle */
+    TD_PIECE_CORNERS = 12, /* maximum corners of a piece. Chosen: a cut along a line can add a
+                              corner, so a piece with one corner fewer than this, or more, is cut
+                              between two opposite corners instead */
     TD_PIECE_DEPTH = 48,   /* maximum depth of successive cuts. Chosen: 24 halvings in both
                               directions */
     TD_PIECE_STACK = 2 * TD_PIECE_DEPTH + 8
@@ -85,9 +88,8 @@ typedef struct td_cover_piece {
 
 /* An upper bound of the distance of the points of `from` from the union of `to`. `points`: the
  * outline of that union if it is a polygon, by which pieces deep inside are recognised at once;
- * otherwise null. `stack` has room for TD_PIECE_STACK pieces. `known`: a lower bound that the
- * caller has; it takes the maximum of this and the result, so a result below it need not be
- * precise. */
+ * otherwise null. `stack` has room for TD_PIECE_STACK pieces. `known`: the caller uses the maximum
+ * of this and the result, so a result below `known` need not be precise. */
 double td_cover_distance(const td_convex *from, const td_convex *to, int count,
                          const thud_pos *points, int point_count, double known,
                          td_cover_piece *stack);

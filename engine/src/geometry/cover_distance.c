@@ -5,9 +5,10 @@
  * at a corner (Boyd and Vandenberghe, Convex Optimization, 2004, 3.2.5). For each piece, the set
  * with the smallest such maximum (the nearest set) gives an upper bound of the distance from the
  * union; the distance of a corner from the union is a lower bound. A piece whose upper bound
- * exceeds the greatest lower bound of all pieces is cut. If a side of the nearest set passes
- * through it, it is cut along that side, so that the pieces of a polygon that consists of boxes end
- * up in one box each; otherwise it is cut in the middle of its greatest extent.
+ * exceeds the greatest lower bound of all pieces by more than the allowed error is cut. If a side
+ * of the nearest set passes through it, it is cut along that side, so that the pieces of a polygon
+ * that consists of boxes end up in one box each; otherwise it is cut in the middle of its greatest
+ * extent.
  *
  * A circle is divided into a square and four segments between an arc and its chord. Each segment
  * lies in the triangle of the arc's ends and the point where the tangents at these ends meet. */
@@ -18,8 +19,9 @@
 /* How far the result may exceed the distance: a length, and a share of the distance. Chosen: the
  * difference is not visible. */
 static const double PRECISION = 1.0 / 1024.0, PRECISION_SHARE = 1.0 / 16.0;
-/* After this many pieces the allowed error is doubled, so that the search ends. Chosen: most
- * polygons need some hundreds. */
+/* Each time this many pieces have been examined, PRECISION is doubled, so that the search ends
+ * sooner. While the lower bound is 0 no error is allowed, and only TD_PIECE_DEPTH limits the
+ * search. Chosen: most polygons need some hundreds. */
 enum { PIECES = 4096 };
 /* Tolerances: a point nearer to a line than the first is on it, and a distance below the second is
  * 0; coordinates are about 1. */

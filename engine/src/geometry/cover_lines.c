@@ -28,7 +28,8 @@ static void sort_intervals(td_interval *list, int count) {
     }
 }
 
-/* The intervals of the horizontal line at y inside the polygon; no corner lies on the line. */
+/* The intervals of the horizontal line at y inside the polygon; a corner on the line counts as
+ * above it. */
 static int cut_polygon(const thud_pos *points, int count, double y, td_interval *out) {
     double *crossings = &out[0].from; /* the intervals as an array of numbers, which is sorted */
     int crossed = 0;

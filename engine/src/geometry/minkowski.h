@@ -16,9 +16,9 @@ bool td_minkowski_contains(const thud_minkowski *sum, double x, double y);
 double td_minkowski_distance(const thud_minkowski *sum, double x, double y, double *nx, double *ny);
 
 /* Finds where a point that moves by (dx, dy) enters the sum: the fraction of the motion and the
- * outward normal. False if it does not. The caller ensures that the point starts outside; a point
- * inside safely gives false only for a sum of radius 0 or with one vertex, that is, of a shape and
- * a point. */
+ * outward normal. False if it does not. The caller ensures that the point starts outside; for a
+ * point inside, the result is false if the radius is 0 or the sum has one vertex; for a polygon
+ * with a radius (a box and a circle, or an added margin) it may be true. */
 bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx, double dy,
                         double *fraction, double *nx, double *ny);
 

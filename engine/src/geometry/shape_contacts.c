@@ -54,8 +54,8 @@ static face_point interpolate(face_point p, face_point q, double along) {
 }
 
 /* Clips the other box's opposite face to the face of `box` whose normal is c's, and returns the end
- * that is further from the closest points. Both boxes and `c` are relative to c's point on the
- * surface of `box`; the normal points out of `box`. */
+ * that is further from the closest points. The positions of both boxes are relative to c's point on
+ * the surface of `box`; of `c` only the normal is read, which points out of `box`. */
 static face_point far_end(const thud_geometry *box, const thud_geometry *other,
                           const thud_closest *c) {
     face_point end[2], offset = face_point_of(c, other->x, other->y),

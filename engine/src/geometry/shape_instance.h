@@ -97,8 +97,8 @@ void td_circles_closest(const thud_geometry *a, const thud_geometry *b, thud_clo
 bool td_circle_enter(thud_pos centre, double radius, double x, double y, double dx, double dy,
                      double *fraction, double *nx, double *ny);
 
-/* Geometry of two shapes, which a world gets with its kinds of shapes (state/kinds.h): the table of
- * circles, and with the first box that of all kinds. Both give circles the same bits. */
+/* Functions on two instances (shapes at a pose). A world uses td_circle_instances, and from its
+ * first box on td_all_instances (state/kinds.h). For two valid circles both give the same bits. */
 typedef struct td_instance_ops {
     /* As thud_geometry_overlap, thud_geometry_time_of_impact and td_closest. */
     bool (*overlap)(const thud_geometry *a, const thud_geometry *b);
@@ -132,8 +132,9 @@ td_jump_fn td_time_across;
 td_jump_fn td_time_across_faces;
 
 /* As td_time_of_impact, with `jump` as the bound of each advance. `target` may be negative, so that
- * shapes may overlap by that depth; the search for turning shapes may end up to `tolerance`
- * (length) before the target, which saves advances. */
+ * shapes may overlap by that depth; the search, which is used for turning shapes and for every
+ * negative target, may stop while the distance is still up to `tolerance` (length) above the
+ * target, which saves advances. */
 void td_time_of_near_impact(const thud_geometry *a, thud_motion motion_a, const thud_geometry *b,
                             thud_motion motion_b, double target, double tolerance, td_jump_fn *jump,
                             bool *hit, double *time);

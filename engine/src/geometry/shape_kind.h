@@ -117,8 +117,8 @@ TD_INLINE_SMALL double td_kind_half_y(thud_shape_kind kind, double hx, double hy
     return hy;
 }
 
-/* Half the thickness, the shape's least width. A shape that penetrates less than this has not
- * passed through the middle. */
+/* Half of the shape's smallest width. A point that is less deep than this inside the shape has not
+ * passed through its middle. */
 TD_INLINE_SMALL double td_kind_half_thickness(thud_shape_kind kind, double hx, double hy) {
     double half_y = td_kind_half_y(kind, hx, hy);
     return hx < half_y ? hx : half_y;

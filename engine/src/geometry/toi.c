@@ -203,8 +203,9 @@ void td_time_of_near_impact(const thud_geometry *a, thud_motion ma, const thud_g
             return;
         }
     }
-    /* This is also valid after ADVANCES_MAX: the shapes are close to the target, and the time is
-     * before the impact. */
+    /* After ADVANCES_MAX advances a hit is reported too, although the shapes may still be further
+     * apart than the tolerance and may never reach the target; the time is never later than an
+     * impact. */
     *hit = true;
     *time = t;
 }

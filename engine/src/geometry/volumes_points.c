@@ -12,7 +12,7 @@
 
 /* Maximum iterations of both searches. If one is reached, the volume still contains all points, but
  * need not be the smallest: a circle's radius is measured at the end, and an OBB is the best of the
- * edges so far. Each edge of the hull is a pass over all points. Chosen; not tuned. */
+ * edges so far. Each edge of the hull takes two passes over all points. Chosen; not tuned. */
 enum { EXCHANGES_MAX = 100, HULL_EDGES_MAX = 512 };
 
 /* The points of an array; or the two end points of a part of a terrain and the vertices between
@@ -21,9 +21,9 @@ typedef struct point_set {
     const thud_pos *points;
     const thud_terrain *terrain; /* null: the points are in `points` */
     int first;                   /* first of the terrain's vertices */
-    thud_pos ends[2];            /* of the terrain, before its vertices */
-    int count;                   /* of all points, > 0 */
-    thud_pos origin;             /* the first point; computations are relative to it */
+    thud_pos ends[2]; /* the end points of the terrain's part; they are points 0 and 1 of the set */
+    int count;        /* of all points, > 0 */
+    thud_pos origin;  /* the first point; computations are relative to it */
 } point_set;
 
 /* Point i in the caller's coordinates. */

@@ -7,7 +7,8 @@
 
 #include <string.h>
 
-/* The byte that a pointer is recorded as: null, or followed by what it points to. */
+/* The byte that a pointer is recorded as: null, or not. What it points to follows, but not for
+ * TD_CODE_ISLANDS, _PASS and _FILTER. */
 enum { POINTS_NOWHERE, POINTS };
 
 /* ---- single values ---- */

@@ -26,8 +26,9 @@ typedef enum td_code {
     TD_CODE_ARRAY,     /* of `count_at` elements, or null */
     TD_CODE_POINTS,    /* thud_terrain.points, which a flat line does not have */
     TD_CODE_NAME,      /* const char * */
-    TD_CODE_DETECTION, /* const thud_detection *, by its rank */
-    TD_CODE_ISLANDS,   /* const thud_island_solver * */
+    TD_CODE_DETECTION, /* const thud_detection *: 0 for null, else its rank plus 1 */
+    TD_CODE_ISLANDS,   /* const thud_island_solver *: whether there is one; read as
+                          thud_islands_direct */
     TD_CODE_PASS,      /* thud_mover_pass_fn *: whether there is one */
     TD_CODE_NOTHING,   /* not recorded: contexts */
     /* For arguments only: */
@@ -72,7 +73,8 @@ typedef struct td_recorded_call {
     bool query; /* it changes nothing: not made again by a player, which tells what was found */
 } td_recorded_call;
 
-/* Bits of TD_CODE_LISTENERS: the callbacks of a world that are set. */
+/* Callbacks of a world that are set: bits of TD_RECORD_LISTENERS and of keyframes.
+ * TD_CODE_LISTENERS has the first four only. */
 enum {
     TD_CALLS_PROLOGUE = 1,
     TD_CALLS_EPILOGUE = 2,

@@ -1,7 +1,7 @@
 /* record_callbacks.c: the callbacks of a world that is recorded. The recorder sets functions of its
  * own in place of the caller's. These call the caller's, and record the calls that are made within
- * them and their answers. An answer is recorded only if it is not the usual one: yes, with
- * unchanged settings. */
+ * them and their answers. A callback is recorded only if calls were recorded within it, or its
+ * answer is not the usual one: yes with unchanged settings; no for a mover's pass callback. */
 #include "listeners/listeners.h"
 #include "recording/recorder.h"
 #include "rules/rules.h"

@@ -66,8 +66,8 @@ static void finish_records(thud_recorder *r) {
     r->begun = r->time;
 }
 
-/* Of a ring, drops the segments before the last keyframe from which on ring_steps steps are
- * recorded: the recording then begins with that keyframe. */
+/* With a ring, finds the latest keyframe after which at least ring_steps steps are recorded, and
+ * drops all segments before it. The recording then begins with that keyframe. */
 static void drop_segments(thud_recorder *r) {
     int first = 0;
     for (int i = 1; i < r->places.count; i++) {
@@ -152,13 +152,14 @@ static void write_hash(thud_recorder *r) {
     }
 }
 
-/* After a step, between calls: writes a hash, ends the segment or writes a keyframe, where it is
- * time for them. */
+/* Called after every call that is not within another: writes a hash, ends the segment or writes a
+ * keyframe, if it is due. */
 static void take_stock(thud_recorder *r) {
     const thud_world *w = r->world;
     bool finishes = r->records.count > SEGMENT_BYTES;
     if (r->time - r->hashed_at >= (uint64_t)r->options.hash_steps) {
-        /* The first awake slot stands for static bodies. */
+        /* No hash while nothing changes and all bodies sleep. Awake slot 0 stands for static
+         * bodies, so that a count of 1 means that none is awake. */
         if (r->changed || w->body_of.count > 1) {
             write_hash(r);
             finishes |= r->options.sink != NULL;
@@ -243,8 +244,9 @@ static bool is_step(int call) {
            call == TD_CALL_WORLD_ADVANCE_WITH;
 }
 
-/* Writes that a call was refused. A call that ran out of memory may have changed the world before,
- * and so may calls that its callbacks made: then a snapshot is written as well (catch_up). */
+/* Writes that a call outside callbacks was refused. If calls within its callbacks were recorded,
+ * removes its records instead. Then, and after a step that ran out of memory, the world may have
+ * changed: catch_up writes a snapshot. */
 static void write_refusal(thud_recorder *r, td_record_frame *frame, thud_result result) {
     if (frame->opened) {
         r->records.count = frame->start;
@@ -365,7 +367,8 @@ thud_result thud_recorder_begin(thud_world *w, const thud_recorder_options *opti
     td_write_fixed(&r->whole, TD_RECORDING_VERSION, 4);
     w->recorder = r;
     td_record_take_callbacks(r);
-    r->records.count = 0; /* the keyframe, which is written next, has their effects */
+    r->records.count = 0; /* drops the TD_RECORD_LISTENERS just written: the keyframe, which is
+                             written next, lists the callbacks itself */
     write_keyframe(r);
     deliver(r);
     if (r->failed) {
@@ -405,7 +408,7 @@ void thud_recorder_end(thud_recorder *r) {
     free_recorder(r);
 }
 
-/* Refuses a call for a recording that has ended, and inside a callback. */
+/* Refuses a call for a recording that has failed, and inside a callback. */
 static thud_result check(const thud_recorder *r) {
     const thud_world *w = r->world;
     if (w && (r->frame || w->locked || w->advancing)) {

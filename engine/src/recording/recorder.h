@@ -55,11 +55,12 @@ struct thud_recorder {
     bool stale;             /* calls that are not recorded have changed the world: a snapshot has to
                                be written */
     bool failed;            /* memory was short, or the sink has failed: nothing more is recorded */
-    bool changed;           /* calls were recorded since the last hash */
-    uint64_t waiting;       /* steps that are not in `records` yet */
-    uint64_t steps;         /* thud_world.steps after the last recorded call */
-    uint64_t hashed_at;     /* `time` at the last hash */
-    uint64_t keyed_at;      /* `time` at the last keyframe */
+    bool changed; /* since the last hash a call other than thud_world_step outside callbacks, or a
+                     snapshot, was recorded */
+    uint64_t waiting;   /* steps that are not in `records` yet */
+    uint64_t steps;     /* thud_world.steps after the last recorded call */
+    uint64_t hashed_at; /* `time` at the last hash */
+    uint64_t keyed_at;  /* `time` at the last keyframe */
     /* The caller's own callbacks, which the recorder's functions have replaced and call. */
     unsigned calls; /* TD_CALLS_..., as recorded last */
     uint32_t without;

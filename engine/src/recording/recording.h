@@ -17,7 +17,7 @@
  *     TD_RECORD_OPEN, number of the call, arguments
  *         TD_RECORD_CALLBACK, how many callbacks after the last one that has a record
  *             records of the calls that it made
- *         TD_RECORD_ANSWER, the answer (callbacks.h)
+ *         TD_RECORD_ANSWER, the answer (record_callbacks.c)
  *         ...
  *     TD_RECORD_CLOSE, handles that the call returned
  *
@@ -50,7 +50,8 @@ typedef enum td_record {
                             thud_listeners.without */
     TD_RECORD_CHUNK,     /* name and bytes of the caller */
     TD_RECORD_REFUSED,   /* a call that was refused, and its result */
-    TD_RECORD_LOCKED,    /* the call that follows was made inside a callback of a query */
+    TD_RECORD_LOCKED,    /* the call that follows was made inside a callback of a call that is not
+                            recorded: a query, cast or drawing */
     TD_RECORD_OPEN,
     TD_RECORD_CALLBACK,
     TD_RECORD_ANSWER,
@@ -62,7 +63,7 @@ typedef enum td_record {
  * friction, restitution and surface speed follow. */
 enum { TD_ANSWER_YES = 1, TD_ANSWER_SETTINGS = 2 };
 
-/* A body's state in 16 bits: pose and velocity. */
+/* A hash of a body's pose and velocity, 16 bits; 0 for a free slot. */
 uint16_t td_recording_body_hash(const thud_world *w, td_body_index body);
 /* Writes and reads the fields of a world's def that a keyframe contains: those without a setter,
  * which snapshot and world must agree on. Reading replaces these fields in *def, which begins as

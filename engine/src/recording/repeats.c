@@ -14,7 +14,7 @@ static uint32_t lookup_of(const uint8_t *bytes) {
     return four * 0x9e3779b1u >> (32 - LOOKUP_BITS);
 }
 
-/* The number of equal bytes from two places on. */
+/* How many bytes from `before` on equal those from `at` on. */
 static size_t same_count(const uint8_t *bytes, size_t before, size_t at, size_t count) {
     size_t same = 0;
     while (at + same < count && bytes[before + same] == bytes[at + same]) {

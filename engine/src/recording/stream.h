@@ -8,7 +8,7 @@
 
 #include <stddef.h>
 
-/* Bytes that grow. When memory is short `broken` is set, and and later writes do nothing. */
+/* Bytes that grow. When memory is short, `broken` is set and later writes do nothing. */
 typedef struct td_writer {
     td_memory memory;
     uint8_t *bytes;

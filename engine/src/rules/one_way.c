@@ -13,8 +13,8 @@
 #include "state/surface.h"
 
 /* A contact is on the solid side if the cosine between its normal and the solid side's direction is
- * at least this: within 78.5 degrees. This excludes the normals of walls at the ends of a plank,
- * which rounding may tilt by a little. Chosen; not tuned. */
+ * greater than this: within 78.5 degrees. This excludes the normals of walls at the ends of a
+ * plank, which rounding may tilt by a little. Chosen; not tuned. */
 #define SOLID_COSINE_MIN 0.2f
 
 /* The cosine between the direction of the solid side, in world axes, and the contact's normal as it
@@ -56,7 +56,8 @@ static void decide_lane(thud_world *w, td_block *block, int lane, const td_rule 
     }
 }
 
-/* Decides all one-way contacts of the step, before it is solved. */
+/* Decides all one-way contacts of the step, before it is solved. Also drops the impulse events of
+ * the last step. */
 void td_rules_decide(thud_world *w) {
     td_lane_marks one_way = {.rule = TD_RULE_ONE_WAY};
     w->rules->impulses.count = 0;

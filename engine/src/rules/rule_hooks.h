@@ -37,12 +37,14 @@ typedef struct td_rule_hooks {
      * td_lane_marks.rule of their lane (rules.h). */
     uint16_t (*settle)(const thud_world *w, int shape_a, int shape_b,
                        thud_contact_settings *settings);
-    /* Whether static `shape` can cover the faces of its neighbours against `other`, for internal
-     * edges. False where a one-way rule lets `other` pass through it at present. */
+    /* Whether `shape`, which is static or belongs to the same moving body as its neighbours, can
+     * cover their faces against `other`, for internal edges. False if the two have a one-way rule
+     * and no contact that is TD_HELD. */
     bool (*hides)(const thud_world *w, int shape, int other);
     /* Whether a one-way rule lets the two shapes of an impact within the step pass. */
     bool (*lets_through)(const thud_world *w, const thud_contact *seen);
-    /* Decides which one-way contacts act in this step; removes the points of the others. */
+    /* Decides which one-way contacts act in this step; removes the points of the others. Also drops
+     * the impulse events of the last step. */
     void (*decide)(thud_world *w);
     /* Reserves memory for impulse events. False when memory is short. */
     bool (*reserve)(thud_world *w);

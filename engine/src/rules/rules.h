@@ -25,7 +25,8 @@ typedef struct td_rules {
     thud_filter_fn *filter;                      /* the caller's filter; null: none */
     void *filter_context;
     bool one_way;      /* there is a one-way rule */
-    float min_bound;   /* lowest event_impulse of all rules; infinite: no rule has one */
+    float min_bound;   /* lowest event_impulse of all rules, infinite if none has one; valid only
+                          while thud_world.adds_impulses is true */
     td_array impulses; /* thud_impulse_event, of the last step */
 } td_rules;
 

@@ -44,8 +44,8 @@ void td_rules_write(td_rules *rules, uint32_t first, uint32_t second, const td_r
     }
 }
 
-/* Recomputes the flags that the stages check first: whether any rule is one-way or has an
- * event_impulse. */
+/* Recomputes what the stages check first: whether any rule is one-way, the lowest event_impulse,
+ * and whether any rule has one. */
 void td_rules_look_through(thud_world *w) {
     w->rules->one_way = false;
     w->rules->min_bound = __builtin_inff();

@@ -1,8 +1,8 @@
 /* packed.c: packs snapshots, alone or against a base (thud_packed.h). Packed bytes are, in the byte
  * order of the machine, packed_head | the head of the snapshot | its sections in the order of
- * td_packed_order. A section is packed in chunks of some hundred records. A chunk begins with a
- * byte. CHUNK_SAME: the chunk is equal to the base's, and nothing follows. CHUNK_COLUMNS: the
- * columns of its records follow (packed_column.h). */
+ * td_packed_order. A section is packed in chunks of 1024 records, or 128 blocks (CHUNK_WORDS). A
+ * chunk begins with a byte. CHUNK_SAME: the chunk is equal to the base's, and nothing follows.
+ * CHUNK_COLUMNS: the columns of its records follow (packed_column.h). */
 #include "sessions/packed.h"
 #include "sessions/packed_column.h"
 #include "state/handles.h"
@@ -32,8 +32,9 @@ enum { SUMMED_FROM = offsetof(packed_head, checksum) + sizeof(uint64_t) };
 /* First bytes of chunks. */
 enum { CHUNK_SAME, CHUNK_COLUMNS };
 
-/* Words of a column in a chunk. Every column passes over all records of the chunk, so that they
- * should stay in the cache. A multiple of TD_PACKED_GROUP squared. Chosen. */
+/* Words of a column in a chunk. Every column passes over all records of the chunk, which therefore
+ * have to fit in the cache. A multiple of TD_PACKED_GROUP squared, so that a chunk of blocks
+ * (CHUNK_WORDS / lanes) also begins with a whole group. Chosen. */
 enum { CHUNK_WORDS = 1024 };
 
 /* More words than the longest record has, a block with the rows of a joint. */

@@ -1,12 +1,14 @@
 /* packed_column.c: packs and reads a column; the format is in packed_column.h. Packing and reading
- * predict by the same functions, in integers alone, so that the bytes are the same everywhere. */
+ * predict by the same functions, so that reading gives back the packed words. The guesses of this
+ * file use integers alone; td_packed_known also uses floats. */
 #include "sessions/packed_column.h"
 
 #include "base/base.h"
 
 #include <string.h>
 
-/* First bytes of groups. */
+/* First bytes of groups: MASKED plus bits; ZEROS - 1 plus the number of groups of zeros, at most
+ * ZEROS_MAX. */
 enum { MASKED = 64, ZEROS = 128, ZEROS_MAX = 128 };
 
 /* Groups of a column, spread over it, by whose size its guess is chosen. Chosen; not tuned. */

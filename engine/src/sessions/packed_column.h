@@ -24,8 +24,8 @@
 
 enum { TD_PACKED_GROUP = 8 }; /* words of a group */
 
-/* How a word is predicted. A record that the base does not have is predicted as by
- * TD_GUESS_PREVIOUS. */
+/* How a word is predicted. TD_GUESS_BASE and TD_GUESS_STEP predict a record that the base does not
+ * have as TD_GUESS_PREVIOUS does. */
 typedef enum td_guess {
     TD_GUESS_SAME,     /* the word of the base; no word differs from it */
     TD_GUESS_BASE,     /* the word of the base */

@@ -175,7 +175,8 @@ static bool has_moved(const image *i, int32_t shape) {
     return byte_at(i, PART(MARKS), shape, 0) & TD_MARK_MOVED;
 }
 
-/* Predicts a word of a shape's proxy from its body's pose, or from the shape's arm in the base. */
+/* Predicts a word of a shape's proxy: half extents from the shape, cosine and sine from the body's
+ * pose, the centre as the body's centre plus the shape's offset from it in the base. */
 static uint32_t proxy_word(const field *f, int32_t shape) {
     const image *now = &f->pair->now, *base = &f->pair->base;
     int32_t body = SHAPE(now, shape, body);
@@ -204,8 +205,8 @@ static uint32_t proxy_word(const field *f, int32_t shape) {
     return half_of(f, shape, center + (base->bytes ? arm : 0));
 }
 
-/* Predicts a word of previous_fat: for a moved shape its fat bounds in the base, else its present
- * ones. */
+/* Predicts a word of previous_fat: for a moved shape its fat bounds in the base, for another its
+ * previous_fat in the base; without a base the present fat bounds. */
 static uint32_t previous_fat_word(const field *f, int32_t shape) {
     const image *now = &f->pair->now, *base = &f->pair->base;
     size_t at = offsetof(td_shape_proxy, fat) + f->at;
@@ -256,7 +257,8 @@ static uint32_t body_word(const field *f, int32_t body) {
                : (uint32_t)BODY(now, body, min_extent);
 }
 
-/* Predicts a word of the arrays by awake slot that are copied from the body's record (awake.c). */
+/* Predicts a word of the arrays by awake slot: those that awake.c sets from the body's record, and
+ * delta, as velocity times time step. */
 static uint32_t awake_word(const field *f, int32_t slot) {
     const image *now = &f->pair->now;
     int32_t body = int_at(now, AWAKE(body_of), slot, 0);
@@ -537,7 +539,8 @@ static void block_words(const field *f, size_t first, uint32_t *out) {
 
 /* ---- which column, and when ---- */
 
-/* Which separation of a point a row of a block has, if any. */
+/* What a row of a block holds: a point's separation at the start of the step, that at its end, or
+ * something else. */
 typedef enum separation { NO_SEPARATION, AT_START, AT_END } separation;
 
 static separation separation_of(int section, size_t at) {

@@ -63,8 +63,8 @@ static const char *error_of(const thud_rollback_options *o, td_reason *why) {
     return NULL;
 }
 
-/* The next piece of a block, *at bytes from its start, which it advances to a multiple of 16; null
- * for a null block, of which only the size is computed. */
+/* Returns the address *at bytes after the start of the block, and adds to *at the piece's size,
+ * rounded up to a multiple of 16. Returns null for a null block: only the size is computed. */
 static void *take_bytes(char *block, size_t *at, size_t bytes) {
     void *piece = block ? block + *at : NULL;
     *at += (bytes + 15) & ~(size_t)15;
@@ -100,8 +100,8 @@ static size_t lay_out(thud_rollback *r, const thud_rollback_options *o, char *bl
     return at;
 }
 
-/* Makes room for a snapshot of so many bytes and the state, and for half as much again as the world
- * grows. False when memory is short. */
+/* Makes room for a snapshot of so many bytes and the state. New memory has room for half a snapshot
+ * more, since the world may grow. False when memory is short. */
 static bool reserve(thud_rollback *r, td_saved_step *m, size_t bytes) {
     size_t state = r->options.state_bytes, room = bytes + bytes / 2 + state;
     if (m->room < bytes + state || state > SIZE_MAX / 4) {
@@ -278,8 +278,8 @@ thud_result thud_rollback_input(thud_rollback *r, int player, int64_t step, uint
 
 /* ---- clocks ---- */
 
-/* The number of steps that were played without an input of the player: its inputs arrive so much
- * later than this peer plays. */
+/* Steps by which this peer has played beyond the player's last input; negative if inputs are known
+ * ahead. */
 static int64_t lead_of(const thud_rollback *r, int player) {
     return r->steps - r->players[player].told_before;
 }
@@ -394,9 +394,9 @@ thud_result td_rollback_save_step(thud_rollback *r, int64_t step) {
 }
 
 /* Saves world and state as they are before the step, and plays it. Sets first_wrong to the step, so
- * that it is played again if it fails; the caller resets it when all steps have succeeded. Where
- * the step cannot be saved, first_wrong stays at an earlier one. If `step` fails, world and state
- * are restored. */
+ * that it is played again if it fails; the caller resets it when all steps have succeeded. If the
+ * step cannot be saved, first_wrong does not change. If options.step fails, world and state are
+ * restored. */
 static thud_result play_step(thud_rollback *r, int64_t step) {
     td_saved_step *m = td_rollback_saved(r, step);
     thud_result result = td_rollback_save_step(r, step);

@@ -1,9 +1,9 @@
 /* rollback.h: a rollback's rings, for the files that implement thud_rollback.h.
  *
  * Two ring buffers are indexed by the step's number: `saved` has the snapshot before each of the
- * last depth + 1 steps, and the inputs that the step was played with; and each player has the
- * inputs known of the steps from depth + 1 before the next one to depth after it. An input that is
- * not known yet is predicted to be that of the step before. */
+ * last depth + 1 steps, and the inputs that the step was played with; and each player has the known
+ * inputs of 2 depth + 2 steps: depth + 1 steps before the next one, the next one, and depth after
+ * it. An input that is not known yet is predicted to be that of the step before. */
 #ifndef TD_ROLLBACK_H
 #define TD_ROLLBACK_H
 
@@ -30,7 +30,8 @@ typedef struct td_player_inputs {
     int64_t gone_from, back_at; /* absent from step gone_from to step back_at - 1; TD_NO_STEP: never
                                    gone, or not back yet */
     bool is_timed;              /* both leads have values */
-    double lead, their_lead;    /* thud_rollback_get_lead, and the player's own, smoothed */
+    double lead, their_lead;    /* smoothed, steps: of thud_rollback_get_lead, and what the player's
+                                   messages told */
 } td_player_inputs;
 
 struct thud_rollback {
@@ -41,11 +42,11 @@ struct thud_rollback {
     td_player_inputs *players; /* by player */
     int64_t first;             /* the step with which this peer began: 0, unless it has joined */
     int64_t steps;             /* made so far: the number of the next one */
-    int64_t at;                /* world and state are those before this step; -1: a step has failed
-                                  halfway */
-    int64_t replayed;          /* steps that were played again, in all */
-    int64_t first_wrong;       /* the first step that has to be played again, or TD_NO_STEP */
-    bool playing;              /* inside options.step */
+    int64_t at; /* world and state are those before this step; -1: options.step is running, or has
+                   failed and the restore failed too */
+    int64_t replayed;    /* steps that were played again, in all */
+    int64_t first_wrong; /* the first step that has to be played again, or TD_NO_STEP */
+    bool playing;        /* inside options.step */
 };
 
 /* Refuses calls from inside a step or callback. */
@@ -56,7 +57,8 @@ thud_result td_rollback_check(const thud_rollback *r);
 thud_result td_rollback_settle_for(thud_rollback *r, const void *buffer, size_t capacity,
                                    const size_t *out_bytes);
 
-/* The place of a step >= -1 in the ring. */
+/* The place of a step in the ring `saved`. Step -1, before the first, is allowed: its inputs
+ * predict those of step 0. */
 td_saved_step *td_rollback_saved(const thud_rollback *r, int64_t step);
 
 /* The earliest step that can be restored: the state before it is stored. */

@@ -89,7 +89,7 @@ static uint64_t hash_of_body(const thud_world *w, td_body_index body) {
 
 /* ---- steps ---- */
 
-/* The first and the last step whose hashes a report has. */
+/* Sets the first step whose hash a report has, and the number of hashes. */
 static void find_steps(const thud_rollback *r, report *out) {
     out->first = td_rollback_oldest(r);
     int64_t end = thud_progress_of(r).confirmed + 1;
@@ -100,7 +100,7 @@ static uint64_t hash_before(const thud_rollback *r, int64_t step) {
     return step < r->steps ? td_rollback_saved(r, step)->hash : thud_hash_of(r->world);
 }
 
-/* Whether the inputs of the step before this one are stored. */
+/* Whether this peer has played the step before this one, so that a report can have its inputs. */
 static bool has_inputs_before(const thud_rollback *r, int64_t step) {
     return step > r->first;
 }
@@ -116,7 +116,8 @@ static thud_result go_back(thud_rollback *r, int64_t step) {
     return result;
 }
 
-/* Undoes go_back. If the present cannot be restored, the steps since then are played again. */
+/* Undoes go_back. If the present cannot be restored, marks the steps from the restored one on to be
+ * played again. */
 static thud_result come_back(thud_rollback *r) {
     thud_result result = r->at < r->steps ? td_rollback_restore_step(r, r->steps) : THUD_OK;
     if (result != THUD_OK) {

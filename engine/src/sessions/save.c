@@ -102,8 +102,8 @@ static bool file_length(FILE *file, uint64_t *bytes) {
     return end >= 0 && fseek(file, 0, SEEK_SET) == 0;
 }
 
-/* Reads the head; *rest is the number of bytes behind it. Returns the reason why the file cannot be
- * loaded; null: it can. */
+/* Reads the head, and sets *body_bytes to the number of bytes after it. Returns the reason why the
+ * file cannot be loaded; null: it can. */
 static const char *header_error(FILE *file, size_t bytes, save_head *head, size_t *body_bytes) {
     uint64_t length;
     if (!file_length(file, &length) || fread(head, sizeof *head, 1, file) != 1 ||

@@ -52,8 +52,8 @@ void td_grown_vertices(const td_grown *k, double x_min, double x_max, int *first
     *last = k->mirrored ? end - a : b;
 }
 
-/* The piece of the segment from p to q: the segment, shifted by the point of the shape that is
- * lowest along the segment's normal. */
+/* The piece of the segment from p to q: the segment, minus the point of the shape that is lowest
+ * along the segment's normal. */
 static td_piece shifted(const td_grown *k, thud_pos p, thud_pos q) {
     double dx = q.x - p.x, dy = q.y - p.y;
     thud_pos low = k->under[0];

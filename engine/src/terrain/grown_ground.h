@@ -5,8 +5,8 @@
  *
  * The grown ground of a line is again a line with one height for each x. Its height at x is the
  * maximum of the heights of all *pieces* over x:
- * - for each segment of the terrain, the segment shifted by the point of the shape that would touch
- * it;
+ * - for each segment of the terrain, the segment, minus the point of the shape (relative to its
+ * centre) that would touch it;
  * - for each vertex, the shape's underside, turned upside down: the upper half of a circle, or two
  *   edges of a box.
  *

@@ -122,10 +122,11 @@ static double rise(const td_piece *other, const td_piece *top, double x) {
 }
 
 /* Finds the smallest x between `x` and `stop`, *at, at which the piece `other` rises above the
- * piece `top`; false if there is none. The difference of their heights changes sign only once in
- * the searched interval: it is linear, or convex and not positive at the start, or, for a round
- * piece over a straight one, concave up to the x at which both are parallel, where the search
- * ends. */
+ * piece `top`; false if there is none. The difference of their heights changes sign at most once in
+ * the searched interval: for two straight pieces it is linear; for two round ones, whose radii are
+ * equal, it is monotonic; for a straight piece over a round one it is convex and not positive at
+ * the start; for a round piece over a straight one it is concave, and is searched only to the x at
+ * which both are parallel, where it is greatest. */
 static bool overtakes(const td_piece *other, const td_piece *top, double x, double stop,
                       double tolerance, double *at) {
     double low = x > other->p.x ? x : other->p.x;

@@ -63,7 +63,8 @@ static thud_pos vertex_of(const search *k, int i) {
 }
 
 /* The candidate of vertex i, with the nearest point of the shape, if the vertex is a ridge and the
- * direction lies in the ridge's wedge, between the normals of the segments before and after it. */
+ * normal from it to the shape lies in the ridge's wedge, between the normals of the ground before
+ * and after it, between the normals of the segments before and after it. */
 static void try_ridge(search *k, int i) {
     const thud_terrain *t = k->terrain;
     td_segment before = {.ty = 1.0},

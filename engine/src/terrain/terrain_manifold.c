@@ -7,10 +7,13 @@
  *   the segment on its right, the last vertex to the last segment.
  * - In the ground, a point belongs to the segment through which it is nearest to the surface.
  * - The ground's vertical sides are treated as one more segment at each end, and reported by the
- *   first and last segment. Only shapes whose centre is beyond the end of the line can touch them.
+ *   first and last segment. Only a shape whose centre is beyond the end of the line can overlap
+ * them; a corner of any box may be within the margin of them.
  *
  * A circle touches the owner of its centre. A box touches the segment with each corner that the
- * segment owns, and with the segment's vertices that are inside the box's faces. */
+ * segment owns or that overlaps it in a valley; with fewer than two such points, also with a ridge
+ * vertex that the segment owns and that is inside a face of the box; and if no point overlaps, with
+ * the box's centre. */
 #include "terrain/terrain_manifold.h"
 
 #include "terrain/terrain.h"
@@ -214,10 +217,10 @@ static void add_point(td_terrain_manifold *out, const query *k, double x, double
 }
 
 /* Whether a corner of the box that the neighbouring segment `owner` owns also has a contact with
- * this segment, as in a valley, where the corner overlaps both slopes. It has one if it would be
- * within the margin of this segment after it was moved out of the other one. The foot of the corner
- * on this segment's line may lie beyond the vertex by up to four times its depth below the other
- * segment, the maximum in valleys with slopes of up to 75 degrees. */
+ * this segment, as in a valley, where the corner overlaps both slopes. It has one if its foot on
+ * this segment's line is on the segment, or beyond the valley's vertex by at most four times the
+ * corner's depth below the other segment. A corner straight below the vertex of a valley with
+ * slopes of 75 degrees is beyond it by tan 75 degrees = 3.7 times that depth. */
 static bool in_valley(const query *k, int owner, double x, double y) {
     if (k->endless || owner < 0 || owner > k->terrain->count - 2 ||
         (owner != k->segment - 1 && owner != k->segment + 1)) {
@@ -292,8 +295,9 @@ static faces faces_around(const thud_geometry *box, thud_pos v) {
 }
 
 /* The separation of a vertex from the box's surface along the unit normal (nx, ny), out of the
- * ground: the distance by which the box must move against the normal until the vertex is on its
- * surface. Faces whose normal is perpendicular to it within 0.001 rad are left out. */
+ * ground: the distance by which the box must move against the normal until the vertex is on the
+ * box's surface. Only faces that face the ground are used: the cosine between a face's normal and
+ * the negated normal is above 0.001. */
 static double separation_along(const faces *f, double nx, double ny) {
     double best = -1e300;
     for (int i = 0; i < 4; i++) {
@@ -356,8 +360,9 @@ static void add_vertex(const query *k, bool right, td_terrain_manifold *out) {
     }
 }
 
-/* Adds a contact of the box's centre, if it is in the ground and owned by the segment: if a hill
- * passes through a thin box, there may be neither a corner in the ground nor a vertex in a face. */
+/* Replaces a manifold without an overlapping point by a contact of the box's centre, if that is in
+ * the ground and owned by the segment: if a hill passes through a thin box, there may be neither a
+ * corner in the ground nor a vertex in a face. */
 static void add_centre(const query *k, td_terrain_manifold *out) {
     double x = k->shape->x, y = k->shape->y, above = td_above(&k->s, x, y);
     if (above < 0.0 && owner_of(k, x, y) == k->segment) {
