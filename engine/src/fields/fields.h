@@ -19,9 +19,9 @@ typedef struct td_push {
 /* A body in a field. */
 typedef struct td_field_body {
     td_body_index index;
-    double x, y;      /* velocity, length/s, in the world; td_field_body_in_flow makes it relative to
-                         the medium */
-    double turn;      /* angular velocity, rad/s; 0 if the body cannot rotate */
+    double x, y; /* velocity, length/s, in the world; td_field_body_in_flow makes it relative to
+                    the medium */
+    double turn; /* angular velocity, rad/s; 0 if the body cannot rotate */
     bool takes_force; /* false: asleep, disabled or quarantined: no force acts */
 } td_field_body;
 

@@ -158,11 +158,17 @@ export interface PlayerOptions {
   calls?: boolean;
 }
 
-/** A call of a recording: a function of C, in which those of JavaScript end. */
+/**
+ * A call of a recording, by the function of the C library that the JavaScript method called in the
+ * end.
+ */
 export interface PlayedCall {
   /** As `thud_body_set_velocity`; `thud_world_restore` also for what was not recorded. */
   name: string;
-  /** Why it was refused when it was recorded; null: it was not. Values are then not recorded. */
+  /**
+   * Why the call was refused when it was recorded; null: it was not refused. A refused call has no
+   * `values`.
+   */
   refused: ErrorCode | null;
   /**
    * The numbers and handles of its arguments, those in structs and arrays included, in C's order. A

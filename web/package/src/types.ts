@@ -150,7 +150,11 @@ export interface WorldOptions {
   restitutionThreshold?: number;
   /** Pairs that approach faster make hit events: length scales per second, 0 to 10⁶. Default 1. */
   hitSpeed?: number;
-  /** No body moves faster: length scales per second, above 0, up to 10⁶. Default: 10⁶. */
+  /**
+   * The maximum of x and of y of a body's velocity, each by itself: length scales per second, above
+   * 0, up to 10⁶. After an impact within a step a body may be faster until the next one. Default:
+   * 10⁶.
+   */
   maximumSpeed?: number;
   /** Whether bodies at rest may sleep. Default true. */
   sleeping?: boolean;

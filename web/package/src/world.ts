@@ -253,7 +253,7 @@ export class World extends WorldTextures {
   }
 
   /**
-   * The shapes of a body, the last one that was created first.
+   * The shapes of a body, in reverse order of their creation.
    * @throws {ThudError} "stale".
    */
   shapesOf(body: BodyRef): ShapeId[] {

@@ -1,7 +1,7 @@
 /**
  * The canvas over the bodies: joints, the engine's debug drawing, Minkowski sums, the scene's
- * marks, the outline of a body that is held, the line of the visitor's pull, and the engines'
- * names.
+ * marks, the outline of a body that the panel Inside shows, the line of the visitor's pull, and the
+ * engines' names.
  */
 import type { Vec2 } from "thud";
 import type { Frame, Shapes } from "../scene/frame";

@@ -23,7 +23,7 @@ export interface DrawOptions {
    * outlines over thud's bodies.
    */
   split: "none" | "side" | "over";
-  /** The slot of a body that gets an outline, because it is held or under the pointer. */
+  /** The slot of a body that gets an outline, since the panel Inside shows it; null: none. */
   held: number | null;
 }
 
@@ -104,8 +104,8 @@ export class View {
 
   /**
    * Takes over what a frame contains. Shapes, terrains and the like are in a frame only when they
-   * changed, so every frame must be passed here in order, also if it is not drawn. `draw` calls
-   * this.
+   * changed. Frames must come in order; one may be left out only if its data has been moved to the
+   * next (`handOver` of player.ts). `draw` and `follow` call this.
    */
   receive(frame: Frame): void {
     const last = this.#frame;

@@ -84,7 +84,10 @@ function ownTextOf({ name, title, group }: SceneEntry): string {
   return [group, title, ABOUTS[name], name, KEYWORDS[name]].join(" ");
 }
 
-/** The part of a panel that the typed words look for, since the scene has not all of them. */
+/**
+ * The part of a panel (PARTS) that the search was for; null where the scene's own words contain all
+ * typed words.
+ */
 function partFor(entry: SceneEntry, words: readonly string[]): (typeof PARTS)[string] | null {
   const own = ownTextOf(entry).toLowerCase();
   return words.every((word) => own.includes(word)) ? null : (PARTS[entry.name] ?? null);

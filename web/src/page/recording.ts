@@ -143,7 +143,7 @@ class Bar {
       void this.#app.client.ask("listCalls", { on: this.#lists }).catch(() => {});
       this.#app.refresh();
     }
-    // The page makes room for what comes, and takes what goes.
+    // The bar or the list has appeared or disappeared: the page is laid out anew.
     window.dispatchEvent(new Event("resize"));
   }
 
@@ -160,7 +160,10 @@ class Bar {
     this.#speed.value = String(this.#app.state.speed);
   }
 
-  /** A frame has come. What a ring has kept does not begin at step 0, and a recording ends. */
+  /**
+   * A frame has come. A recording made with `ringSteps` begins later than step 0: its first frame
+   * is shown at once. At its last step the page pauses it.
+   */
   #follow({ run, step, ended }: Frame): void {
     const { state, player } = this.#app;
     if (!state.recording) return;

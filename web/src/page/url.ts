@@ -92,7 +92,7 @@ export interface State {
   recording: Recording | null;
   /** The match that the scene is played in, which no address holds; null: none. */
   match: Match | null;
-  /** A packed invitation to a match, or the answer to one; see page/match/invitation.ts. */
+  /** A packed invitation to a match, or the answer to one; see panels/match/invitation.ts. */
   invite: string | null;
   /** How many bodies or the like; undefined: the scene's usual size. */
   size?: number;
@@ -177,7 +177,8 @@ export async function writeState(state: State): Promise<string> {
   const put = (name: string, value: string | number, usual: string | number) => {
     if (value !== usual) params.set(name, String(value));
   };
-  // A match has places for all; alone it is played by as many as before.
+  // In a match the size is the number of its players. The address leaves it out, so that a reload
+  // runs the usual size.
   if (size !== undefined && !state.match) params.set("size", String(size));
   put("seed", seed, 0);
   put("quality", choices.quality, USUAL.quality);

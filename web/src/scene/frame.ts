@@ -57,7 +57,10 @@ export interface Frame {
   spent?: { steps: number; picture: number };
   /** The first and last step that the visitor can go to. */
   history: { first: number; last: number };
-  /** Nothing comes after this step: a recording ends here. */
+  /**
+   * No step can be made after this one at present: a recording ends here, or a match waits for its
+   * players or is over.
+   */
   ended?: boolean;
   /** The calls that led to this step, of a recording of which they are listed. */
   calls?: Calls;

@@ -136,7 +136,8 @@ export interface Scene {
    */
   stepped?(): void;
   /**
-   * Called after each step: returns what to draw besides the bodies.
+   * Returns what to draw besides the bodies. Called after each step, at the start, and whenever the
+   * visitor changes something or goes to another time; it must change nothing.
    * @example paint: () => ({ marks, figures, message })
    */
   paint?(): Paint;
@@ -170,7 +171,8 @@ export interface Scene {
    */
   hidden?: number[];
   /**
-   * The place where bodies appear that the visitor creates by keyboard.
+   * Not used by this page: bodies that the visitor creates by keyboard appear at the crosshair, in
+   * the middle of the view.
    * @example spawn: [0, 8]
    */
   spawn?: Vec2;

@@ -1,6 +1,7 @@
 /**
  * Makes the frames that the page draws: copies of the world's state. Shapes, terrains and joints
- * are in a frame only when they changed, and which bodies sleep every few steps.
+ * are in a frame only when they changed; the flags that tell which bodies sleep are in a frame
+ * every few steps.
  */
 import type { Stats, StepError, World } from "thud";
 import { settingsOf } from "../scene/controls";
@@ -16,7 +17,8 @@ import type { Session } from "./session";
 import type * as Sums from "./sums";
 
 /**
- * Steps between two looks at which bodies sleep. Chosen: a tenth of a second at 60 steps a second.
+ * Steps from one frame that tells which bodies sleep to the next. Chosen: a tenth of a second at 60
+ * steps a second.
  */
 const AWAKE_EVERY = 6;
 
@@ -49,7 +51,7 @@ export class Frames {
   #terrainRevision = -1;
   /** For each row of shapes that the page has, its row in the world's shape table. */
   #source: Uint32Array = new Uint32Array(0);
-  /** The number of dynamic bodies among those rows. */
+  /** The number of dynamic bodies that the page draws; hidden ones are not counted. */
   #moving = 0;
   /** The step of the last frame. */
   #step = 0;

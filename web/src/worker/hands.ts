@@ -1,7 +1,7 @@
 /**
- * What a visitor does to bodies by hand: pushes and blasts. The code is the same for both engines:
- * a thud World and a Box2DWorld both implement `Hands`, and each engine's own state of a body is
- * used.
+ * Impulses on bodies from outside: the pushes of a character (Mover) and the visitor's blasts. The
+ * code is the same for both engines: a thud World and a Box2DWorld both implement `Hands`, and each
+ * engine's own state of a body is used.
  */
 import type { BodyId, BodyState, Vec2 } from "thud";
 

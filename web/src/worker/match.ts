@@ -1,7 +1,7 @@
 /**
  * A scene that players in several browsers play together (Scene.match): its steps are made by a
- * Rollback. The page carries the packets, since only it can open connections (page/match). Imported
- * when the first match begins.
+ * Rollback. The page carries the packets, since only it can open connections (panels/match).
+ * Imported when the first match begins.
  */
 import type { Engine, Rollback, RollbackPeers, WelcomeReader, World } from "thud";
 import { type Input, type KeyName, type KeyWords, noKeys, type Paint, type Scene, type SceneMatch, type SceneModule } from "../scene/scene";
@@ -14,15 +14,21 @@ import { SceneError } from "./trouble";
 
 /** Steps that an input may arrive late. Chosen: a second and a half at 60 steps a second. */
 const DEPTH = 90;
-/** Steps from a key to the step that it takes effect in: so many of delay cost no correction. Chosen. */
+/**
+ * Steps from a key press to the step in which it takes effect. Inputs that reach the others within
+ * so many steps cause no rollback. Chosen.
+ */
 const INPUT_DELAY = 2;
-/** Steps of others that who joins late runs at once, in one step of the page. Chosen. */
+/** Steps that a player who has joined late may run in one `makeStep`, to catch up. Chosen. */
 const CATCH_UP = 30;
 /** Milliseconds between two looks at whether something has to be told although no step was made. */
 const BEAT = 40;
 /** Beats between two messages to the page of how the match goes. Chosen. */
 const TOLD_EVERY = 5;
-/** The most that a body may move in one correction to count; far more is a new round. Chosen. */
+/**
+ * World units: a body that one correction moves further is not counted in `MatchNews.correction`,
+ * since it was put elsewhere, as in a new round. Chosen.
+ */
 const FARTHEST = 50;
 
 const ALONE = "All players make a match’s steps together: this works in a game of your own.";
@@ -36,7 +42,10 @@ export type ToMatch =
   | { joined: number }
   /** The host is gone, and this other player takes its place. */
   | { follow: number }
-  /** The host is gone, and this player takes its place, for those of whom `follower` has told. */
+  /**
+   * The host is gone, and this player takes its place, for the players that `follower` messages
+   * have named.
+   */
   | { takeOver: true };
 
 /** What it gets. */
@@ -61,7 +70,10 @@ export interface MatchNews {
   ahead: number;
   /** The next step waits for inputs of others. */
   waits: boolean;
-  /** Hashes of others that were compared and equal; the last final one, and its step. */
+  /**
+   * How many hashes of others were equal to the own ones; the last step that is final here, and its
+   * hash.
+   */
   equal: number;
   final: { step: number; hash: string };
   refused: number;
@@ -133,7 +145,7 @@ class MatchSession extends Session {
   #rollbacks = 0;
   #correction = 0;
   #over = false;
-  /** The others have ended the match, rather than the network. */
+  /** Whether the match is over because the others left on purpose; false: the connection ended. */
   #isLeft = false;
   /** Beats in all, and the last in which a packet was sent. */
   #beats = 0;
@@ -144,7 +156,7 @@ class MatchSession extends Session {
   #own = 0;
   #host = 0;
   #players = 0;
-  /** Who has come, and is told the game as soon as that is possible. */
+  /** Numbers of those who have joined and have not been sent the game yet. */
   readonly #joined = new Set<number>();
 
   connect(

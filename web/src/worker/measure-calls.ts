@@ -7,7 +7,9 @@ import type { PlacedShape } from "thud/geometry";
 
 export interface CallPrice {
   detection: "bisect" | "swept";
-  /** Of the interval, which ends as 2^-halvings of the step; 0 for swept. */
+  /**
+   * How often the interval with the hit is halved: it ends as 2^-halvings of the step. 0 for swept.
+   */
   halvings: number;
   /** Microseconds of a call. */
   time: number;

@@ -30,7 +30,9 @@ export interface Holding {
    * The largest size that was held, also when tried again at the end; null: not even the smallest.
    */
   held: Load | null;
-  /** The smallest size that was missed; null: the scene's largest size was held. */
+  /**
+   * The smallest size that was missed during the search; null: the scene's largest size was held.
+   */
   missed: Load | null;
 }
 

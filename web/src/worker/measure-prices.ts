@@ -1,7 +1,8 @@
 /**
  * The measurement “Detection, priced”: each detection at several step rates, on the two motions of
  * the scene lab_prices, which are known in closed form. The error is the mean distance of the balls
- * from there at the end; the price is the time of the steps, the least of several rounds.
+ * at the end from where the closed form puts them; the price is the time of the steps, the least of
+ * several rounds.
  */
 import type { Detection, Engine, World } from "thud";
 import { type CallPrice, measureCalls } from "./measure-calls";

@@ -26,8 +26,8 @@ export interface Met extends Pair {
   /** The speed of approach that the step reported, length/s; 0 where it reported no hit. */
   speed: number;
   /**
-   * Mass times length/s: what held them apart in the step and, after a hit, the formula's impulse
-   * without friction.
+   * Mass times length/s: the impulse that held them apart in the step or, after a hit, the
+   * formula's impulse without friction if that is larger.
    */
   impulse: number;
 }
@@ -88,9 +88,12 @@ export interface Collision extends Pair {
   /** Of the pair: the larger restitution, the geometric mean of the frictions. */
   restitution: number;
   friction: number;
-  /** Slower pairs do not bounce, length/s. */
+  /** Pairs with a restitution below 1 that approach more slowly do not bounce, length/s. */
   threshold: number;
-  /** The restitution that counts at this speed: 0 below the threshold. */
+  /**
+   * The restitution that counts at this speed: 0 below the threshold, unless the restitution is 1
+   * or more.
+   */
   bounce: number;
   /** The speed of approach that the step reported; 0 where it reported no hit. */
   reported: number;

@@ -73,8 +73,10 @@ function openPlayer(recorded: Engine, { name, bytes }: Recording): Player {
   }
 }
 
-/** How the page showed what it recorded; of another recording nothing is known. The chunk comes with
- * the first step, which a player of its own makes here. */
+/**
+ * How the page showed the world when it recorded it; {} for a recording made elsewhere. The note is
+ * a chunk that comes with the first step, so a second player is opened here to make that step.
+ */
 function shownIn(recorded: Engine, recording: Recording): Partial<Shown> {
   const player = openPlayer(recorded, recording);
   try {
@@ -133,8 +135,10 @@ export abstract class Played extends Session {
   }
 }
 
-/** A recording that plays. Its steps are those of the recording, of which a ring has not the first
- * ones. */
+/**
+ * A recording that plays. Its steps have the recording's numbers; one made with `ringSteps` has
+ * lost its first steps and begins at `progress.first`.
+ */
 export class Playback extends Played {
   /** The step up to which the visitor is told that nothing can be changed. */
   #told = -1;

@@ -13,7 +13,10 @@ import type { Session } from "./session";
 import { describe } from "./stage";
 import { SceneError } from "./trouble";
 
-/** Bytes that the hashes of bodies may take, of which each has 2 with each hash. Chosen. */
+/**
+ * Bytes that all hashes of single bodies may take; every hash of the world comes with 2 bytes for
+ * each body. Chosen.
+ */
 const HASH_BYTES = 2 ** 20;
 /** Steps from one keyframe to the next. Chosen: a second at 60 steps a second. */
 const KEYFRAME_STEPS = 60;
@@ -25,7 +28,10 @@ const REPORT = 200;
  * factor modulo 2^32.
  */
 const INVERSE = 0x144cbc89;
-/** Worlds that are made at most so that the numbers agree. Chosen far above those of a visit. */
+/**
+ * A larger number of worlds is not believed: the two handles are not of one body. Chosen far above
+ * those of a visit.
+ */
 const MOST_WORLDS = 100_000;
 
 /** Records `session`, which `build` builds once more. `report` gets the part that is done. */

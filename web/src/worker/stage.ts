@@ -34,7 +34,10 @@ interface Loaders extends Pick<SettingOptions, "loadReader" | "loadGeometry" | "
   loadMover?(): Promise<typeof Mover | undefined>;
   /** The class of the session that is returned. */
   kind?: typeof Session;
-  /** Is told of each world before the scene builds anything in it. */
+  /**
+   * Is told of each world of `createWorld` before the scene builds anything in it; not of worlds of
+   * `buildLevel`.
+   */
   made?(world: World): void;
 }
 
@@ -142,8 +145,8 @@ function keyWords(keys: NonNullable<Scene["keys"]>): KeyWords {
 }
 
 /**
- * Width of a view that has none: 2.2 times the largest distance from its middle to a dynamic body,
- * of those no further away than its height; at most twice the height.
+ * Width of a view that has none: 2.2 times the largest horizontal distance from its middle to a
+ * dynamic body, of those whose distance is at most its height; at most twice the height.
  */
 function widthOf({ world }: Session, { x, y, height }: View): number {
   const { shapes } = readShapes(world);

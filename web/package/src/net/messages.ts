@@ -6,9 +6,12 @@
 import { sumOf } from "./rollback-bytes.js";
 
 const SUM = 4;
-/** Of one player in one packet at most. */
+/** Inputs of one player in one packet at most. */
 export const RUN_INPUTS = 120;
-/** Events in one packet at most, and the numbers of all connections. */
+/**
+ * Events in one packet at most; and the limit below which the numbers of all players and spectators
+ * are.
+ */
 export const [EVENTS_MAX, NUMBERS] = [16, 32];
 /** Bytes of a game in one part. */
 const PART = 8192;
@@ -38,7 +41,7 @@ export interface Run {
 
 export interface Packet {
   from: number;
-  /** Of the sender over the receiver. */
+  /** Steps by which the sender is ahead of the receiver (`Rollback.leadOver`). */
   lead: number;
   /** -1: none. */
   hashStep: number;

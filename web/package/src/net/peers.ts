@@ -50,7 +50,7 @@ const [HASH_EVERY, HASHES] = [4, 64];
 const REPORTS_MAX = 3;
 /** The share of a new round trip in the mean. Chosen. */
 const NEWEST = 0.1;
-/** A round trip is shorter, milliseconds. */
+/** Milliseconds: round trips that are not shorter are ignored. */
 const TRIP_MAX = 30_000;
 /** Who joins enters so many steps after that was announced. Chosen. */
 const NOTICE = 12;
@@ -76,7 +76,10 @@ export interface RollbackPeersOptions {
   inputs: number;
   /** As in RollbackOptions. */
   depth: number;
-  /** Steps from a key to the step that it takes effect in: so many of delay cost no correction. Default 0. */
+  /**
+   * Steps from a key press to the step in which it takes effect. Inputs that reach the others
+   * within so many steps cause no rollback. Default 0.
+   */
   delay?: number;
   /** The steps of the game; 0, the default: it has no end. */
   end?: number;
@@ -130,7 +133,10 @@ export class RollbackPeers {
   readonly #options: Required<Omit<RollbackPeersOptions, "rollback">> & { rollback: Rollback<number, unknown> };
   readonly #peers = new Map<number, Peer>();
   readonly #inputs: Inputs[];
-  /** Who leaves and enters, of all; on others than the host the first #applied are so far in effect. */
+  /**
+   * Who leaves and enters: the events from number `#firstEvent` on. Those with a number below
+   * `#applied` are in effect; later ones wait until the rollback reaches their step.
+   */
   readonly #events: PlayerEvent[] = [];
   #firstEvent = 0;
   #applied = 0;
@@ -211,7 +217,10 @@ export class RollbackPeers {
     return this.#peers.has(number);
   }
 
-  /** Whether a player is absent from the next step on. */
+  /**
+   * Whether a player is absent once all events that were put into effect have passed: the step at
+   * which it leaves or enters may still be up to `depth` ahead.
+   */
   isAbsent(player: number): boolean {
     const { gone, back } = this.#inputs[player];
     return gone < Infinity && back === Infinity;
@@ -239,7 +248,10 @@ export class RollbackPeers {
 
   // ---- playing ----
 
-  /** The own input, for the next step that has none yet. To be called before each step. */
+  /**
+   * The own input, for all steps up to `delay` after the next one that have none yet. To be called
+   * before each step.
+   */
   give(input: number): void {
     const { rollback, own, players, delay, end } = this.#options;
     if (own >= players || this.isAbsent(own)) return;
@@ -291,7 +303,10 @@ export class RollbackPeers {
     for (const number of this.#peers.keys()) this.#options.send(number, this.write(number), false);
   }
 
-  /** The connection with somebody has ended. True: without it the game cannot go on. */
+  /**
+   * The connection with somebody has ended. True on the host where nobody else is connected now;
+   * elsewhere for every connection that there was: on a guest it was the one with the host.
+   */
   lose(number: number): boolean {
     if (!this.#peers.delete(number)) return false;
     this.#joining.delete(number);
@@ -325,10 +340,11 @@ export class RollbackPeers {
   // ---- who comes and goes ----
 
   /**
-   * On the host: the messages that tell somebody the game, each of which has to arrive, in order; packets
-   * follow. As a player, who is absent, it enters as soon as it has come near enough to the present. Null:
-   * somebody is leaving or entering; ask again after the next step. `more`: bytes of the program's own
-   * that come with it.
+   * On the host: the messages that tell somebody the game, each of which has to arrive, in order;
+   * packets follow. As a player, who is absent, it enters as soon as it has come near enough to the
+   * present. Null where this player is not the host, where that player is still there, or while
+   * somebody is leaving or entering: ask again after the next step. `more`: bytes of the program's
+   * own that come with it.
    */
   invite(number: number, { rate = 60, seed = 0, more = new Uint8Array() } = {}): Uint8Array<ArrayBuffer>[] | null {
     const { rollback, players, depth, end } = this.#options;

@@ -169,8 +169,8 @@ export class Rollback<Input = number, State = undefined> {
   }
 
   /**
-   * Frames by which this peer is ahead of the others' mean, by what `hearLead` heard: slow down by so
-   * many; negative: catch up.
+   * Steps by which this peer is ahead of the mean of the others, by what `hearLead` heard: slow
+   * down by so many; negative: catch up.
    */
   get ahead(): number {
     const heard = this.#known.flatMap((known) =>

@@ -35,7 +35,10 @@ export class ContactsPart {
   readonly #scope = make("div", { id: "microscope" });
   /** The pair in the microscope; null: none. */
   #pair: Met | null = null;
-  /** The next list that comes is of a step in which something met: that comes into the microscope. */
+  /**
+   * The next list is of a step in which something met: the strongest new contact is then shown in
+   * the microscope.
+   */
   #takesNew = false;
   /** The visitor has chosen a pair: the focus goes to the microscope's head when it is shown. */
   #goesThere = false;

@@ -35,7 +35,7 @@ export class StepPart {
   readonly #numbers = make("dl", { class: "facts", id: "step-numbers" });
   /** Names of the stages. */
   #names: readonly string[] = [];
-  /** Times of the last KEPT steps, oldest first. */
+  /** Times of the last KEPT frames' last steps, oldest first. */
   #times: Times[] = [];
   /** Number of the step whose times were taken last. */
   #steps: number | null = null;

@@ -45,11 +45,11 @@ export class Connection {
   readonly #line: Line;
   readonly #calls: Calls;
   #tries: ReturnType<typeof setInterval> | undefined;
-  /** How many addresses were named to it. */
+  /** How many such addresses this browser was given. */
   #tried = 0;
   #open = false;
   #closed = false;
-  /** It has ended since nothing arrives any more; otherwise one of the two has closed it. */
+  /** Whether it ended because nothing arrived any more; false where one of the two closed it. */
   failed = false;
 
   /** `server`: of a STUN server, by which browsers in different networks find each other; "": none. */
@@ -104,7 +104,7 @@ export class Connection {
     else act();
   }
 
-  /** Sends what arrives, in order. */
+  /** Sends data that must arrive, on the reliable channel, in order. */
   sendSurely(data: Uint8Array<ArrayBuffer> | string): void {
     if (this.#sure.readyState === "open") this.#sure.send(data as string);
   }
@@ -124,7 +124,10 @@ export class Connection {
     this.#calls.opened();
   }
 
-  /** Keeps the browser waiting for one that does not have the answer yet. */
+  /**
+   * Gives this browser one more address to try, so that it does not give up before the other one
+   * has got the answer; see NOBODY.
+   */
   #tryOn(): void {
     const number = ++this.#tried;
     const candidate = `candidate:${number} 1 udp 1 ${NOBODY} ${1024 + number} typ host`;

@@ -42,7 +42,7 @@ export interface LobbyListener {
 interface Other {
   connection: Connection;
   player: number;
-  /** By it who comes back is known; "": it has said none. */
+  /** By it a browser that comes back is recognised; "" before it has said it. */
   token: string;
   /** It has come to watch. */
   watches: boolean;
@@ -85,7 +85,10 @@ export class Lobby {
   #match: Match | null = null;
   #host = 0;
   #gap: Gap | null = null;
-  /** Who has lost the host, which is not known to be gone here. */
+  /**
+   * A guest that asks to take the host's place while the host is not known to be gone here; null:
+   * none.
+   */
   #asker: Other | null = null;
   /** The players who are there, as the match has told last. */
   #present: readonly number[] = [];
@@ -239,7 +242,7 @@ export class Lobby {
     this.carries = false;
     this.#present = [];
     for (const link of this.#links.values()) link.close();
-    // Alone it is played by as many as before.
+    // The scene gets back the size that it had before the match.
     if (this.#match) this.#app.state.size = this.#size;
     this.#match = null;
     this.#port?.close();
@@ -324,8 +327,9 @@ export class Lobby {
   // ---- when the host is gone ----
 
   /**
-   * Connects this guest with another one, with the host between them: it has them meet, and passes on
-   * the invitation and its answer.
+   * Connects two guests through the host. On the host: passes an invitation or its answer on. On a
+   * guest: opens a connection when the host says `meet`, answers the invitation of another guest,
+   * or takes its answer.
    */
   async #link(other: Other, { meet, invitation, to, from }: Told): Promise<void> {
     if (!this.playing) return;
@@ -370,7 +374,11 @@ export class Lobby {
     return Math.min(...this.#present.filter((player) => numbers.includes(player)));
   }
 
-  /** Takes the place of the host, when it is this browser's and all others have answered; `late`: have not. */
+  /**
+   * Goes on without the host. Where this browser is next, it asks the others to follow, and takes
+   * over when all do, or at once if `late` (the time for answers is over). Where another one is
+   * next, it waits for that one, or gives up if `late`.
+   */
   #goOn(late = false): void {
     const gap = this.#gap!;
     const { own } = this.#match!;

@@ -18,11 +18,14 @@ import { hasRooms, meet, ROOM, type RoomState } from "./meet";
 
 /** What a link has before the name of a room in place of an invitation. */
 const ROOM_MARK = "~";
-/** On it a tab in which an answer was opened hands it to the tab that waits for it. */
+/**
+ * The name of the BroadcastChannel on which a tab that was opened by the link of an answer hands
+ * that answer to the tab that waits for it.
+ */
 const CHANNEL = "thud-match";
 const INVITED =
   "You are invited to a match: play, or watch it. Either tells those who play this device’s address in the network.";
-/** Milliseconds for which it waits to be heard. Chosen. */
+/** Milliseconds for which a tab with an answer waits until another tab takes it. Chosen. */
 const HEARD = 1500;
 /** The largest correction that is shown is that of so many of the last news. Chosen. */
 const CORRECTIONS = 50;
@@ -55,7 +58,7 @@ function recall(): { room: string; watched: boolean } {
   }
 }
 
-/** Shows this panel where none stands in its place: the game can no longer be played. */
+/** Opens this panel, unless another panel is open, since the match was cut off. */
 function openPanel(): void {
   const dock = document.querySelector<HTMLElement>("#dock")!;
   if (dock.hidden) document.querySelector<HTMLElement>("button[data-panel=match]")?.click();

@@ -5,7 +5,10 @@
 import { unpackInvitation } from "./invitation";
 import type { Lobby } from "./lobby";
 
-/** Milliseconds between two looks at what the others have left, and looks for a connection. Chosen. */
+/**
+ * Milliseconds between two requests to the room, and the number of them after which waiting for an
+ * invitation or for the connection ends. Chosen.
+ */
 const PAUSE = 1000;
 const LOOKS = 10;
 

@@ -15,8 +15,10 @@ export function createDetectionCount(app: App): HTMLElement {
   const line = make("p", { class: "explained", id: "detection-count" });
   /** Bisection's limit of speed, world units per second. */
   let limit = Infinity;
-  /** Sums over the scene's steps: bodies held back, seconds lost, bodies too fast; the last
-   * step. */
+  /**
+   * Sums over the last step of each frame, since the page gets the statistics of that step alone:
+   * bodies held back, seconds lost, bodies too fast; the last step.
+   */
   let [held, seconds, fast, step] = [0, 0, 0, 0];
   let timer = 0;
   const show = () => {
