@@ -27,7 +27,7 @@ after(() => rmSync(folder, { recursive: true }));
 mkdirSync(join(folder, "node_modules"));
 symlinkSync(`${root}web/package`, join(folder, "node_modules", "thud"), "dir");
 mkdirSync(join(folder, "node_modules/@dimforge"));
-for (const rival of ["planck", "matter-js", "@dimforge/rapier2d-compat"])
+for (const rival of ["planck", "matter-js", "chipmunk", "@dimforge/rapier2d-compat"])
   symlinkSync(`${root}web/node_modules/${rival}`, join(folder, "node_modules", rival), "dir");
 
 /** The fenced blocks of a page: [{ info, text }]. */

@@ -41,7 +41,7 @@ for (const browser of BROWSERS)
     await close();
   });
 
-for (const name of ["matter", "planck", "rapier"])
+for (const name of ["chipmunk", "matter", "planck", "rapier"])
   test(`program_of_${name}_runs_beside_that_of_thud`, async () => {
     const { page, errors, close } = await openVisitor().open(`docs/from-${name}.html`);
     for (const i of [0, 1]) {

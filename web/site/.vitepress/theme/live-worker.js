@@ -50,6 +50,7 @@ const MODULES = {
   "thud/geometry": async () => geometry,
   planck: () => bringRival("planck"),
   "matter-js": () => bringRival("matter"),
+  chipmunk: () => bringRival("chipmunk"),
   "@dimforge/rapier2d-compat": async () => (await import("./rapier.js")).rapier((shown) => (world = rival = shown)),
 };
 

@@ -2,6 +2,7 @@
  * Other engines for examples of how a program is brought from them: each module as a program imports
  * it, but `show` is called with what its world is drawn and advanced by.
  */
+import cp from "chipmunk";
 import Matter from "matter-js";
 import * as planckModule from "planck";
 import { circleOf, steps, styleOf } from "./rival-rows.js";
@@ -61,4 +62,30 @@ export function matter(show) {
     return engine;
   };
   return { ...Matter, Engine: { ...Matter.Engine, create } };
+}
+
+/** Chipmunk in JavaScript, whose spaces are shown: circles, boxes and segments. */
+export function chipmunk(show) {
+  class Space extends cp.Space {
+    constructor() {
+      super();
+      show({ advance: steps(() => this.step(1 / 60)), draw: () => this.#draw() });
+    }
+
+    #draw() {
+      const [shapes, lines] = [[], []];
+      this.eachShape((shape) => {
+        const { body } = shape;
+        const style = styleOf(body.isStatic(), !body.isSleeping());
+        if (shape.type === "circle") shapes.push(...circleOf(shape.tc, shape.r, body.a), style, 0);
+        else if (shape.type === "segment") lines.push(shape.ta.x, shape.ta.y, shape.tb.x, shape.tb.y, style);
+        else {
+          const corners = [0, 2, 4].map((i) => ({ x: shape.tVerts[i], y: shape.tVerts[i + 1] }));
+          shapes.push(...boxOf(corners), style, 0);
+        }
+      });
+      return { shapes: Float32Array.from(shapes), lines: Float32Array.from(lines) };
+    }
+  }
+  return { ...cp, Space };
 }
