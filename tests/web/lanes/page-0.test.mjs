@@ -1,4 +1,4 @@
 /** One of the processes that share the files that test the page out among themselves. */
 import { runLane } from "../support/lane.mjs";
 
-runLane();
+runLane("page", ["page", "panels"], ["clock.test.mjs"]);
