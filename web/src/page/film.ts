@@ -32,6 +32,14 @@ function formatOf(): readonly [type: string, ending: string] | undefined {
 
 /** Milliseconds for which the last picture stays. Chosen. */
 const LAST_PICTURE = 200;
+/**
+ * An encoder may take a second to begin, and drops what it is given until then: the first picture
+ * stays until so many bytes have come, or for so many milliseconds. Milliseconds between two looks.
+ * Chosen.
+ */
+const BEGUN = 500;
+const LATEST = 3000;
+const LOOKS = 50;
 
 class Film {
   readonly #canvas = document.createElement("canvas");
@@ -59,7 +67,7 @@ class Film {
       this.#recorder.onerror = () => reject(new Error("the browser has stopped it."));
     });
     this.#recorder.ondataavailable = ({ data }) => this.#parts.push(data);
-    this.#recorder.start();
+    this.#recorder.start(LOOKS);
     this.#forget = app.listen({ drawn: () => this.#take() });
   }
 
@@ -73,6 +81,21 @@ class Film {
       const layer = byId<HTMLCanvasElement>(id);
       if (layer.width > 0 && layer.height > 0) context.drawImage(layer, 0, 0, width, height);
     }
+  }
+
+  /** Shows the present picture for so many milliseconds at most, and ends earlier if `until` holds. */
+  async hold(milliseconds: number, until = () => false): Promise<void> {
+    const end = performance.now() + milliseconds;
+    while (performance.now() < end && !until()) {
+      await new Promise((next) => setTimeout(next, LOOKS));
+      // Drawn once more, so that the recorder takes it as a new picture.
+      this.#canvas.getContext("2d")!.drawImage(this.#canvas, 0, 0);
+    }
+  }
+
+  /** Resolves when the film has really begun. */
+  async begin(): Promise<void> {
+    await this.hold(LATEST, () => this.#parts.reduce((sum, { size }) => sum + size, 0) > BEGUN);
   }
 
   /** Ends the film, and returns it. May be called again. */
@@ -132,6 +155,7 @@ async function play(
   await new Promise(requestAnimationFrame);
   const film = new Film(app);
   try {
+    await film.begin();
     const begun = performance.now();
     for (let step = first; step < last && goesOn(); ) {
       await new Promise(requestAnimationFrame);
@@ -140,7 +164,7 @@ async function play(
       if (due > step && goesOn()) await app.seek((step = due));
       tell(`Video: ${seconds(step - first)} of ${seconds(last - first)} s`);
     }
-    await new Promise((seen) => setTimeout(seen, LAST_PICTURE));
+    await film.hold(LAST_PICTURE);
   } finally {
     film.end().catch(() => {});
   }
