@@ -54,6 +54,9 @@ typedef struct range {
  * widest shape. */
 static range range_along(const td_proxy_set *set, td_axis axis, double min, int32_t extent) {
     int count = set->ids.count;
+    if (count == 0) { /* then there may be no array to point into */
+        return (range){NULL, 0};
+    }
     const td_sweep_key *keys =
         (const td_sweep_key *)set->keys.data + (axis == TD_AXIS_Y ? count : 0);
     int from = count_below(keys, count, min - set->widest[axis], false);
