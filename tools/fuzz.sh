@@ -41,7 +41,7 @@ fuzz_options() {
             --minutes)
                 minutes=${2:-}
                 case $minutes in
-                    '' | *[!0-9]* | 0 | ??????*) die "--minutes needs a whole number" ;;
+                    '' | *[!0-9]* | 0* | ??????*) die "--minutes needs a whole number" ;;
                 esac
                 shift
                 ;;

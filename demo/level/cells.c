@@ -13,7 +13,7 @@ static void complain(const level_reader *r, const level_layer *layer, const char
 }
 
 static bool is_cell(double value) {
-    return value >= 0 && value <= UINT32_MAX;
+    return value >= 0 && value <= UINT32_MAX && value == floor(value);
 }
 
 /* Reads cells from a JSON list. Returns their number, which may be larger than `count`, the room in

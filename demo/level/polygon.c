@@ -226,12 +226,14 @@ void level_approximate(const level_values *v, level_forms *forms, int index, dou
         level_complain(v, LEVEL_SKIP, "%s, so that it cannot be approximated", reason);
         return;
     }
+    int kept = 0;
     for (int i = 0; i < found.count; i++) {
         const thud_geometry *shape = &shapes[i];
         bool round = shape->kind == THUD_SHAPE_CIRCLE;
         double hy = round ? shape->hx : shape->hy, angle = 0, c, s;
         if (shape->hx < smallest || hy < smallest)
             continue;
+        kept++;
         thud_angle_of(shape->s, shape->c, &angle);
         level_form spare, *form = level_forms_add(forms, round ? LEVEL_CIRCLE : LEVEL_BOX, &spare);
         form->x = polygon.x + shape->x;
@@ -242,5 +244,8 @@ void level_approximate(const level_values *v, level_forms *forms, int index, dou
         form->physics = polygon.physics;
         form->physics.material.density /= 1 + found.overlap + found.extra - found.missed;
     }
-    level_complain(v, LEVEL_NOTE, "its polygon is approximated by %d shapes", found.count);
+    if (kept == 0)
+        level_complain(v, LEVEL_SKIP, "its polygon is smaller than any shape");
+    else
+        level_complain(v, LEVEL_NOTE, "its polygon is approximated by %d shapes", kept);
 }

@@ -236,7 +236,7 @@ level_physics level_read_physics(level_values *v) {
     p.linear_damping = level_number(v, "linear_damping", 0, 0, huge);
     p.angular_damping = level_number(v, "angular_damping", 0, 0, huge);
     p.material.density = level_number(v, "density", 1, 1e-6, huge);
-    p.material.friction = level_number(v, "friction", 0.6, 0, huge);
+    p.material.friction = level_number(v, "friction", 0.6, 0, THUD_FRICTION_MAX);
     p.material.restitution = level_number(v, "restitution", 0, 0, 1);
     p.category = (uint32_t)level_whole_number(v, "category", 1, 0, UINT32_MAX);
     p.mask = (uint32_t)level_whole_number(v, "mask", UINT32_MAX, 0, UINT32_MAX);

@@ -144,7 +144,8 @@ static void put_typed_value(tmx *t, cJSON *property) {
                      strcmp(type, "object") == 0; /* a reference to another object, by its id */
     if (is_number && level_number_of(value, &number))
         typed = cJSON_CreateNumber(number);
-    else if (strcmp(type, "bool") == 0)
+    else if (strcmp(type, "bool") == 0 &&
+             (strcmp(value, "true") == 0 || strcmp(value, "false") == 0)) /* else it is reported */
         typed = cJSON_CreateBool(strcmp(value, "true") == 0);
     else
         return;

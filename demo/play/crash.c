@@ -46,5 +46,5 @@ static void save(int number) {
 
 void crash_watch(session *s) {
     watched = s;
-    set_handler(save);
+    set_handler(s ? save : SIG_DFL);
 }

@@ -5,7 +5,8 @@
 #include "session.h"
 
 /* From now on a crash saves what led to it (last_seconds_salvage), says where on standard error,
- * and then ends the program as it would have ended. The session must exist until then. */
+ * and then ends the program as it would have ended. Null ends that: to be called before the session
+ * is gone. */
 void crash_watch(session *s);
 
 #endif

@@ -58,7 +58,8 @@ bool grab_start(grab *g, session *s, thud_pos at, double margin) {
 void grab_move(grab *g, session *s, thud_pos to) {
     if (!g->held)
         return;
-    if (!thud_joint_is_valid(s->world, g->joint)) {
+    /* The joint of a body that was destroyed is there until the next step. */
+    if (!thud_body_is_valid(s->world, g->body) || !thud_joint_is_valid(s->world, g->joint)) {
         grab_end(g, s);
         return;
     }
@@ -77,7 +78,8 @@ void grab_end(grab *g, session *s) {
 
 bool grab_anchor(const grab *g, const session *s, thud_pos *out) {
     thud_body_state body;
-    if (!g->held || thud_body_get_state(s->world, g->body, &body) != THUD_OK)
+    if (!g->held || !thud_body_is_valid(s->world, g->body) ||
+        thud_body_get_state(s->world, g->body, &body) != THUD_OK)
         return false;
     const thud_vec2 *p = &g->local;
     *out = (thud_pos){body.position.x + body.cosine * p->x - body.sine * p->y,

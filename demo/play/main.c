@@ -127,6 +127,7 @@ static int play(viewer *v, const options *o) {
         v->frame_seconds = 1.0 / 60;
         crash_watch(&v->session);
         run(v, window, o->frames);
+        crash_watch(NULL);
         status = EXIT_SUCCESS;
     }
     canvas_free(&v->canvas);

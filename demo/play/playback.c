@@ -279,8 +279,10 @@ void playback_seek(playback *p, int64_t step) {
     step = step < at->first ? at->first : step > at->end ? at->end : step;
     if (p->forked)
         leave_step(p);
-    else if (step == at->steps && !p->stopped)
+    else if (step == at->steps && !p->stopped) {
+        p->target = -1;
         return;
+    }
     p->forked = false;
     p->changed = true;
     p->call_count = p->query_count = 0;

@@ -221,6 +221,10 @@ static void offer_recording(session *s, const char *what) {
 
 /* One step of the world, with what follows from it. Does nothing more if the step fails. */
 static void run_step(session *s) {
+    if (s->played && !playback_goes_on(s->played)) {
+        session_tell_end(s);
+        return;
+    }
     if (s->played) {
         playback_step(s->played);
         session_tell_end(s);
@@ -241,8 +245,8 @@ static void run_step(session *s) {
         s->stepped(s, s->stepped_context);
 }
 
-/* Like thud_world_advance, but each step is a run_step. */
-/* `elapsed` is in world seconds. At most `steps_max` steps are run; time beyond them is dropped. */
+/* Like thud_world_advance, but each step is a run_step. `elapsed` is in world seconds. At most
+ * `steps_max` steps are run; time beyond them is dropped. */
 static void advance(session *s, double elapsed, int steps_max) {
     double due = s->alpha * s->time_step + elapsed;
     for (; due >= s->time_step && steps_max > 0 && !s->paused; steps_max--) {

@@ -97,8 +97,10 @@ bool viewer_open_file(viewer *v, const char *path) {
 void viewer_reset(viewer *v) {
     if (v->selected >= 0)
         load(v, v->selected);
-    else if (v->session.played)
+    else if (v->session.played) {
+        grab_end(&v->grab, &v->session);
         session_seek(&v->session, v->session.played->progress.first);
+    }
 }
 
 void viewer_look_home(viewer *v) {

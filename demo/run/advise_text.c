@@ -160,7 +160,9 @@ static void print_table(const advise_series *series) {
         const advise_setting *setting = &series->settings[i];
         char name[ADVISE_NAME_MAX], error[32];
         advise_name(&setting->how, name);
-        if (isinf(setting->error))
+        if (setting->outcome.quarantined > 0)
+            snprintf(error, sizeof error, "not finite");
+        else if (isinf(setting->error))
             snprintf(error, sizeof error, "passed %ld", setting->outcome.passed);
         else
             snprintf(error, sizeof error, "%.3g", setting->error);

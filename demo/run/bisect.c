@@ -123,7 +123,8 @@ static thud_body_id *list_bodies(const thud_world *world, int *count) {
 /* Plays to a step, from the last keyframe before it: one at the step would hide what differs. False
  * after a message. */
 static bool go_to(thud_player *player, long step, int64_t *at, uint64_t *hash) {
-    long before = step > progress_of(player).first ? step - 1 : step;
+    thud_player_progress p = progress_of(player);
+    long before = step > p.first && step <= p.end ? step - 1 : step;
     stretch s;
     if (!begin(&s, player, (const long[]){before, before, 1}))
         return false;

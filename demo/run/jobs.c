@@ -67,13 +67,14 @@ static void work_on_threads(jobs_work *w, int workers) {
         pthread_join(threads[i], NULL);
 }
 
-/* Lists the jobs of the part that are not done yet; returns how many of it are. */
-static int choose(jobs_work *w, job_list *list) {
+/* Lists the jobs of the part that are not done yet; returns how many of it are, and how many of
+ * these have failed. */
+static int choose(jobs_work *w, job_list *list, int *failed) {
     int done = 0;
     for (int i = w->options->part - 1; i < list->count; i += w->options->parts) {
-        if (list->jobs[i].done)
-            done++;
-        else
+        done += list->jobs[i].done;
+        *failed += list->jobs[i].failed;
+        if (!list->jobs[i].done)
             w->jobs[w->count++] = &list->jobs[i];
     }
     return done;
@@ -98,15 +99,16 @@ static int run_list(const jobs_options *options, job_list *list) {
         free(w.jobs);
         return 1;
     }
-    int done = choose(&w, list);
+    int failed_before = 0, done = choose(&w, list, &failed_before);
     work_on_threads(&w, options->workers);
     bool closed = fflush(w.out) == 0 && (w.out == stdout || fclose(w.out) == 0);
     if (w.broken || !closed)
         fprintf(stderr, "thud-run: results cannot be written\n");
-    fprintf(stderr, "%sthud-run: %d jobs run, %d of them failed; %d had results\n",
+    fprintf(stderr, "%sthud-run: %d jobs run, %d of them failed; %d had results",
             isatty(STDERR_FILENO) ? "\r" : "", w.finished, w.failed, done);
+    fprintf(stderr, failed_before > 0 ? ", %d of these a failure\n" : "\n", failed_before);
     free(w.jobs);
-    return w.broken || !closed || w.failed > 0 ? 1 : 0;
+    return w.broken || !closed || w.failed + failed_before > 0 ? 1 : 0;
 }
 
 /* Whether the output may be written: it is empty, or is to be continued. False after a message. */

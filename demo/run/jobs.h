@@ -48,8 +48,9 @@ typedef struct job {
                      of a length scale a second */
     job_input *inputs;
     int input_count;
-    int line;  /* of the file, from 1 on */
-    bool done; /* its result stands in the output file already */
+    int line;    /* of the file, from 1 on */
+    bool done;   /* its result stands in the output file already */
+    bool failed; /* it does, and says that the job failed */
 } job;
 
 /* All zero: empty. */

@@ -59,8 +59,10 @@ static bool mark(const char *line, job **sorted, int count) {
                  cJSON_IsString(cJSON_GetObjectItemCaseSensitive(json, "failed"));
     job **found = id && text && whole ? jobs_find(sorted, count, id) : NULL;
     bool known = found && strcmp((*found)->text, text) == 0;
-    if (known)
+    if (known) {
         (*found)->done = true;
+        (*found)->failed = cJSON_HasObjectItem(json, "failed");
+    }
     cJSON_free(text);
     cJSON_Delete(json);
     return known;

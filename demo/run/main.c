@@ -9,6 +9,7 @@
 #include "run.h"
 #include "uses.h"
 
+#include <stdio.h>
 #include <string.h>
 
 static bool run_plainly(const run_options *options, const scene *s, run_outcome *out) {
@@ -65,13 +66,18 @@ int main(int count, char **arguments) {
         return jobs_options_parse(count, arguments, &jobs) ? jobs_run(&jobs) : 2;
     if (!run_options_parse(count, arguments, &options))
         return 2;
+    int status = 0;
     if (options.help)
         run_print_help();
     else if (options.list)
         run_print_list();
     else if (options.replay)
-        return replay_file(&options) ? 0 : 1;
+        status = replay_file(&options) ? 0 : 1;
     else
-        return load_and_run(&options);
-    return 0;
+        status = load_and_run(&options);
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        fprintf(stderr, "thud-run: the output cannot be written\n");
+        return 1;
+    }
+    return status;
 }

@@ -189,6 +189,8 @@ static bool check(const run_options *options, bool only_for_advice) {
     else if ((options->bisect || options->hashes[2] > 0 || options->hash_at >= 0) &&
              !options->replay)
         fprintf(stderr, "thud-run: --bisect, --hashes and --hash-at are for --replay\n");
+    else if (options->replay && (options->advise || options->uses || only_for_advice))
+        fprintf(stderr, "thud-run: --replay plays a recording, without --advise and --uses\n");
     else if (options->replay)
         return true;
     else if (!options->source)

@@ -7,8 +7,9 @@
 #
 # JOBS is a file for thud-run --jobs, FOLDER a folder that all machines see. Each task writes
 # FOLDER/part-K.ndjson; a task that is started again after an interruption goes on where it was. When
-# all have ended, `cat FOLDER/part-*.ndjson` has the results of all jobs. THUD_RUN names the program
-# where it is not on the path.
+# all have ended, `cat FOLDER/part-*.ndjson` has the results of all jobs. To submit single tasks of an
+# array again, set COUNT to the number of all of its tasks: the cluster then tells that of the new
+# array. THUD_RUN names the program where it is not on the path.
 set -eu
 
 if [ $# -ne 2 ]; then
@@ -16,7 +17,7 @@ if [ $# -ne 2 ]; then
     exit 2
 fi
 part=${SLURM_ARRAY_TASK_ID:-${PBS_ARRAY_INDEX:-${SGE_TASK_ID:-}}}
-count=${SLURM_ARRAY_TASK_COUNT:-${COUNT:-${SGE_TASK_LAST:-}}}
+count=${COUNT:-${SLURM_ARRAY_TASK_COUNT:-${SGE_TASK_LAST:-}}}
 if [ -z "$part" ] || [ -z "$count" ]; then
     echo "job_array.sh: no task of a job array: its number and the count of tasks are in none of" \
         "the variables of Slurm, PBS (with COUNT) or Grid Engine" >&2

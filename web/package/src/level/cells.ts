@@ -139,7 +139,7 @@ async function readNumbers(
   }
   let malformed = 0;
   cells.forEach((cell, i) => {
-    if (typeof cell === "number" && cell >= 0 && cell <= 0xffffffff) at[i] = Math.floor(cell);
+    if (Number.isInteger(cell) && (cell as number) >= 0 && (cell as number) <= 0xffffffff) at[i] = cell as number;
     else malformed++;
   });
   if (malformed > 0) complain(reader, layer, `${malformed} cells are no tile numbers`);

@@ -172,8 +172,7 @@ export function approximated(
   const { density = 1 } = f.material;
   const share = 1 + found.overlap + found.extra - found.missed;
   const material = { ...f.material, density: density / share };
-  v.complain("note", `its polygon is approximated by ${found.shapes.length} shapes`);
-  return found.shapes.flatMap((shape) => {
+  const kept = found.shapes.flatMap((shape) => {
     const [x, y] = [f.x + shape.center[0], f.y + shape.center[1]];
     const round = shape.kind === "circle";
     const [hx, hy] = round ? [shape.radius, shape.radius] : [shape.halfWidth, shape.halfHeight];
@@ -181,4 +180,7 @@ export function approximated(
     const rotation = shape.kind === "obb" ? turn(shape.angle / RADIANS).r : 0;
     return [form(round ? "circle" : "box", { x, y, hx, hy, rotation, material })];
   });
+  if (kept.length === 0) v.complain("skip", "its polygon is smaller than any shape");
+  else v.complain("note", `its polygon is approximated by ${kept.length} shapes`);
+  return kept;
 }

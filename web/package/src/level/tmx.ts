@@ -170,7 +170,7 @@ function putTypedValue(property: JsonRecord): void {
   if (typeof value !== "string") return;
   // A property that refers to an object has the object's id.
   if (type === "int" || type === "float" || type === "object") property.value = numberOf(value) ?? value;
-  else if (type === "bool") property.value = value === "true";
+  else if (type === "bool" && (value === "true" || value === "false")) property.value = value === "true";
 }
 
 /** The points of a text such as "0,0 16,-8". A wrong pair becomes {}, which is reported later. */

@@ -254,7 +254,7 @@ export function readPhysics(v: Values): Physics {
   body.angularDamping = v.number("angular_damping", 0, 0, huge);
   const material: ShapeOptions = {
     density: v.number("density", 1, 1e-6, huge),
-    friction: v.number("friction", 0.6, 0, huge),
+    friction: v.number("friction", 0.6, 0, 1e6),
     restitution: v.number("restitution", 0, 0, 1),
     category: v.whole("category", 1, 0, 0xffffffff),
     mask: v.whole("mask", 0xffffffff, 0, 0xffffffff),
