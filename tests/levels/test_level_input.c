@@ -72,6 +72,7 @@ static const struct {
     {WITH("{\"name\":\"body\",\"value\":true}"), "body is not a text"},
     {WITH("{\"name\":\"mask\",\"value\":0.5}"), "mask is not a whole number"},
     {WITH("{\"name\":\"approximate\",\"value\":1.5}"), "approximate is not a whole number"},
+    {WITH("{\"name\":\"friction\",\"value\":1e7}"), "friction"},
     {WITH("{\"name\":\"approximate\",\"value\":65}"), "approximate"},
     {WITH("{\"name\":\"approximate\",\"value\":-1}"), "approximate"},
     {WITH("{\"name\":\"category\",\"value\":-1}"), "category is out of range"},

@@ -126,6 +126,7 @@ class Jobs(unittest.TestCase):
             self.out.write_text("".join(line + "\n" for line in whole[:kept]) + torn)
             done = self.run_jobs(jobs, "--no-times", "--out", str(self.out), "--resume")
             self.assertIn(f"{RUNS - kept} jobs run", done.stderr)
+            self.assertEqual(done.returncode, 1, "one of them fails, also if its result is old")
             self.assertEqual(self.out.read_text().splitlines()[:kept], whole[:kept])
             self.assertEqual(sorted(self.out.read_text().splitlines()), whole)
 

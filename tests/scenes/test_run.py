@@ -190,10 +190,18 @@ class ThudRun(unittest.TestCase):
                           ["gas", "--steps", "ten"], ["gas", "--quality", "best"],
                           ["gas", "--detection", "best"], ["gas", "--broadphase", "tree"],
                           ["gas", "--detection"],
-                          ["gas", "--fast"], ["gas", "--size", "-1"]):
+                          ["gas", "--fast"], ["gas", "--size", "-1"],
+                          ["--replay", "a.rec", "--advise"], ["--replay", "a.rec", "--uses"]):
             done = run(*arguments)
             self.assertEqual((done.returncode, done.stdout), (2, ""), arguments)
             self.assertIn("thud-run:", done.stderr)
+
+    def test_output_that_cannot_be_written_gives_1(self):
+        for arguments in (["--list"], ["pyramid", "--steps", "2", "--json"]):
+            with open("/dev/full", "w") as full:
+                done = subprocess.run([THUD_RUN, *arguments], stdout=full, stderr=subprocess.PIPE, text=True)
+            self.assertEqual(done.returncode, 1, arguments)
+            self.assertIn("cannot be written", done.stderr)
 
     def test_unknown_scene_and_unreadable_level_are_told_and_give_1(self):
         for arguments, says in ((["pyramids"], "--list"), (["no/such.tmj"], "cannot be read"),
