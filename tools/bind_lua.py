@@ -192,6 +192,13 @@ class Call(Signature):
         parameters = self.parameters + self.defs
         arguments = ", ".join(self.self_arguments() + self.arguments)
         lines = ["local hold = {}"] * any("hold" in one for one in self.arguments + self.lines) + self.lines
+        if self.has("callback"):   # made last: what raises before would leave it behind
+            made = next(line for line in lines if line.startswith("local called = "))
+            given = [one.strip() for one in self.self_arguments() + self.arguments]
+            names = [f"given_{i}" if "(" in one else one for i, one in enumerate(given)]
+            lines = [line for line in lines if line != made]
+            lines += [f"local {name} = {one}" for name, one in zip(names, given) if name != one] + [made]
+            arguments = ", ".join(names)
         call = f"C.{self.c}({arguments})"
         if self.has("list"):
             arguments = ", ".join(self.self_arguments() + [one for one in self.arguments if one != "..."])
@@ -206,7 +213,7 @@ class Call(Signature):
         if self.returns == "thud_result":
             if self.has("callback"):
                 kept = "_set_" in self.c
-                lines += [f'keep_callback(self, "{self.c}", called, code)' if kept else "called:free()"]
+                lines += [f'keep_callback(self, "{self.c}", called, code)' if kept else "if called then\n    called:free()\nend"]
             lines.append("if code ~= 0 or pending then\n    return refused(code)\nend")
             if self.has("found"):
                 lines.append("if not found[0] then\n    return false\nend")

@@ -138,7 +138,7 @@ class Call(Signature):
         self.changes = bool(self.owner) and not function["parameters"][0]["type"].startswith("const ")
         self.parameters, self.arguments, self.lines, self.generics = [], [], [], []
         if self.offered():
-            self.name = self.c.removeprefix("thud_").removeprefix("world_").replace("get_", "", 1)
+            self.name = re.sub(r"(^|_)get_", r"\1", self.c.removeprefix("thud_").removeprefix("world_"), count=1)
             self.handles()
             for part in self.parts:
                 self.add(part)

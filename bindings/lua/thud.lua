@@ -811,22 +811,28 @@ local function input(kind, given, hold)
     if type(given) ~= "table" then
         return given
     end
-    local made = blank(kind, given)
+    local made = #given > 0 and ffi.new(kind, given) or blank(kind, given)
     hold[#hold + 1] = made
-    if #given > 0 then
-        return ffi.new(kind, given)
-    end
-    return fill(made, kind, given, hold)
+    return #given > 0 and made or fill(made, kind, given, hold)
 end
 
--- The error of a callback, which the call that called it raises: none may pass through C.
+-- The error of a callback, in a table, which the call that called it raises: none may pass through C.
 local pending
+
+-- Whether C takes this as the result of a callback that returns `failed` where it fails.
+local function fits(result, failed)
+    local kind = type(result)
+    return failed == nil or kind == type(failed) or kind == "number" and type(failed) == "boolean"
+end
 
 local function callback(kind, fn, failed)
     return ffi.cast(kind .. " *", function(...)
         local done, result = pcall(fn, ...)
+        if done and not fits(result, failed) then
+            done, result = false, ("a callback returned a %s, not a %s"):format(type(result), type(failed))
+        end
         if not done then
-            pending = pending or result
+            pending = pending or { result }
             return failed
         end
         return result
@@ -910,7 +916,7 @@ local function refused(code)
     local reason, raised = message, pending
     message, pending = nil, nil
     if raised then
-        error(raised, 0)
+        error(raised[1], 0)
     end
     return nil, reason or ffi.string(C.thud_result_text(code))
 end
@@ -930,7 +936,7 @@ end
 
 -- Keeps the callback of a setter as long as it may be called, in place of the one before.
 local function keep_callback(object, call, made, code)
-    local all = (object.world or object).callbacks
+    local all = (object.world or object).node.callbacks
     local key = object.id and ("%s %d %d"):format(call, object.id.index1, object.id.generation) or call
     if code ~= 0 then
         if made then
@@ -1900,9 +1906,13 @@ end
 
 function World:cast_ray_each(ray, fn)
     local hold = {}
+    local given_0 = pointer(self)
+    local given_1 = input("thud_ray", ray, hold)
     local called = fn and callback("thud_cast_fn", fn, FAILED["double"])
-    local code = C.thud_world_cast_ray_each(pointer(self), input("thud_ray", ray, hold), called, nil)
-    called:free()
+    local code = C.thud_world_cast_ray_each(given_0, given_1, called, nil)
+    if called then
+        called:free()
+    end
     if code ~= 0 or pending then
         return refused(code)
     end
@@ -1911,9 +1921,13 @@ end
 
 function World:cast_shape_each(cast, fn)
     local hold = {}
+    local given_0 = pointer(self)
+    local given_1 = input("thud_shape_cast", cast, hold)
     local called = fn and callback("thud_cast_fn", fn, FAILED["double"])
-    local code = C.thud_world_cast_shape_each(pointer(self), input("thud_shape_cast", cast, hold), called, nil)
-    called:free()
+    local code = C.thud_world_cast_shape_each(given_0, given_1, called, nil)
+    if called then
+        called:free()
+    end
     if code ~= 0 or pending then
         return refused(code)
     end
@@ -2471,8 +2485,9 @@ function World:set_listeners(listeners)
 end
 
 function Body:set_epilogue(epilogue)
+    local given_0 = pointer(self.world)
     local called = epilogue and callback("thud_object_epilogue_fn", epilogue, FAILED["void"])
-    local code = C.thud_body_set_epilogue(pointer(self.world), self.id, called, nil)
+    local code = C.thud_body_set_epilogue(given_0, self.id, called, nil)
     keep_callback(self, "thud_body_set_epilogue", called, code)
     if code ~= 0 or pending then
         return refused(code)
@@ -2481,8 +2496,9 @@ function Body:set_epilogue(epilogue)
 end
 
 function World:set_category_epilogue(categories, epilogue)
+    local given_0 = pointer(self)
     local called = epilogue and callback("thud_object_epilogue_fn", epilogue, FAILED["void"])
-    local code = C.thud_world_set_category_epilogue(pointer(self), categories, called, nil)
+    local code = C.thud_world_set_category_epilogue(given_0, categories, called, nil)
     keep_callback(self, "thud_world_set_category_epilogue", called, code)
     if code ~= 0 or pending then
         return refused(code)
@@ -3085,11 +3101,21 @@ end
 
 ---- what owns ----
 
--- Frees what an owner has, after all that use it: the collector may end them in any order.
+-- Frees what an owner has, with its callbacks, after all that use it: the collector may end them in any
+-- order. Nil and the reason where C refuses that, inside a callback.
 local function free(node)
+    if node.users == 0 then
+        message = nil
+        node.destroy(node.pointer)
+        if message then
+            return refused(0)
+        end
+        for _, made in pairs(node.callbacks) do
+            made:free()
+        end
+    end
     node.ended = true
     if node.users == 0 then
-        node.destroy(node.pointer)
         if node.uses then
             node.uses.users = node.uses.users - 1
             if node.uses.ended then
@@ -3097,6 +3123,7 @@ local function free(node)
             end
         end
     end
+    return true
 end
 
 -- An object that C frees with the Lua object, or by close().
@@ -3104,20 +3131,24 @@ local function owner(class, destroy)
     class.__index = class
     function class:close()
         if self.pointer then
+            local freed, reason = free(self.node)
+            if not freed then
+                return nil, reason
+            end
             ffi.gc(self.pointer, nil)
             self.pointer = nil
-            free(self.node)
         end
+        return true
     end
     return function(made, used)
-        local node = { pointer = made, destroy = destroy, users = 0, uses = used and used.node }
+        local node = { pointer = made, destroy = destroy, users = 0, uses = used and used.node, callbacks = {} }
         if node.uses then
             node.uses.users = node.uses.users + 1
         end
         local held = ffi.gc(ffi.cast(ffi.typeof(made), made), function()
             free(node)
         end)
-        return setmetatable({ pointer = held, node = node, callbacks = {} }, class)
+        return setmetatable({ pointer = held, node = node }, class)
     end
 end
 
@@ -3129,6 +3160,9 @@ local own_threads = owner(Threads, C.thud_threads_destroy)
 function thud.world(options)
     local given, hold = {}, {}
     for name, option in pairs(options or {}) do
+        if name == "log" or name == "log_context" then
+            error("the log is this module's: what is refused returns nil and the reason", 2)
+        end
         given[name] = option
     end
     local pool = given.threads

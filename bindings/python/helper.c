@@ -19,7 +19,8 @@ typedef union kept_block {
 /* Belongs to one world, and lives as long as the world and all views of its memory. It counts both
  * itself: what Python frees together, it frees in any order. */
 struct thud_py_context {
-    char message[MESSAGE_BYTES]; /* of the last call that was refused; empty: none */
+    char message[MESSAGE_BYTES]; /* of the last call that was refused; empty: none, or it is told */
+    char told[MESSAGE_BYTES];    /* the message that was told last */
     thud_world *world;           /* null: not created */
     atomic_int users;            /* the world, and views that Python has of its memory */
     kept_block *kept;            /* released by the world while there were views */
@@ -94,13 +95,24 @@ thud_world *thud_py_context_world(const thud_py_context *context) {
     return context->world;
 }
 
+bool thud_py_context_end_world(thud_py_context *context) {
+    context->message[0] = '\0';
+    thud_world_destroy(context->world);
+    if (context->message[0])
+        return false;
+    context->world = NULL;
+    return true;
+}
+
 void thud_py_context_destroy(thud_py_context *context) {
     thud_world_destroy(context->world);
     thud_py_context_let_go(context);
 }
 
-const char *thud_py_context_message(const thud_py_context *context) {
-    return context->message;
+const char *thud_py_context_message(thud_py_context *context) {
+    memcpy(context->told, context->message, sizeof context->told);
+    context->message[0] = '\0';
+    return context->told;
 }
 
 /* A world whose step fails is not stepped further; the others are. */

@@ -297,6 +297,63 @@ function tests.worlds_are_freed_after_what_uses_them()
     assert(thud.threads(-1) == nil)
 end
 
+local DOWN = { origin = { 0, 9 }, dy = -20 }
+
+function tests.callbacks_that_return_nonsense_raise_and_leave_the_world_usable()
+    local world = falling()
+    for _, nonsense in ipairs({ "s", {}, true }) do
+        raises("not a number", world.cast_ray_each, world, DOWN, function()
+            return nonsense
+        end)
+        assert(world:step())
+    end
+    raises("returned a nil", world.cast_ray_each, world, DOWN, function() end)
+    assert(world:cast_ray_each(DOWN, nil) == nil)
+    raises("nil", world.cast_ray_each, world, DOWN, function()
+        error(nil)
+    end)
+    assert(world:step())
+end
+
+function tests.a_world_is_not_closed_inside_its_callback()
+    local world = falling()
+    local closed, why
+    assert(world:cast_ray_each(DOWN, function()
+        closed, why = world:close()
+        return 1
+    end))
+    assert(closed == nil and why:find("callback", 1, true), why)
+    assert(world:step() and world:close())
+end
+
+function tests.callbacks_end_with_their_world_and_with_calls_that_fail()
+    local kept = falling()
+    for _ = 1, 1500 do
+        local world, ball = falling()
+        assert(ball:set_epilogue(function() end))
+        world:close()
+        raises("no field", kept.cast_ray_each, kept, { orgin = { 0, 1 } }, function() end)
+    end
+end
+
+function tests.structs_in_tables_live_as_long_as_the_call()
+    local world = falling()
+    debug.sethook(collectgarbage, "", 1)
+    for _ = 1, 20 do
+        local hit, why = world:cast_ray({ origin = { 0, 9 }, dx = 0, dy = -20,
+                                          filter = { 0xffffffff, 0xffffffff, true, 0 } })
+        if not hit then
+            debug.sethook()
+            error(why)
+        end
+    end
+    debug.sethook()
+end
+
+function tests.the_log_is_no_option()
+    raises("log", thud.world, { log = function() end })
+end
+
 function tests.what_reads_poses_is_compiled()
     local world, ball = falling()
     local sum, traces = 0, 0

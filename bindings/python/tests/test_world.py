@@ -5,6 +5,7 @@ import gc
 import io
 import os
 import re
+import signal
 import threading
 import time
 from pathlib import Path
@@ -162,6 +163,31 @@ def test_closed_worlds_are_refused():
     world.close()
 
 
+def test_a_world_is_not_closed_inside_its_callback():
+    world, errors = falling()[0], []
+
+    @thud.ffi.callback("void(thud_world *, void *)")
+    def before(_world, _context):
+        try:
+            world.close()
+        except thud.ThudError as error:
+            errors.append(error)
+
+    calls = thud.ffi.new("thud_step_calls *", {"before": before})
+    world.call("world_advance_with", 0.02, 1, calls, thud.ffi.NULL, thud.ffi.NULL)
+    assert [error.result for error in errors] == [thud.Result.ERROR_LOCKED]
+    world.step()
+    world.close()
+
+
+def test_an_error_has_no_reason_of_another():
+    world, ball = falling()
+    with pytest.raises(thud.ThudError, match="density"):
+        ball.circle(0.5, density=-1)
+    with pytest.raises(thud.ThudError, match="null"):
+        world.call("world_get_stats", thud.ffi.NULL)
+
+
 def test_events_are_structs_of_the_engine():
     world, ball = falling()
     begun, hits = [], []
@@ -213,6 +239,24 @@ def test_batches_have_the_bits_of_single_worlds():
     assert worlds[3].hash() == hashes[3]
     with pytest.raises(ValueError, match="twice"):
         thud.Batch([worlds[0], worlds[0]])
+
+
+def test_a_batch_that_is_interrupted_keeps_its_worlds_until_their_parts_end():
+    worlds = [tall_stack() for _ in range(4)]
+    with thud.Batch(worlds, threads=2) as batch:
+        main = threading.main_thread().ident
+        threading.Timer(0.3, lambda: signal.pthread_kill(main, signal.SIGINT)).start()
+        with pytest.raises(KeyboardInterrupt):
+            batch.step(20000)
+        seen = []
+        for world in worlds:
+            with contextlib.suppress(thud.ThudError):
+                seen.append((world, world.stats().steps))
+        # What is not refused is not stepped any more.
+        time.sleep(0.05)
+        assert all(world.stats().steps == steps for world, steps in seen)
+    for world in worlds:
+        world.step()
 
 
 def test_a_step_leaves_pythons_lock_to_other_threads_and_keeps_them_out():

@@ -32,13 +32,7 @@ class Batch:
         """Steps all worlds. If some fail, those are not stepped further and the others are; then the
         first failure is raised, and its text names the world's number."""
         pointers = ffi.new("thud_world *[]", [world.pointer for world in self.worlds])
-        for world in self.worlds:
-            world._stepping = True
-        try:
-            self._run(pointers, steps)
-        finally:
-            for world in self.worlds:
-                world._stepping = False
+        self._run(pointers, steps)
         for number, world in enumerate(self.worlds):
             if self._results[number] != lib.THUD_OK:
                 try:
@@ -47,18 +41,38 @@ class Batch:
                     raise ThudError(error.result, f"world {number}: {error}") from None
 
     def _run(self, pointers: Any, steps: int) -> None:
-        count = len(self.worlds)
+        count, worlds = len(self.worlds), list(self.worlds)
+
+        def done(begin: int, end: int) -> None:
+            for world in worlds[begin:end]:
+                world._stepping = False
 
         def part(begin: int, end: int) -> None:
-            lib.thud_py_step_all(pointers + begin, end - begin, steps, self._results + begin)
+            try:
+                lib.thud_py_step_all(pointers + begin, end - begin, steps, self._results + begin)
+            finally:
+                done(begin, end)
 
+        for world in worlds:
+            world._stepping = True
         if self._pool is None or count < 2:
             part(0, count)
             return
         size = -(-count // (self.threads * PARTS_PER_THREAD))
-        waiting = [self._pool.submit(part, begin, min(begin + size, count)) for begin in range(0, count, size)]
-        for one in waiting:
-            one.result()
+        waiting, begin = [], 0
+        try:
+            for begin in range(0, count, size):
+                waiting.append((begin, self._pool.submit(part, begin, min(begin + size, count))))
+            begin = count
+            for _, one in waiting:
+                one.result()
+        except BaseException:
+            # A part that runs, as after Ctrl-C, keeps its worlds refused until it ends.
+            done(begin, count)
+            for at, one in waiting:
+                if one.cancel():
+                    done(at, min(at + size, count))
+            raise
 
     def close(self) -> None:
         """Ends the threads; the worlds stay."""

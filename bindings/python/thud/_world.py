@@ -47,7 +47,7 @@ class World:
     """A world that advances in steps of 1/60 s, or another `time_step`.
 
     Options are the fields of thud_world_def. A world is used by one thread at a time; a call during
-    a step on another thread is refused. It is freed when nothing refers to it, or by close()."""
+    step(), advance() or a Batch's step on another thread is refused. It is freed when nothing refers to it, or by close()."""
 
     def __init__(self, **options: "Unpack[WorldDefOptions]"):
         self._world: Any = None
@@ -77,9 +77,12 @@ class World:
         return self._world
 
     def close(self) -> None:
-        """Frees the world. Views of its memory keep what they show."""
+        """Frees the world. Views of its memory keep what they show. ThudError inside a callback of
+        the world, which then stays open."""
         if self._world is not None:
             self.pointer  # pylint: disable=pointless-statement; refused during a step
+            if not lib.thud_py_context_end_world(self._context):
+                self._check(lib.THUD_ERROR_LOCKED)
             self._world = None
             ffi.release(self._context)
 
@@ -91,9 +94,9 @@ class World:
 
     def _check(self, result: int) -> None:
         if result != lib.THUD_OK:
-            # The engine logs the reason of whatever it refuses.
-            message = ffi.string(lib.thud_py_context_message(self._context)).decode()
-            raise ThudError(Result(result), message)
+            # The engine logs the reason of whatever it refuses, but for some pointers that are null.
+            message = ffi.string(lib.thud_py_context_message(self._context))
+            raise ThudError(Result(result), (message or ffi.string(lib.thud_result_text(result))).decode())
 
     def call(self, name: str, *arguments: Any) -> None:
         """Calls thud_NAME(world, ...) of the C interface; ThudError if it is refused."""

@@ -1199,7 +1199,7 @@ impl World {
     }
 
     #[must_use]
-    pub fn tarat(&self, body_a: BodyId, body_b: BodyId, point: impl Into<Pos>) -> JointDef {
+    pub fn target_at(&self, body_a: BodyId, body_b: BodyId, point: impl Into<Pos>) -> JointDef {
         unsafe { sys::thud_target_at(self.raw(), body_a, body_b, point.into()) }
     }
 
