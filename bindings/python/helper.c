@@ -23,13 +23,19 @@ struct thud_py_context {
     char told[MESSAGE_BYTES];    /* the message that was told last */
     thud_world *world;           /* null: not created */
     atomic_int users;            /* the world, and views that Python has of its memory */
-    kept_block *kept;            /* released by the world while there were views */
+    /* The present period, 0 or 1, and for each the views that were made in it, and the blocks that
+     * the world released in it while there were views. A view shows no block that was released
+     * before the view was made: so the blocks of the period before are freed, and the next period
+     * begins, when that period's views are gone. */
+    int period;
+    atomic_int views[2];
+    kept_block *kept[2];
 };
 
-static void free_kept(thud_py_context *context) {
-    while (context->kept) {
-        kept_block *block = context->kept;
-        context->kept = block->next;
+static void free_kept(thud_py_context *context, int period) {
+    while (context->kept[period]) {
+        kept_block *block = context->kept[period];
+        context->kept[period] = block->next;
         free(block);
     }
 }
@@ -50,12 +56,14 @@ static void release(void *memory, size_t bytes, void *user) {
         return;
     thud_py_context *context = user;
     kept_block *block = (kept_block *)memory - 1;
-    if (atomic_load(&context->users) == 1) {
-        free_kept(context);
-        free(block);
-    } else {
-        block->next = context->kept;
-        context->kept = block;
+    int now = context->period, before = 1 - now;
+    block->next = context->kept[now];
+    context->kept[now] = block;
+    if (atomic_load(&context->views[before]) == 0) {
+        free_kept(context, before);
+        context->period = before;
+        if (atomic_load(&context->views[now]) == 0)
+            free_kept(context, now);
     }
 }
 
@@ -73,15 +81,24 @@ thud_py_context *thud_py_context_create(void) {
     return context;
 }
 
-void thud_py_context_hold(thud_py_context *context) {
+int thud_py_context_hold(thud_py_context *context) {
     atomic_fetch_add(&context->users, 1);
+    atomic_fetch_add(&context->views[context->period], 1);
+    return context->period;
 }
 
-void thud_py_context_let_go(thud_py_context *context) {
+/* Ends one of the users. */
+static void leave(thud_py_context *context) {
     if (atomic_fetch_sub(&context->users, 1) == 1) {
-        free_kept(context);
+        free_kept(context, 0);
+        free_kept(context, 1);
         free(context);
     }
+}
+
+void thud_py_context_let_go(thud_py_context *context, int period) {
+    atomic_fetch_sub(&context->views[period], 1);
+    leave(context);
 }
 
 thud_result thud_py_context_create_world(thud_py_context *context, thud_world_def *def) {
@@ -106,7 +123,7 @@ bool thud_py_context_end_world(thud_py_context *context) {
 
 void thud_py_context_destroy(thud_py_context *context) {
     thud_world_destroy(context->world);
-    thud_py_context_let_go(context);
+    leave(context);
 }
 
 const char *thud_py_context_message(thud_py_context *context) {

@@ -4,7 +4,7 @@ thud_result thud_py_context_create_world(thud_py_context *context, thud_world_de
 thud_world *thud_py_context_world(const thud_py_context *context);
 bool thud_py_context_end_world(thud_py_context *context);
 void thud_py_context_destroy(thud_py_context *context);
-void thud_py_context_hold(thud_py_context *context);
-void thud_py_context_let_go(thud_py_context *context);
+int thud_py_context_hold(thud_py_context *context);
+void thud_py_context_let_go(thud_py_context *context, int period);
 const char *thud_py_context_message(thud_py_context *context);
 void thud_py_step_all(thud_world **worlds, int count, int steps, thud_result *out_results);

@@ -153,6 +153,22 @@ def test_views_outlive_their_world():
     assert numpy.array_equal(poses, before)
 
 
+def test_memory_does_not_grow_while_there_is_always_a_view():
+    world, _ = falling()
+    ground = world.body()
+    sizes, poses = [], None
+    for round_ in range(2400):
+        shape = ground.terrain(points=[(i, i % 3) for i in range(300)])
+        world.step()
+        poses = world.poses()
+        shape.destroy()
+        if round_ % 800 == 799:
+            with open("/proc/self/statm", encoding="ascii") as file:
+                sizes.append(int(file.read().split()[1]))
+    assert len(poses) > 0
+    assert sizes[2] - sizes[1] < 400, sizes  # pages; each round would keep two
+
+
 def test_closed_worlds_are_refused():
     with thud.World() as world:
         body = world.body()

@@ -197,8 +197,8 @@ class World:
     def _held(self, pointer: Any, size: int) -> Any:
         """A buffer of the world's memory, which is kept as long as the buffer."""
         context = ffi.cast("thud_py_context *", self._context)
-        lib.thud_py_context_hold(context)
-        return ffi.buffer(ffi.gc(pointer, lambda _: lib.thud_py_context_let_go(context)), size)
+        period = lib.thud_py_context_hold(context)
+        return ffi.buffer(ffi.gc(pointer, lambda _: lib.thud_py_context_let_go(context, period)), size)
 
     def poses(self, alpha: float = 1.0, origin: Point = (0.0, 0.0)) -> Any:
         """The poses of all bodies by slot (Body.slot), between the last two steps: rows of x, y,
