@@ -386,11 +386,11 @@ static thud_result announce(peer *p, bool enters, int player, int64_t step) {
  */
 static bool can_enter(const peer *p, int player, int64_t step) {
     const peer_link *own = &p->links[player];
-    /* The hashes of the other side are late by the time of a message, and told of every few steps
-     * alone, hence half the depth as a margin. What it has confirmed says less: it confirms inputs
-     * that it has not run yet. */
+    /* The hashes of the other side are late by the time that three messages take, and told of every
+     * few steps alone, hence the depth as a margin. What it has confirmed says less: it confirms
+     * inputs that it has not run yet. */
     bool can = own->is_joining && own->final >= 0 &&
-               own->final + PEER_HASH_STEPS >= steps_of(p) - p->depth / 2 &&
+               own->final + PEER_HASH_STEPS >= steps_of(p) - p->depth &&
                (p->end == 0 || step < p->end) && p->events_applied == p->event_count;
     for (int i = 0; i < MESSAGE_NUMBERS && can; i++) {
         const peer_link *link = &p->links[i];

@@ -206,6 +206,27 @@ test("renderers_are_told_of_bodies_that_come_and_ground_that_changes", () => {
   world.close();
 });
 
+test("world_of_a_player_is_closed_with_it_and_by_it_alone", () => {
+  const { world } = heap();
+  const recorder = new Recorder(world);
+  world.step();
+  const bytes = recorder.bytes();
+  const sizes = [];
+  for (let i = 0; i < 60; i++) {
+    const player = new Player(engine, bytes);
+    player.step();
+    player.world.movedBodies();
+    if (i === 0) refusedWith("invalid", /belongs to its player/, () => player.world.close());
+    player.close();
+    if (i === 0) refusedWith("stale", /destroyed/, () => player.world.hash());
+    if (i % 20 === 19) sizes.push(engine.buffer.byteLength);
+  }
+  assert.equal(sizes[1], sizes[2], "the memory does not grow");
+  refusedWith("invalid", /Uint8Array/, () => recorder.chunk("text", "text"));
+  recorder.end();
+  world.close();
+});
+
 test("difference_is_named_and_damage_refused", () => {
   const game = heap();
   const recorder = new Recorder(game.world, { hashSteps: 5, bodyHashes: true });

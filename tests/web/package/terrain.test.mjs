@@ -90,3 +90,18 @@ test("edits_with_bad_input_throw_and_leave_the_ground", () => {
   assert.deepEqual(world.terrainOf(shape), before);
   world.close();
 });
+
+test("handle_is_right_where_the_call_makes_the_memory_grow", async () => {
+  const fresh = await thud.load();
+  let grown = 0;
+  for (let i = 0; i < 6; i++) {
+    const world = fresh.createWorld();
+    const before = fresh.buffer.byteLength;
+    const heights = new Float64Array(300_000);
+    const ground = world.createTerrain(world.createBody(), { kind: "uniform", x0: 0, spacing: 1, heights });
+    grown += fresh.buffer.byteLength > before;
+    assert.ok(world.isValid(ground));
+    assert.equal(world.terrainOf(ground).kind, "uniform");
+  }
+  assert.ok(grown > 0, "the memory has grown within a call");
+});

@@ -117,11 +117,12 @@ export class Recorder {
 
   /**
    * Adds bytes of the program's own under a name: inputs, a message, the state of a game.
-   * @throws {ThudError} "locked" inside a callback; "memory".
+   * @throws {ThudError} "invalid" for anything but a Uint8Array; "locked" inside a callback; "memory".
    */
   chunk(name: string, bytes: Uint8Array): void {
     const { exports } = this.#engine;
     const recorder = this.#open();
+    if (!(bytes instanceof Uint8Array)) throw new ThudError("invalid", "recorder: a chunk is a Uint8Array");
     const named = lend(this.#engine, new TextEncoder().encode(name));
     try {
       const given = lend(this.#engine, bytes);
@@ -198,9 +199,16 @@ export interface PlayerProgress {
   difference: { after: number; at: number; body: BodyId | null } | null;
 }
 
+/** The world of a player, which alone closes it. */
+class PlayedWorld extends World {
+  override close(): void {
+    throw new ThudError("invalid", "close: this world belongs to its player; close that");
+  }
+}
+
 /** A recording that is played, with a world of its own. Free it by `close`. */
 export class Player {
-  /** The world as it was. It belongs to the player; do not close it. */
+  /** The world as it was. It belongs to the player, with which it is closed; `close` of it is refused. */
   readonly world: World;
   readonly #engine: Engine;
   #address: number;
@@ -216,7 +224,7 @@ export class Player {
     if (!(bytes instanceof Uint8Array)) throw new ThudError("invalid", "player: a recording is a Uint8Array");
     engine.check(engine.exports.api_player_create(lend(engine, bytes), bytes.length, +(options.calls ?? false)));
     this.#address = engine.slots[ListAt.address];
-    this.world = new World(engine, {}, engine.exports.api_player_world(this.#address));
+    this.world = new PlayedWorld(engine, {}, engine.exports.api_player_world(this.#address));
   }
 
   /**
@@ -307,10 +315,11 @@ export class Player {
     return chunks;
   }
 
-  /** Frees the player and its world. Every later call throws "stale". */
+  /** Frees the player and its world. Every later call of either throws "stale". */
   close(): void {
     this.#engine.exports.api_player_destroy(this.#open());
     this.#address = 0;
+    World.disown(this.world);
   }
 
   #open(): number {

@@ -107,6 +107,13 @@ export class WorldBase {
     if (this.#address !== 0) this.close();
   }
 
+  /** Ends the use of a world that the module has freed by itself. */
+  static disown(world: WorldBase): void {
+    world.engine.callbacks.forget(world.#address);
+    world.#address = 0;
+    world.freeRoom();
+  }
+
   /** Frees the memory of the module that a layer above this one keeps. */
   protected freeRoom(): void {}
 

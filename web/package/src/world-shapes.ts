@@ -119,7 +119,8 @@ export class WorldShapes extends WorldLists {
         throw explained(refused, "createTerrain", { ...options, terrain }, this.lengthScale);
       }
       this.shapesRevision++;
-      return shapeAt(slots, HandleAt.index1);
+      // Not those of before: the call may have made the memory grow, and they are then of the old one.
+      return shapeAt(this.engine.slots, HandleAt.index1);
     });
   }
 

@@ -55,7 +55,8 @@ export class Drag {
     this.#world = world;
     this.#place = place;
     const scale = world.lengthScale;
-    this.#options = { reach: 0.2 * scale, frequency: 5, strength: 400 * scale, mask: -1, ...options };
+    const { reach = 0.2 * scale, frequency = 5, strength = 400 * scale, mask = -1 } = options;
+    this.#options = { reach, frequency, strength, mask };
     const { signal } = this.#listening;
     const listen = (type: "pointerdown" | "pointermove" | "pointerup" | "pointercancel", act: (event: PointerEvent) => void) =>
       element.addEventListener(type, act, { signal });
@@ -88,7 +89,13 @@ export class Drag {
     const { frequency, strength } = this.#options;
     const spring = { frequency, damping: 1, springForce: strength * world.bodyStateOf(body).mass };
     const holder = world.createBody({ position: start });
-    const joint = world.createJoint({ kind: "target", bodyA: holder, bodyB: body, at: start, along: spring, across: spring, turn: TURN });
+    let joint;
+    try {
+      joint = world.createJoint({ kind: "target", bodyA: holder, bodyB: body, at: start, along: spring, across: spring, turn: TURN });
+    } catch (error) {
+      world.destroy(holder);
+      throw error;
+    }
     this.#holds.set(event.pointerId, { body, joint, holder, start });
     return true;
   }

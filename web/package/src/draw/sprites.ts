@@ -29,6 +29,7 @@ export class Sprites<Thing> {
    */
   add(body: BodyRef, thing: Thing): Thing {
     this.#world.positionOf(body);
+    if (this.#things.get(keyOf(body)) === thing) return thing;
     this.delete(body);
     this.#things.set(keyOf(body), thing);
     return thing;

@@ -155,8 +155,9 @@ export class RollbackPeers {
   constructor(options: RollbackPeersOptions) {
     const names = ["rollback", "players", "own", "host", "inputs", "depth", "delay", "end", "mesh", "send", "now"];
     checkOptions("peers", options, names);
+    const given = Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined));
     const rest = { host: 0, delay: 0, end: 0, mesh: false, send: () => {}, now: () => performance.now() };
-    this.#options = { ...rest, ...options };
+    this.#options = { ...rest, ...(given as RollbackPeersOptions & object) };
     const { players, own, host, inputs, delay } = this.#options;
     const isWhole = (value: number, least: number, most: number) =>
       Number.isInteger(value) && value >= least && value <= most;
@@ -322,7 +323,8 @@ export class RollbackPeers {
 
   /** It leaves at a step of which nobody has an input. */
   #announceLeave(player: number): void {
-    const step = Math.max(this.#end(player), endOf(this.#ahead.get(player)));
+    const pending = this.#pendingOf(player)?.step ?? 0;
+    const step = Math.max(this.#end(player), endOf(this.#ahead.get(player)), pending);
     this.#announce({ enters: false, player, step });
   }
 
@@ -377,7 +379,7 @@ export class RollbackPeers {
       const step = this.#end(own) + NOTICE;
       if (end > 0 && step >= end) continue;
       // How far it has come is known as late as a message takes, and of each few steps alone.
-      if (final < 0 || final + HASH_EVERY < rollback.steps - depth / 2 || !all.every(isKnown)) continue;
+      if (final < 0 || final + HASH_EVERY < rollback.steps - depth || !all.every(isKnown)) continue;
       this.#joining.delete(player);
       this.#announce({ enters: true, player, step });
     }
@@ -487,7 +489,14 @@ export class RollbackPeers {
 
   /** Adds the events that are not known; none where they contradict those that are, or cannot be. */
   #mergeEvents(first: number, events: readonly PlayerEvent[]): boolean {
-    const { rollback, own } = this.#options;
+    const { own } = this.#options;
+    const isNew = (i: number) => first + i >= this.#firstEvent + this.#events.length;
+    return events.every(({ player }, i) => player !== own || !isNew(i)) && this.#addEvents(first, events);
+  }
+
+  /** The same, also of the own player. */
+  #addEvents(first: number, events: readonly PlayerEvent[]): boolean {
+    const { rollback } = this.#options;
     const before = this.#events.length;
     const known = this.#firstEvent + before;
     const isAlike = ({ enters, player, step }: PlayerEvent, i: number) => {
@@ -495,11 +504,11 @@ export class RollbackPeers {
       return !event || (event.enters === enters && event.player === player && event.step === step);
     };
     let isPossible = first <= known && events.every(isAlike);
-    for (const event of isPossible ? events.slice(known - first) : []) {
+    for (const event of isPossible ? events.slice(Math.max(0, known - first)) : []) {
       const { enters, player, step } = event;
       const { gone } = this.#inputs[player];
       const least = enters ? Math.max(rollback.confirmed, this.isAbsent(player) ? gone : 0) : this.#end(player);
-      isPossible &&= player !== own && enters === this.#willBeAbsent(player);
+      isPossible &&= enters === this.#willBeAbsent(player);
       isPossible &&= step >= Math.max(least, this.#pendingOf(player)?.step ?? 0);
       this.#events.push(event);
     }
@@ -642,6 +651,10 @@ export class RollbackPeers {
     else {
       demand(number === this.#host && !mesh && (events.list.length === 0 || events.first <= known));
       demand(events.list.every(({ player, enters }) => player !== own || enters));
+      const before = this.#events.length;
+      const isPossible = events.list.length === 0 || this.#addEvents(events.first, events.list);
+      this.#events.length = before;
+      demand(isPossible);
     }
   }
 

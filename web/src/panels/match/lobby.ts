@@ -245,6 +245,8 @@ export class Lobby {
     // The scene gets back the size that it had before the match.
     if (this.#match) this.#app.state.size = this.#size;
     this.#match = null;
+    // A worker that still waits for the host's welcome gives it up.
+    this.#post({ lost: this.#host, over: true });
     this.#port?.close();
     this.#port = null;
     this.#app.player.pace = 1;
