@@ -449,6 +449,81 @@ test("what_no_player_can_say_is_refused_and_changes_nothing", async () => {
   match.close();
 });
 
+/** A rollback of an empty world. */
+function emptyRollback(depth, players) {
+  const world = engine.createWorld();
+  const idle = Array.from({ length: players }, () => 0);
+  return new thud.Rollback(world, { idle, step: () => world.step(), depth });
+}
+
+/** A round of one player. */
+function playOne(peers) {
+  peers.give(0);
+  peers.advance();
+  while (peers.isBehind && peers.advance());
+}
+
+test("impossible_events_of_a_host_are_refused_and_the_game_goes_on", () => {
+  const none = { from: 0, lead: 0, hashStep: -1, hash: 0n, time: null, acks: [] };
+  const runs = [0, 2].map((player) => ({ player, first: 0, inputs: new Uint8Array(10) }));
+  const leaves = (player, step) => ({ enters: false, player, step });
+  for (const list of [
+    [{ enters: true, player: 0, step: 20 }],
+    [leaves(0, 1)],
+    [leaves(2, 40), leaves(2, 45)],
+    [leaves(2, 0)],
+  ]) {
+    const rollback = emptyRollback(30, 3);
+    const peers = new RollbackPeers({ rollback, players: 3, own: 1, inputs: 4, depth: 30, now: null });
+    peers.connect(0);
+    peers.hear(0, writePacket({ ...none, events: { known: 0, first: 0, list: [] }, runs }));
+    for (let i = 0; i < 12; i++) playOne(peers);
+    peers.hear(0, writePacket({ ...none, events: { known: list.length, first: 0, list }, runs: [] }));
+    assert.equal(peers.refused, 1, JSON.stringify(list));
+    const before = rollback.steps;
+    for (let i = 0; i < 5; i++) playOne(peers);
+    assert.ok(rollback.steps > before, JSON.stringify(list));
+  }
+});
+
+test("host_goes_on_where_a_player_is_lost_that_was_told_to_enter", () => {
+  const [depth, delay] = [16, 8];
+  const options = { inputs: 4, delay, now: null };
+  let sent = [];
+  const back = [];
+  const host = new RollbackPeers({
+    ...options,
+    depth,
+    rollback: emptyRollback(depth, 2),
+    players: 2,
+    own: 0,
+    send: (_, bytes) => sent.push(bytes),
+  });
+  host.miss(1);
+  for (let i = 0; i < 120; i++) {
+    playOne(host);
+    host.tell();
+  }
+  const reader = new WelcomeReader();
+  for (const bytes of host.invite(1)) reader.hear(bytes);
+  const send = (_, bytes) => back.push(bytes);
+  const guest = RollbackPeers.join(reader, { ...options, rollback: emptyRollback(depth, 2), send });
+  let told = false;
+  for (let i = 0; i < 60 && !told; i++) {
+    sent = [];
+    playOne(host);
+    host.tell();
+    for (const bytes of sent) guest.hear(0, bytes);
+    playOne(guest);
+    guest.tell();
+    for (const bytes of back.splice(0)) host.hear(1, bytes);
+    told = sent.some((bytes) => readPacket(bytes, 2, 4)?.events?.list.some(({ enters }) => enters));
+  }
+  assert.ok(told, "it is told to enter");
+  host.lose(1);
+  for (let i = 0; i < 100; i++) playOne(host);
+});
+
 test("damaged_welcome_is_no_welcome", async () => {
   const match = await openMatch(2, 1);
   match.play(30);
