@@ -256,7 +256,8 @@ static void play_recorded(fuzz_session *s) {
          COUNTED(thud_player_get_keyframe(player, progress.end, &keyframe)) == THUD_OK &&
          keyframe == progress.first && COUNTED(thud_player_get_world(player, &played)) == THUD_OK &&
          thud_hash_of(played) == thud_hash_of(world) &&
-         COUNTED(thud_player_seek(player, progress.first)) == THUD_OK;
+         COUNTED(thud_player_seek(player, progress.first)) == THUD_OK &&
+         COUNTED(thud_recorder_salvage(recorder, &bytes)) == THUD_OK;
     if (!ok) {
         fuzz_fail(s, "a recording of a ball is not played");
     }

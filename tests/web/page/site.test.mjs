@@ -4,6 +4,13 @@ import { test } from "node:test";
 import { BROWSERS, DESKTOP, openVisitor, PHONE, runAxe } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
+/** Opens a page of the site, and waits until its buttons listen. */
+async function openSite(path, options = DESKTOP, prepare = null, browser = "chromium") {
+  const opened = await openVisitor({ browser }).open(`docs/${path}`, options, prepare);
+  await opened.page.waitForFunction(() => document.querySelector("#app")?.__vue_app__);
+  return opened;
+}
+
 /** Waits until an example has drawn bodies. */
 function untilDrawn(example) {
   const opaque = () =>
@@ -29,7 +36,7 @@ async function runOwn(page, example, code) {
 
 for (const browser of BROWSERS)
   test(`example_runs_is_changed_and_told_of_its_error_in_${browser}`, async () => {
-    const { page, errors, close } = await openVisitor({ browser }).open("docs/begin-javascript.html");
+    const { page, errors, close } = await openSite("begin-javascript.html", DESKTOP, null, browser);
     const example = page.locator(".live").first();
     await example.getByRole("button", { name: "Run" }).first().click();
     await untilDrawn(example);
@@ -43,7 +50,7 @@ for (const browser of BROWSERS)
 
 for (const name of ["chipmunk", "matter", "planck", "rapier"])
   test(`program_of_${name}_runs_beside_that_of_thud`, async () => {
-    const { page, errors, close } = await openVisitor().open(`docs/from-${name}.html`);
+    const { page, errors, close } = await openSite(`from-${name}.html`);
     for (const i of [0, 1]) {
       const example = page.locator(".live").nth(i);
       await example.getByRole("button", { name: "Run" }).first().click();
@@ -60,7 +67,7 @@ test("example_whose_engine_is_long_on_its_way_says_so_and_runs", async () => {
       await new Promise((done) => setTimeout(done, 7000));
       await route.continue();
     });
-  const { page, errors, close } = await openVisitor().open("docs/begin-javascript.html", DESKTOP, slow);
+  const { page, errors, close } = await openSite("begin-javascript.html", DESKTOP, slow);
   const example = page.locator(".live").first();
   await example.getByRole("button", { name: "Run" }).first().click();
   await example.locator(".live-loading").waitFor();
@@ -71,7 +78,7 @@ test("example_whose_engine_is_long_on_its_way_says_so_and_runs", async () => {
 });
 
 test("example_without_an_end_is_ended_and_its_code_can_be_changed", async () => {
-  const { page, errors, close } = await openVisitor().open("docs/begin-javascript.html");
+  const { page, errors, close } = await openSite("begin-javascript.html");
   const example = page.locator(".live").first();
   await example.getByRole("button", { name: "Change the code" }).click();
   await runOwn(page, example, "for (;;);");
@@ -83,7 +90,7 @@ test("example_without_an_end_is_ended_and_its_code_can_be_changed", async () => 
 });
 
 test("search_finds_a_word_and_its_page_is_opened_from_the_one_before", async () => {
-  const { page, errors, close } = await openVisitor().open("docs/begin-c.html");
+  const { page, errors, close } = await openSite("begin-c.html");
   await page.locator(".DocSearch-Button").click();
   await page.fill("#localsearch-input", "Batch");
   await page.locator(".result:has-text('Begin in Python')").first().click();
@@ -106,7 +113,7 @@ for (const [name, colorScheme, size] of [
 ])
   test(`axe_finds_nothing_serious_in_docs_${name || "index"}`, async () => {
     const options = { ...size, colorScheme, reducedMotion: "reduce" };
-    const { page, errors, close } = await openVisitor().open(`docs/${name}`, options);
+    const { page, errors, close } = await openSite(name, options);
     await page.waitForSelector(colorScheme === "dark" ? "html.dark .VPContent" : "html:not(.dark) .VPContent");
     assert.deepEqual(await runAxe(page), []);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
