@@ -145,7 +145,10 @@ static bool append_overlapping(thud_world *w, const td_proxy_set *set, const td_
         return w->def.broadphase->find[w->wide](set, &w->memory, &bounds, near_place, found, NULL);
     }
     for (int i = 0; i < set->ids.count; i++) {
-        td_push_int(found, td_int_at(&set->ids, i));
+        int shape = td_int_at(&set->ids, i);
+        if (shape != TD_NONE) { /* a body that was woken leaves holes */
+            td_push_int(found, shape);
+        }
     }
     return true;
 }

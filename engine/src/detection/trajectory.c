@@ -423,6 +423,7 @@ void td_toi_candidate_features(thud_world *w, const td_toi_candidate *e, double 
                                td_features *out) {
     td_trajectory a = td_trajectory_of(w, e->body[0]), b = td_trajectory_of(w, e->body[1]);
     double margin = (double)(TD_SPECULATIVE * w->length_scale);
+    out->contacts.count = 0; /* stays so where shapes are too far apart for the geometry */
     if (td_kind_is_line(td_shape_at(w, e->shape[0])->kind)) {
         out->origin = td_shape_proxy_at(w, e->shape[0])->center;
         thud_terrain ground = td_terrain_view(w, e->shape[0]);

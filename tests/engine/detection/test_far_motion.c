@@ -5,6 +5,7 @@
 #include "share.h"
 
 #include <thud/thud_detection.h>
+#include <thud/thud_make.h>
 
 enum { HEAPS = 1500, MOST = 16, RUNS = 12 };
 
@@ -175,10 +176,65 @@ static void nothing_is_passed_on_the_longest_way_in_any_broadphase(void **state)
     }
 }
 
+/* A body whose motion in a step is too long for the broadphase looks at all shapes, but not at the
+ * holes that a body leaves in the set of resting shapes when it is woken. */
+static void long_motion_passes_over_bodies_that_were_woken(void **state) {
+    (void)state;
+    thud_world_def def = thud_default_world_def();
+    def.detection = &thud_detection_swept;
+    def.gravity = (thud_vec2){0, 0};
+    thud_world *world = make_world(def);
+    thud_body_options ball = {.kind = THUD_BODY_DYNAMIC}, spin = ball;
+    thud_body_id balls[8];
+    for (int i = 0; i < 8; i++) {
+        balls[i] = thud_body_make(world, thud_circle_at(10 * i, 0, 0.5), &ball);
+    }
+    run(world, 60); /* all fall asleep */
+    spin.angular_velocity = 2e7f;
+    assert_true(thud_body_make(world, thud_obb_at(0, 20, 1, 0.5, 0), &spin).index1);
+    run(world, 5);
+    OK(thud_body_set_awake(world, balls[3], true));
+    run(world, 5);
+    thud_world_destroy(world);
+}
+
+/* Shapes over 1e15 units apart, which the geometry refuses, have no points of contact. */
+static void shapes_at_opposite_ends_of_the_world_have_no_contacts(void **state) {
+    (void)state;
+    for (int repeat = 0; repeat < 4; repeat++) {
+        thud_world_def def = thud_default_world_def();
+        def.length_scale = 1e6f;
+        def.gravity.y = -5e6f;
+        def.detection = &thud_detection_swept;
+        thud_world *world = make_world(def);
+        thud_body_def at = thud_default_body_def();
+        thud_shape_def shape = thud_default_shape_def();
+        thud_terrain line = {.kind = THUD_TERRAIN_FLAT};
+        thud_body_id ground;
+        at.position.x = 5.2e14;
+        OK(thud_body_create(world, &at, &ground));
+        OK(thud_shape_create_terrain(world, ground, &shape, &line, NULL));
+        for (int i = 0; i < 8; i++) {
+            double x = -5.2e14 + i * 4e5;
+            thud_body_options o = {.kind = THUD_BODY_DYNAMIC,
+                                   .velocity = {(float)(i * 7 % 11 - 5) * 1e7f, -1e7f},
+                                   .angular_velocity = (float)(i % 5)};
+            thud_body_make(world,
+                           i & 1 ? thud_circle_at(x, 1e6 + i % 3 * 7e5, 3e5)
+                                 : thud_obb_at(x, 1e6, 3e5, 2e5, 0.3),
+                           &o);
+        }
+        run(world, 200);
+        thud_world_destroy(world);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_is_driven_further_than_places_can_follow),
         cmocka_unit_test(nothing_is_passed_on_the_longest_way_in_any_broadphase),
+        cmocka_unit_test(long_motion_passes_over_bodies_that_were_woken),
+        cmocka_unit_test(shapes_at_opposite_ends_of_the_world_have_no_contacts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
