@@ -35,10 +35,6 @@ static double find_hit(const thud_ray_hit *hit, void *context) {
     return f->fn.cast(hit, f->context);
 }
 
-static bool keeps_queries(const thud_world *w) {
-    return w && w->recorder && w->recorder->options.queries;
-}
-
 /* ---- the first hit ---- */
 
 THUD_API thud_result thud_recorded_world_cast_ray(thud_world *world, const thud_ray *ray,
@@ -131,7 +127,7 @@ THUD_API thud_result thud_recorded_world_cast_shapes(thud_world *world,
 
 THUD_API thud_result thud_recorded_world_cast_ray_each(thud_world *world, const thud_ray *ray,
                                                        thud_cast_fn *fn, void *context) {
-    if (!fn || !keeps_queries(world)) {
+    if (!fn || !td_records_queries(world)) {
         return thud_world_cast_ray_each(world, ray, fn, context);
     }
     query_found f = {.fn.cast = fn, .context = context};
@@ -146,7 +142,7 @@ THUD_API thud_result thud_recorded_world_cast_ray_each(thud_world *world, const 
 THUD_API thud_result thud_recorded_world_cast_shape_each(thud_world *world,
                                                          const thud_shape_cast *cast,
                                                          thud_cast_fn *fn, void *context) {
-    if (!fn || !keeps_queries(world)) {
+    if (!fn || !td_records_queries(world)) {
         return thud_world_cast_shape_each(world, cast, fn, context);
     }
     query_found f = {.fn.cast = fn, .context = context};
@@ -162,7 +158,7 @@ THUD_API thud_result thud_recorded_world_overlap_shape(thud_world *world, thud_p
                                                        thud_geometry shape,
                                                        const thud_query_filter *filter,
                                                        thud_overlap_fn *fn, void *context) {
-    if (!fn || !keeps_queries(world)) {
+    if (!fn || !td_records_queries(world)) {
         return thud_world_overlap_shape(world, center, shape, filter, fn, context);
     }
     query_found f = {.fn.overlap = fn, .context = context};
@@ -178,7 +174,7 @@ THUD_API thud_result thud_recorded_world_overlap_aabb(thud_world *world, thud_po
                                                       thud_pos upper,
                                                       const thud_query_filter *filter,
                                                       thud_overlap_fn *fn, void *context) {
-    if (!fn || !keeps_queries(world)) {
+    if (!fn || !td_records_queries(world)) {
         return thud_world_overlap_aabb(world, lower, upper, filter, fn, context);
     }
     query_found f = {.fn.overlap = fn, .context = context};

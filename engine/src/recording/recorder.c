@@ -285,7 +285,7 @@ thud_result td_record_close(td_record_frame *frame, thud_result result) {
 
 void td_record_query(thud_world *w, int call, const void *const *args, const thud_ray_hit *hits,
                      int count) {
-    if (!w->recorder || !w->recorder->options.queries) {
+    if (!td_records_queries(w)) {
         return;
     }
     td_record_frame frame;

@@ -75,6 +75,10 @@ struct thud_recorder {
 void td_record_open(td_record_frame *frame, thud_world *w, int call, const void *const *args);
 /* Ends the frame. `result` is that of the call, and is returned. */
 thud_result td_record_close(td_record_frame *frame, thud_result result);
+/* Whether queries of the world are recorded; false for null. */
+static inline bool td_records_queries(const thud_world *w) {
+    return w && w->recorder && w->recorder->options.queries;
+}
 /* Records a query that has returned THUD_OK, and the `count` hits that it found, if queries are
  * recorded. */
 void td_record_query(thud_world *w, int call, const void *const *args, const thud_ray_hit *hits,

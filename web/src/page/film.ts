@@ -98,9 +98,10 @@ class Film {
     await this.hold(LATEST, () => this.#parts.reduce((sum, { size }) => sum + size, 0) > BEGUN);
   }
 
-  /** Ends the film, and returns it. May be called again. */
+  /** Ends the film, and returns it. */
   async end(): Promise<Blob> {
     this.#forget();
+    // The browser ends it by itself after an error.
     if (this.#recorder.state !== "inactive") this.#recorder.stop();
     await this.#ended;
     for (const track of this.#recorder.stream.getTracks()) track.stop();
@@ -165,8 +166,9 @@ async function play(
       tell(`Video: ${seconds(step - first)} of ${seconds(last - first)} s`);
     }
     await film.hold(LAST_PICTURE);
-  } finally {
+  } catch (error) {
     film.end().catch(() => {});
+    throw error;
   }
   return { video: await film.end(), ending: film.ending };
 }

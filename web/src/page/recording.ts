@@ -91,7 +91,7 @@ class Bar {
     this.#fork,
     this.#back,
   );
-  /** Whether calls are listed, also if it is not shown for now. */
+  /** Whether the visitor wants the calls listed; in a fork the list is hidden meanwhile. */
   #lists = false;
   /** The run whose first frame has come. */
   #begun = 0;
@@ -120,11 +120,12 @@ class Bar {
   #show(): void {
     const { recording } = this.#app.state;
     const forked = recording?.fork !== null;
+    const hidden = this.#element.hidden;
     this.#element.hidden = !recording;
     this.#fork.hidden = this.#callsButton.hidden = forked;
     this.#back.hidden = !forked;
     this.#name.textContent = forked ? "Fork" : "Recording";
-    this.#showCalls();
+    this.#showCalls(hidden !== this.#element.hidden);
   }
 
   /** Lists the calls, or no longer. */
@@ -133,18 +134,20 @@ class Bar {
     this.#showCalls();
   }
 
-  /** Shows the list where it belongs, and asks the worker for it. */
-  #showCalls(): void {
+  /** Shows the list where it belongs, and asks the worker for it. `changed`: the bar has appeared or
+   * disappeared. */
+  #showCalls(changed = false): void {
     const { recording } = this.#app.state;
     const plays = recording?.fork === null;
+    const { hidden } = this.#calls;
     this.#callsButton.setAttribute("aria-expanded", String(this.#lists));
     this.#calls.hidden = !plays || !this.#lists;
     if (plays) {
       void this.#app.client.ask("listCalls", { on: this.#lists }).catch(() => {});
       this.#app.refresh();
     }
-    // The bar or the list has appeared or disappeared: the page is laid out anew.
-    window.dispatchEvent(new Event("resize"));
+    // The page is laid out anew where the bar or the list has appeared or disappeared.
+    if (changed || hidden !== this.#calls.hidden) window.dispatchEvent(new Event("resize"));
   }
 
   #tellCalls({ step, calls }: Frame): void {

@@ -149,6 +149,7 @@ export class Session {
     this.broken = false;
   }
 
+  /** The step itself; `broken` says whether it has come to its end. */
   #makeStep(): void {
     if (this.#sought) this.#takeOver();
     const commands = this.#done;

@@ -155,9 +155,10 @@ export class RollbackPeers {
   constructor(options: RollbackPeersOptions) {
     const names = ["rollback", "players", "own", "host", "inputs", "depth", "delay", "end", "mesh", "send", "now"];
     checkOptions("peers", options, names);
+    // An option that is undefined counts as not given.
     const given = Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined));
     const rest = { host: 0, delay: 0, end: 0, mesh: false, send: () => {}, now: () => performance.now() };
-    this.#options = { ...rest, ...(given as RollbackPeersOptions & object) };
+    this.#options = { ...rest, ...(given as unknown as RollbackPeersOptions) };
     const { players, own, host, inputs, delay } = this.#options;
     const isWhole = (value: number, least: number, most: number) =>
       Number.isInteger(value) && value >= least && value <= most;
