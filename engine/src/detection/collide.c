@@ -20,6 +20,11 @@
 /* Bound of velocities, length/s or rad/s: below FLT_MAX, 3.4e38, so that the conversion is finite.
  */
 #define VELOCITY_MAX 3e38
+/* Least tangential inverse effective mass Ktt - Knt^2/Knn, as a share of Ktt. The difference
+ * cancels where a body's inertia is far below its mass times the square of its lever: down to 1e-12
+ * four digits of it are left, at 1e-16 none, so that friction would be any number, or infinite.
+ * With the greater value friction stops a part of the sliding only. */
+#define TANGENT_MIN 1e-12
 
 /* One of the two bodies. */
 typedef struct side {
@@ -168,7 +173,7 @@ typedef struct outcome {
  *   P1 = c / Knn                               along n: stops the approach without friction
  *   T = -(slide + Knt P1) / (Ktt - Knt^2/Knn)  along t: then stops the sliding, while
  *   A = -T Knt / Knn                           along n: keeps the normal speed
- * In the code: Knn inverse_mass, Knt mixed, P1 stop, T tangent, A along.
+ * In the code: Knn inverse_mass, Knt mixed, Ktt across, P1 stop, T tangent, A along.
  * The impulse is (1 + e) P1 along n, and the share of (A, T) that keeps |tangent| <= friction x
  * normal. No impact gains energy, even if normal and friction impulses are coupled by the rotation
  * of the bodies (Knt != 0). */
@@ -183,8 +188,9 @@ static outcome apply_collision(side *a, side *b, bool use_motion, const surface 
     double stop = closing / inverse_mass, normal = (1.0 + (bounced ? u->restitution : 0.0)) * stop;
     double mixed = inverse_mass_along(a, b, use_motion, u->nx, u->ny, tx, ty);
     double slide = speed_along(a, b, use_motion, tx, ty) - u->speed + mixed * stop;
-    double tangent = -slide / (inverse_mass_along(a, b, use_motion, tx, ty, tx, ty) -
-                               mixed * mixed / inverse_mass);
+    double across = inverse_mass_along(a, b, use_motion, tx, ty, tx, ty);
+    double tangent =
+        -slide / td_max_double(across - mixed * mixed / inverse_mass, TANGENT_MIN * across);
     double along = -tangent * mixed / inverse_mass; /* A */
     double part = 1.0, ratio = td_friction_ratio(u->friction, slide);
     if (td_abs(tangent) > ratio * (normal + along)) {

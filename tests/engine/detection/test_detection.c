@@ -3,6 +3,8 @@
  * that lost motion is counted. */
 #include "engine_support.h"
 
+#include <thud/thud_edits.h>
+
 static thud_world_def with(const thud_detection *detection, thud_world_def def) {
     def.detection = detection;
     return def;
@@ -379,6 +381,47 @@ static void sleeper_that_is_hit_by_a_swept_body_wakes(void **state) {
     thud_world_destroy(world);
 }
 
+/* Kinetic energy; the body is neither quarantined nor at a speed that is not finite. */
+static double energy_of(const thud_world *world, thud_body_id body) {
+    thud_body_state s = state_of(world, body);
+    double x = (double)s.velocity.x, y = (double)s.velocity.y, turn = (double)s.angular_velocity;
+    assert_true(isfinite(x + y + turn) && !s.quarantined);
+    return 0.5 * (double)s.mass * (x * x + y * y) + 0.5 * (double)s.inertia * turn * turn;
+}
+
+/* Boxes whose inertia is any share of their mass down to THUD_MASS_MIN meet static and dynamic ones
+ * at any angle: no impact gives energy, or a velocity that is not finite. */
+static void bodies_of_any_inertia_meet_without_gain(void **state) {
+    (void)state;
+    uint64_t seed = 88172645463325252u;
+    for (int i = 0; i < 1600; i++) {
+        thud_world *world =
+            make_world(with(i % 2 ? &thud_detection_swept : &thud_detection_bisect, weightless()));
+        thud_mass mass = {.mass = (float)pow(10, random_in(&seed, -6, 6))};
+        mass.inertia = fmaxf(mass.mass * (float)pow(10, -i / 2 % 40), THUD_MASS_MIN);
+        thud_shape_def def = thud_default_shape_def();
+        def.restitution = i % 3 ? 0 : (float)random_in(&seed, 0, 1);
+        thud_body_id box = add_body(world, THUD_BODY_DYNAMIC, 0, 0, random_in(&seed, 0, 3));
+        add_shape(world, box, 0.5f, 0.3f, false, &def);
+        bool rests = i % 5 == 0;
+        thud_body_id other = add_body(world, rests ? THUD_BODY_STATIC : THUD_BODY_DYNAMIC, 3,
+                                      random_in(&seed, -0.5, 0.5), random_in(&seed, 0, 3));
+        add_shape(world, other, 0.5f, 0.4f, false, &def);
+        OK(thud_body_set_mass(world, box, &mass));
+        if (i % 5 == 1) {
+            OK(thud_body_set_mass(world, other, &mass));
+        }
+        thud_vec2 velocity = {(float)random_in(&seed, 5, 60), (float)random_in(&seed, -5, 5)};
+        OK(thud_body_set_velocity(world, box, velocity, (float)random_in(&seed, -3, 3)));
+        double before = energy_of(world, box) + energy_of(world, other);
+        for (int step = 0; step < 30; step++) {
+            run(world, 1);
+            assert_true(energy_of(world, box) + energy_of(world, other) <= before * 1.001);
+        }
+        thud_world_destroy(world);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(swept_ball_bounces_between_walls_many_times_a_step),
@@ -393,6 +436,7 @@ int main(void) {
         cmocka_unit_test(names_tell_what_was_chosen),
         cmocka_unit_test(impact_within_a_step_asks_tells_and_hits),
         cmocka_unit_test(sleeper_that_is_hit_by_a_swept_body_wakes),
+        cmocka_unit_test(bodies_of_any_inertia_meet_without_gain),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
