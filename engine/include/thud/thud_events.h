@@ -33,7 +33,8 @@
  * Passing through: a shape that enters and leaves a sensor within one step is reported as begun and
  * ended if detection tests the motion: thud_detection_continuous tests bodies that pass sensors of
  * static bodies; thud_detection_bisect and thud_detection_swept test all bodies that move further
- * than half their smallest half extent in a step.
+ * than half their smallest half extent in a step. A pair that an edit ended before the step is
+ * reported as ended only.
  *
  * Times of sensor events: the time of a begin or end is that of the overlap within the step, exact
  * up to rounding where nothing rotates, if detection tests the motion of the pair: always under

@@ -11,8 +11,11 @@
 #include "contact/sensors.h"
 #include "detection/trajectory.h"
 #include "state/body.h"
+#include "state/handles.h"
 #include "state/kinds.h"
 #include "state/shape.h"
+
+#include <string.h>
 
 /* ---- paths ---- */
 
@@ -167,6 +170,19 @@ static bool was_open(const thud_world *w, int a, int b) {
     return open;
 }
 
+/* Whether an edit has ended the overlap before the step, so that its end is among the events
+ * already: these come first, at time 0. A begin and a second end would read as an overlap that
+ * ended and began again. */
+static bool has_ended(const thud_world *w, int sensor, int other) {
+    thud_contact_event pair = {td_shape_handle(w, sensor), td_shape_handle(w, other)};
+    const td_array *ends = &w->events.sensor_end, *times = &w->events.sensor_end_time;
+    bool ended = false;
+    for (int i = 0; i < ends->count && *TD_AT(float, times, i) == 0.0f && !ended; i++) {
+        ended = memcmp(TD_AT(thud_contact_event, ends, i), &pair, sizeof pair) == 0;
+    }
+    return ended;
+}
+
 /* Whether one of the shapes is a sensor. */
 static bool has_sensor(const thud_world *w, int a, int b) {
     return (td_shape_at(w, a)->flags | td_shape_at(w, b)->flags) & TD_SHAPE_SENSOR;
@@ -178,7 +194,10 @@ void td_sensing_test_pair(thud_world *w, int a, int b) {
         is_detected(w, a, b) && overlap_on_path(w, a, b, &from, &until) &&
         !td_sensor_overlaps(w, a, b) && !was_open(w, a, b)) {
         bool second = !(td_shape_at(w, a)->flags & TD_SHAPE_SENSOR);
-        td_sensor_passed(w, second ? b : a, second ? a : b, (float)from, (float)until);
+        int sensor = second ? b : a, other = second ? a : b;
+        if (!has_ended(w, sensor, other)) {
+            td_sensor_passed(w, sensor, other, (float)from, (float)until);
+        }
     }
 }
 

@@ -19,7 +19,7 @@ float td_sensing_time(const thud_world *w, int shape_a, int shape_b, bool begins
 /* sensing_awake.c: reports the pairs of a fast body with awake bodies. */
 void td_sensing_test_awake(thud_world *w, td_awake_slot slot);
 /* Reports the pair if one is a sensor and the two overlapped on their paths, but not at the start
- * and the end of the step. */
+ * and the end of the step, unless an edit ended an overlap of them before the step. */
 void td_sensing_test_pair(thud_world *w, int shape_a, int shape_b);
 /* Whether the body's path has one leg only: nothing stopped or turned it in this step. */
 bool td_sensing_is_straight(const thud_world *w, td_awake_slot slot);
