@@ -315,7 +315,9 @@ typedef struct thud_body_state {
     thud_vec2 velocity;     /* of the centre of mass, length/s */
     float angular_velocity; /* rad/s */
     float mass;    /* 0 for static and kinematic bodies; a dynamic body whose shapes have no mass
-                      has mass 1 */
+                      has mass 1. Shapes for which sqrt(mass * inertia) (the mass where rotation is
+                      fixed) would leave 2^-90..2^90, about 1e-27..1e27, weigh as if of another
+                      density */
     float inertia; /* about the centre of mass, mass * length^2; 0 for static and kinematic bodies,
                       and where rotation is fixed */
     float gravity_scale;

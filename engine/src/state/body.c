@@ -147,28 +147,33 @@ static void area_of(const td_shape *shape, double *area, double *moment) {
     td_kind_area(shape->kind, (double)shape->half_x, (double)shape->half_y, area, moment);
 }
 
-/* The greatest distance of a point of the shape from the shape's centre. */
+/* The greatest distance of a point of the shape from the shape's centre; of a circle, whose half_y
+ * is 0, its radius to the bit, since the root of a square is exact. */
 static float radius_of(const td_shape *shape) {
-    return td_kind_is_round(shape->kind)
-               ? shape->half_x
-               : __builtin_sqrtf(shape->half_x * shape->half_x + shape->half_y * shape->half_y);
+    return __builtin_sqrtf(shape->half_x * shape->half_x + shape->half_y * shape->half_y);
 }
 
 /* Sets the centre of mass to (x, y) in the body's frame. The pose stores the place of the centre of
  * mass, so it is moved as well: the body's origin stays where it is. */
 static void set_center(thud_world *w, td_body_index index, double x, double y) {
     td_body *body = td_body_at(w, index);
-    td_pose *pose = td_pose_at(w, index);
-    td_position origin = td_body_origin(w, index);
+    td_position from = td_body_origin(w, index), *center = &td_pose_at(w, index)->center;
     body->center_x = (float)x;
     body->center_y = (float)y;
-    pose->center = origin;
-    td_position offset = td_body_origin(w, index);
-    pose->center = (td_position){2 * origin.x - offset.x, 2 * origin.y - offset.y};
+    td_position to = td_body_origin(w, index);
+    center->x += from.x - to.x;
+    center->y += from.y - to.y;
 }
 
+/* Bounds of the weight of shapes, sqrt(mass * inertia). With lengths of 1e-10 to 1e10, those of the
+ * smallest and largest shapes in the caller's unit, mass and inertia then lie in 1e-38..1e37, where
+ * they and their inverses are finite as floats. Chosen, powers of two. */
+#define WEIGHT_MIN 0x1p-90
+#define WEIGHT_MAX 0x1p90
+
 /* Mass, inertia and centre of mass as the sums over the body's shapes (the parallel axis theorem);
- * zero for a body that is not dynamic. */
+ * zero for a body that is not dynamic. Beyond the bounds of weight both are scaled alike, as if the
+ * shapes had another density. */
 static void weigh_shapes(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     double mass = 0.0, mx = 0.0, my = 0.0, inertia = 0.0;
@@ -184,19 +189,21 @@ static void weigh_shapes(thud_world *w, td_body_index index) {
         my += density * area * y;
         inertia += density * (moment + area * (x * x + y * y));
     }
-    double cx = mass > 0.0 ? mx / mass : 0.0, cy = mass > 0.0 ? my / mass : 0.0;
-    inertia -= mass * (cx * cx + cy * cy);
-    if (dynamic && !(mass > 0.0)) {
+    if (!(mass > 0.0)) {
         mass = 1.0; /* without shapes or density it still falls */
     }
-    bool rotates = dynamic && inertia > 0.0 && !(body->flags & TD_BODY_FIXED) && !body->aabbs;
-    body->mass = (float)mass;
+    double cx = mx / mass, cy = my / mass;
+    inertia -= mass * (cx * cx + cy * cy);
+    bool rotates = inertia > 0.0 && !((body->flags & TD_BODY_FIXED) | body->aabbs);
+    double weight = rotates ? __builtin_sqrt(mass * inertia) : mass;
+    double share = td_clamp(weight, WEIGHT_MIN, WEIGHT_MAX) / weight;
+    mass *= share;
+    inertia *= share;
+    body->mass = dynamic ? (float)mass : 0.0f;
     body->inertia = rotates ? (float)inertia : 0.0f;
     body->inv_mass = dynamic ? (float)(1.0 / mass) : 0.0f;
     body->inv_inertia = rotates ? (float)(1.0 / inertia) : 0.0f;
-    if ((float)cx != body->center_x || (float)cy != body->center_y) {
-        set_center(w, index, cx, cy);
-    }
+    set_center(w, index, cx, cy);
 }
 
 /* Recomputes mass, inertia, centre of mass and extents from the body's shapes. */

@@ -132,6 +132,56 @@ static void column_solved_directly_does_not_sink(void **state) {
     assert_true(depth_of_column(&thud_quality_exact) < 1e-5);
 }
 
+/* The heaviest and largest, and the lightest and smallest bodies that shapes can make, in a column:
+ * they stay finite and turn, with a mass and an inertia of the same proportion as any other's. */
+static void bodies_of_any_weight_are_finite(void **state) {
+    (void)state;
+    const struct {
+        float scale, size, density;
+    } cases[] = {
+        {THUD_LENGTH_SCALE_MAX, THUD_SIZE_MAX, THUD_DENSITY_MAX},
+        {THUD_LENGTH_SCALE_MAX, THUD_SIZE_MAX, 1},
+        {THUD_LENGTH_SCALE_MAX, 100, 1},
+        {THUD_LENGTH_SCALE_MAX, 1, 1e-44f},
+        {1, THUD_SIZE_MAX, THUD_DENSITY_MAX},
+        {1, 1, 1e-26f},
+        {1, 1, 1e-44f},
+        {THUD_LENGTH_SCALE_MIN, 1, 1},
+        {THUD_LENGTH_SCALE_MIN, 1, 1e-30f},
+        {THUD_LENGTH_SCALE_MIN, THUD_SIZE_MIN, 1},
+        {THUD_LENGTH_SCALE_MIN, THUD_SIZE_MIN, 1e-40f},
+        {THUD_LENGTH_SCALE_MIN, THUD_SIZE_MIN, THUD_DENSITY_MAX},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases * 4; i++) {
+        thud_world_def def = thud_default_world_def_of(qualities[i % 4]);
+        double unit = exp2(floor(log2((double)cases[i / 4].scale)));
+        double r = (double)cases[i / 4].size * unit;
+        def.length_scale = cases[i / 4].scale;
+        def.gravity.y *= (float)unit;
+        thud_world *world = make_world(def);
+        thud_shape_def made = thud_default_shape_def();
+        made.density = cases[i / 4].density;
+        thud_terrain line = {.kind = THUD_TERRAIN_FLAT};
+        thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0), boxes[3];
+        OK(thud_shape_create_terrain(world, ground, &made, &line, NULL));
+        for (int k = 0; k < 3; k++) {
+            boxes[k] = add_body(world, THUD_BODY_DYNAMIC, 0.1 * k * r, (1.05 + 2.2 * k) * r, 0.1);
+            add_shape(world, boxes[k], (float)r, (float)r, false, &made);
+        }
+        run(world, 120);
+        for (int k = 0; k < 3; k++) {
+            thud_body_state s = state_of(world, boxes[k]);
+            assert_false(s.quarantined);
+            assert_true(s.mass > 0 && isfinite(s.mass) && s.inertia > 0 && isfinite(s.inertia));
+            near_to((double)s.inertia / (double)s.mass / (r * r), 2.0 / 3, 1e-4);
+            double mass = (double)made.density * 4 * r * r, weight = mass * r * sqrt(2.0 / 3);
+            double share = fmin(fmax(weight, 0x1p-90), 0x1p90) / weight;
+            near_to((double)s.mass / mass / share, 1, 1e-4);
+        }
+        thud_world_destroy(world);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ball_bounces_by_its_restitution),
@@ -141,6 +191,7 @@ int main(void) {
         cmocka_unit_test(column_of_thirty_stands_for_twenty_seconds),
         cmocka_unit_test(more_substeps_sink_less),
         cmocka_unit_test(column_solved_directly_does_not_sink),
+        cmocka_unit_test(bodies_of_any_weight_are_finite),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
