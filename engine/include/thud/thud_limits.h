@@ -85,11 +85,11 @@
 
 /* ---- geometry without a world, in the caller's own lengths ---- */
 
-#define THUD_COORDINATE_MAX                                                                      \
-    1e15                         /* |x|, |y| and extents of shapes, points, and target distances \
-                                  */
-#define THUD_VOLUME_MAX 1e16     /* the same of bounding volumes and Minkowski sums */
-#define THUD_TOLERANCE_MIN 1e-15 /* of a time of collision, as a fraction of the motion */
+/* |x|, |y| and extents of shapes, points, and target distances: no two places in a world are
+ * further apart, 2 * THUD_PLACE_MAX * THUD_LENGTH_SCALE_MAX. */
+#define THUD_COORDINATE_MAX 2e15
+#define THUD_VOLUME_MAX 1e16           /* the same of bounding volumes and Minkowski sums */
+#define THUD_TOLERANCE_MIN 1e-15       /* of a time of collision, as a fraction of the motion */
 #define THUD_POLYGON_PLACE_MAX 1e12    /* |x|, |y| of points */
 #define THUD_POLYGON_POINTS_MAX 256    /* points */
 #define THUD_POLYGON_AREA_MIN 1e-3     /* of the square of the larger of width and height */

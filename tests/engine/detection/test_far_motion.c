@@ -198,7 +198,8 @@ static void long_motion_passes_over_bodies_that_were_woken(void **state) {
     thud_world_destroy(world);
 }
 
-/* Shapes over 1e15 units apart, which the geometry refuses, have no points of contact. */
+/* Shapes that are as far from each other as a world allows, over 1e15 units, have no points of
+ * contact. */
 static void shapes_at_opposite_ends_of_the_world_have_no_contacts(void **state) {
     (void)state;
     for (int repeat = 0; repeat < 4; repeat++) {
@@ -229,12 +230,41 @@ static void shapes_at_opposite_ends_of_the_world_have_no_contacts(void **state) 
     }
 }
 
+/* A flat line has no end: a fast ball stops on it as far from its body as a world allows. */
+static void flat_line_stops_what_is_at_the_other_end_of_the_world(void **state) {
+    (void)state;
+    for (int i = 0; i < 3 * 2 * 2; i++) {
+        double x = i / 6 ? 5.2e14 : 1e14, slope = i / 3 % 2 * 1e-3;
+        thud_world_def def = thud_default_world_def();
+        def.length_scale = THUD_LENGTH_SCALE_MAX;
+        def.maximum_speed = 1e5f;
+        def.gravity.y = -5e6f;
+        def.detection = detections[i % 3];
+        thud_world *world = make_world(def);
+        thud_body_def at = thud_default_body_def();
+        thud_shape_def shape = thud_default_shape_def();
+        thud_terrain line = {.kind = THUD_TERRAIN_FLAT, .slope = slope};
+        thud_body_id ground;
+        at.position.x = x;
+        OK(thud_body_create(world, &at, &ground));
+        OK(thud_shape_create_terrain(world, ground, &shape, &line, NULL));
+        thud_body_options down = {.kind = THUD_BODY_DYNAMIC, .velocity = {1e6f, -1e9f}};
+        thud_body_id ball =
+            thud_body_make(world, thud_circle_at(-x, 3e6 - slope * 2 * x, 3e5), &down);
+        run(world, 200);
+        thud_pos p = state_of(world, ball).position;
+        near_to((p.y - slope * (p.x - x)) / 3e5, 1, 0.01);
+        thud_world_destroy(world);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_is_driven_further_than_places_can_follow),
         cmocka_unit_test(nothing_is_passed_on_the_longest_way_in_any_broadphase),
         cmocka_unit_test(long_motion_passes_over_bodies_that_were_woken),
         cmocka_unit_test(shapes_at_opposite_ends_of_the_world_have_no_contacts),
+        cmocka_unit_test(flat_line_stops_what_is_at_the_other_end_of_the_world),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -354,9 +354,9 @@ static void times_on_random_ground_are_the_first(void **state) {
 
 static void what_is_no_capsule_is_refused_and_changes_nothing(void **state) {
     (void)state;
-    const thud_capsule bad[] = {{NAN, 0, 1, 1, 1}, {0, INFINITY, 1, 1, 1}, {0, 0, 2e15, 1, 1},
+    const thud_capsule bad[] = {{NAN, 0, 1, 1, 1}, {0, INFINITY, 1, 1, 1}, {0, 0, 4e15, 1, 1},
                                 {0, 0, 1, NAN, 1}, {0, 0, 1, 1, 0},        {0, 0, 1, 1, -1},
-                                {0, 0, 1, 1, NAN}, {0, 0, 1, 1, 2e15}};
+                                {0, 0, 1, 1, NAN}, {0, 0, 1, 1, 4e15}};
     const thud_capsule good = {0, 0, 1, 1, 1};
     const thud_geometry ball = thud_circle_at(5, 0, 1), box = thud_aabb_at(0, 0, 1, 1),
                         flat_box = thud_aabb_at(0, 0, 1, 0);
@@ -390,7 +390,7 @@ static void what_is_no_capsule_is_refused_and_changes_nothing(void **state) {
     INVALID(thud_terrain_capsule_time_of_impact(&ground, &good, STILL, INFINITY, &hit, &time));
     INVALID(thud_capsule_of_motion(&box, STILL, &out));
     INVALID(thud_capsule_of_motion(&ball, broken, &out));
-    INVALID(thud_capsule_of_motion(&ball, (thud_motion){1e15, 0, 0}, &out));
+    INVALID(thud_capsule_of_motion(&ball, (thud_motion){THUD_COORDINATE_MAX, 0, 0}, &out));
     assert_int_equal(thud_capsule_check(NULL), THUD_ERROR_NULL);
     assert_int_equal(thud_capsule_closest(NULL, &ball, &c), THUD_ERROR_NULL);
     assert_int_equal(thud_capsules_closest(&good, NULL, &c), THUD_ERROR_NULL);
