@@ -58,6 +58,16 @@ static inline int32_t td_wrap_sub(int32_t a, int32_t b) {
     return (int32_t)((uint32_t)a - (uint32_t)b);
 }
 
+/* The same modulo 2^64, for positions: a body that leaves their range, 2^31 L, comes in again at
+ * the other end. */
+TD_INLINE_SMALL int64_t td_wrap_add64(int64_t a, int64_t b) {
+    return (int64_t)((uint64_t)a + (uint64_t)b);
+}
+
+TD_INLINE_SMALL int64_t td_wrap_sub64(int64_t a, int64_t b) {
+    return (int64_t)((uint64_t)a - (uint64_t)b);
+}
+
 /* A coordinate of a position in bounds quanta, rounded down and wrapped. */
 static inline int32_t td_coarse(int64_t position) {
     return (int32_t)(uint32_t)(uint64_t)(position >> TD_COARSE_SHIFT);

@@ -66,7 +66,8 @@ bool td_pair_meets(const thud_world *w, int a, int b) {
     }
     const td_position *p = &td_shape_proxy_at(w, a)->center, *q = &td_shape_proxy_at(w, b)->center;
     /* A quarter of the range of the 32-bit coarse coordinates. */
-    int64_t limit = (int64_t)1 << (30 + TD_COARSE_SHIFT), x = p->x - q->x, y = p->y - q->y;
+    int64_t limit = (int64_t)1 << (30 + TD_COARSE_SHIFT), x = td_wrap_sub64(p->x, q->x),
+            y = td_wrap_sub64(p->y, q->y);
     return !w->vast || (x < limit && x > -limit && y < limit && y > -limit);
 }
 

@@ -222,8 +222,8 @@ void td_hold_at(thud_world *w, td_awake_slot slot, double time) {
         double gain = (double)((float)(w->substeps * remaining) * substep_gain[k]);
         velocity[k] = td_velocity_without_gain(w, k, velocity[k], gain);
     }
-    pose.center.x += td_length_from(w, delta[0]);
-    pose.center.y += td_length_from(w, delta[1]);
+    pose.center.x = td_wrap_add64(pose.center.x, td_length_from(w, delta[0]));
+    pose.center.y = td_wrap_add64(pose.center.y, td_length_from(w, delta[1]));
     pose.angle += td_angle_between((double)delta[2]);
     td_angle_turn(pose.angle, &pose.c, &pose.s);
     *td_pose_at(w, body) = pose;
@@ -242,8 +242,8 @@ static bool begin_sweep(sweep *s, thud_world *w, td_awake_slot slot, td_array *h
     s->hits = hits;
     s->memory = memory;
     td_position end = td_pose_at(w, s->body)->center;
-    s->swept.start =
-        (td_position){end.x - td_length_from(w, delta[0]), end.y - td_length_from(w, delta[1])};
+    s->swept.start = (td_position){td_wrap_sub64(end.x, td_length_from(w, delta[0])),
+                                   td_wrap_sub64(end.y, td_length_from(w, delta[1]))};
     s->swept.bounds = swept_bounds(s, end);
     s->swept.far = false;
     return find_obstacles(s);

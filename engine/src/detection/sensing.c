@@ -46,8 +46,8 @@ static td_trajectory trajectory_at(const thud_world *w, td_body_index body, doub
         trajectory = leg->trajectory;
     } else if (slot.at > 0 && first_leg(w, slot) == TD_NONE) {
         const float *delta = td_row(&w->delta, slot);
-        trajectory.place.x -= td_length_from(w, delta[0]);
-        trajectory.place.y -= td_length_from(w, delta[1]);
+        trajectory.place.x = td_wrap_sub64(trajectory.place.x, td_length_from(w, delta[0]));
+        trajectory.place.y = td_wrap_sub64(trajectory.place.y, td_length_from(w, delta[1]));
         trajectory.angle -= td_angle_between((double)delta[2]);
         for (int k = 0; k < 3; k++) {
             trajectory.motion[k] = (double)delta[k];
@@ -219,8 +219,8 @@ static double path_reach(const thud_world *w, td_awake_slot slot) {
     double distance_max = 0.0;
     for (double now = 0.0; now < 1.0; now = leg_end_at(w, body, now)) {
         td_position place = trajectory_at(w, body, now).place;
-        distance_max = td_max_double(distance_max, td_abs((double)(place.x - end.x)));
-        distance_max = td_max_double(distance_max, td_abs((double)(place.y - end.y)));
+        distance_max = td_max_double(distance_max, td_abs((double)td_wrap_sub64(place.x, end.x)));
+        distance_max = td_max_double(distance_max, td_abs((double)td_wrap_sub64(place.y, end.y)));
     }
     return distance_max / w->to_fixed + (double)td_row(&w->reach, slot)[1];
 }

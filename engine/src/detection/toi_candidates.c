@@ -62,8 +62,8 @@ static td_far_bounds bounds_at_start(const thud_world *w, int shape) {
     td_position p = td_pose_at(w, body)->center;
     if (slot.at > 0) {
         const float *delta = td_row(&w->delta, slot);
-        p.x -= td_length_from(w, delta[0]);
-        p.y -= td_length_from(w, delta[1]);
+        p.x = td_wrap_sub64(p.x, td_length_from(w, delta[0]));
+        p.y = td_wrap_sub64(p.y, td_length_from(w, delta[1]));
     }
     return (td_far_bounds){(double)td_unwrap(b->min_x, p.x), (double)td_unwrap(b->min_y, p.y),
                            (double)td_unwrap(b->max_x, p.x), (double)td_unwrap(b->max_y, p.y)};
@@ -107,8 +107,8 @@ static double half_extent_quanta(const thud_world *w, double length) {
  * td_placed_bounds. */
 static void widen(const thud_world *w, const thud_geometry *p, td_position origin, double slack,
                   td_far_bounds *b) {
-    double x = (double)((origin.x + td_round64(p->x * w->to_fixed)) >> TD_COARSE_SHIFT);
-    double y = (double)((origin.y + td_round64(p->y * w->to_fixed)) >> TD_COARSE_SHIFT);
+    double x = (double)(td_wrap_add64(origin.x, td_round64(p->x * w->to_fixed)) >> TD_COARSE_SHIFT);
+    double y = (double)(td_wrap_add64(origin.y, td_round64(p->y * w->to_fixed)) >> TD_COARSE_SHIFT);
     double half_x = half_extent_quanta(w, td_half_along(p, 1.0, 0.0) + slack);
     double half_y = half_extent_quanta(w, td_half_along(p, 0.0, 1.0) + slack);
     b->min_x = td_min_double(b->min_x, x - half_x);

@@ -29,8 +29,8 @@ void td_trajectory_begin(thud_world *w, td_awake_slot slot, bool moved) {
     td_position place = pose->center;
     uint32_t angle = pose->angle;
     if (moved) {
-        place.x -= td_length_from(w, delta[0]);
-        place.y -= td_length_from(w, delta[1]);
+        place.x = td_wrap_sub64(place.x, td_length_from(w, delta[0]));
+        place.y = td_wrap_sub64(place.y, td_length_from(w, delta[1]));
         angle -= td_angle_between((double)delta[2]);
     }
     *td_trajectory_at(w, slot) =
@@ -74,8 +74,8 @@ static double path_along(const td_trajectory *f, int axis, double time) {
 td_pose td_start_pose(const thud_world *w, td_awake_slot slot) {
     td_pose pose = *td_pose_at(w, td_body_of(w, slot));
     const float *delta = td_row(&w->delta, slot);
-    pose.center.x -= td_length_from(w, delta[0]);
-    pose.center.y -= td_length_from(w, delta[1]);
+    pose.center.x = td_wrap_sub64(pose.center.x, td_length_from(w, delta[0]));
+    pose.center.y = td_wrap_sub64(pose.center.y, td_length_from(w, delta[1]));
     pose.angle -= td_angle_between((double)delta[2]);
     return pose;
 }
@@ -110,8 +110,8 @@ void td_held_count(thud_world *w, td_awake_slot slot, double time) {
 
 void td_trajectory_advance(thud_world *w, td_trajectory *f, double time) {
     td_leg_note(w, f, time);
-    f->place.x += td_round64(path_along(f, 0, time) * w->to_fixed);
-    f->place.y += td_round64(path_along(f, 1, time) * w->to_fixed);
+    f->place.x = td_wrap_add64(f->place.x, td_round64(path_along(f, 0, time) * w->to_fixed));
+    f->place.y = td_wrap_add64(f->place.y, td_round64(path_along(f, 1, time) * w->to_fixed));
     f->angle = angle_at(f, time);
     f->motion[0] += f->fall[0] * (time - f->since);
     f->motion[1] += f->fall[1] * (time - f->since);
@@ -123,9 +123,11 @@ void td_trajectory_displacement(const thud_world *w, const td_trajectory *f, dou
     td_awake_slot slot = td_body_at(w, f->body)->awake;
     const td_pose *pose = td_pose_at(w, f->body); /* the end of the solver's motion */
     const float *delta = td_row(&w->delta, slot);
-    displacement[0] = (double)delta[0] + (double)(f->place.x - pose->center.x) / w->to_fixed +
+    displacement[0] = (double)delta[0] +
+                      (double)td_wrap_sub64(f->place.x, pose->center.x) / w->to_fixed +
                       path_along(f, 0, time);
-    displacement[1] = (double)delta[1] + (double)(f->place.y - pose->center.y) / w->to_fixed +
+    displacement[1] = (double)delta[1] +
+                      (double)td_wrap_sub64(f->place.y, pose->center.y) / w->to_fixed +
                       path_along(f, 1, time);
     displacement[2] = (double)delta[2] + f->motion[2] * (time - f->since) +
                       (double)(int32_t)(f->angle - pose->angle) * TD_RADIANS_A_QUANTUM;
@@ -146,10 +148,10 @@ thud_geometry td_trajectory_shape(const thud_world *w, const td_trajectory *f, i
     float c, s;
     td_angle_turn(angle_at(f, time), &c, &s);
     thud_geometry p = {.kind = (thud_shape_kind)shape->kind,
-                       .x = (double)(f->place.x - origin.x) / w->to_fixed + path_along(f, 0, time) +
-                            (double)(c * shape->arm_x - s * shape->arm_y),
-                       .y = (double)(f->place.y - origin.y) / w->to_fixed + path_along(f, 1, time) +
-                            (double)(s * shape->arm_x + c * shape->arm_y),
+                       .x = (double)td_wrap_sub64(f->place.x, origin.x) / w->to_fixed +
+                            path_along(f, 0, time) + (double)(c * shape->arm_x - s * shape->arm_y),
+                       .y = (double)td_wrap_sub64(f->place.y, origin.y) / w->to_fixed +
+                            path_along(f, 1, time) + (double)(s * shape->arm_x + c * shape->arm_y),
                        .c = 1.0,
                        .hx = (double)shape->half_x,
                        .hy = (double)shape->half_y};
@@ -314,8 +316,8 @@ bool td_toi_candidate_is_far(thud_world *w, const td_toi_candidate *e) {
         return false;
     }
     td_trajectory a = td_trajectory_of(w, e->body[0]), b = td_trajectory_of(w, e->body[1]);
-    double x = (double)(b.place.x - a.place.x) / w->to_fixed;
-    double y = (double)(b.place.y - a.place.y) / w->to_fixed;
+    double x = (double)td_wrap_sub64(b.place.x, a.place.x) / w->to_fixed;
+    double y = (double)td_wrap_sub64(b.place.y, a.place.y) / w->to_fixed;
     double mx = path_along(&b, 0, 1.0) - path_along(&a, 0, 1.0);
     double my = path_along(&b, 1, 1.0) - path_along(&a, 1, 1.0);
     double reach =

@@ -58,8 +58,8 @@ static void quarantine(thud_world *w, td_body_index index) {
 /* Adds a motion to the pose of one body. */
 static void move(thud_world *w, td_body_index index, const float *delta) {
     td_pose *pose = td_pose_at(w, index);
-    pose->center.x += td_length_from(w, delta[0]);
-    pose->center.y += td_length_from(w, delta[1]);
+    pose->center.x = td_wrap_add64(pose->center.x, td_length_from(w, delta[0]));
+    pose->center.y = td_wrap_add64(pose->center.y, td_length_from(w, delta[1]));
     if (delta[2] != 0.0f) {
         pose->angle += td_angle_between((double)delta[2]);
         td_angle_turn(pose->angle, &pose->c, &pose->s);

@@ -101,8 +101,8 @@ static int32_t coarse_reach(const thud_world *w, double length) {
 td_bounds td_placed_bounds(const thud_world *w, const thud_geometry *p, td_position origin,
                            double slack) {
     double x = td_half_along(p, 1.0, 0.0), y = td_half_along(p, 0.0, 1.0);
-    td_position center = {origin.x + td_round64(p->x * w->to_fixed),
-                          origin.y + td_round64(p->y * w->to_fixed)};
+    td_position center = {td_wrap_add64(origin.x, td_round64(p->x * w->to_fixed)),
+                          td_wrap_add64(origin.y, td_round64(p->y * w->to_fixed))};
     return td_bounds_about(center, coarse_reach(w, x + slack), coarse_reach(w, y + slack));
 }
 
@@ -178,8 +178,8 @@ thud_geometry td_shape_instance_of(const thud_world *w, int index, const td_shap
                                    td_position origin) {
     const td_shape *shape = td_shape_at(w, index);
     return (thud_geometry){.kind = (thud_shape_kind)shape->kind,
-                           .x = (double)(proxy->center.x - origin.x) / w->to_fixed,
-                           .y = (double)(proxy->center.y - origin.y) / w->to_fixed,
+                           .x = (double)td_wrap_sub64(proxy->center.x, origin.x) / w->to_fixed,
+                           .y = (double)td_wrap_sub64(proxy->center.y, origin.y) / w->to_fixed,
                            .c = (double)proxy->c,
                            .s = (double)proxy->s,
                            .hx = (double)shape->half_x,

@@ -258,6 +258,32 @@ static void flat_line_stops_what_is_at_the_other_end_of_the_world(void **state) 
     }
 }
 
+/* A body that flies over the end of the range of positions comes in at the other end, without an
+ * addition that overflows: undefined, which builds with sanitizers stop at. */
+static void body_that_leaves_the_range_of_positions_comes_in_at_the_other_end(void **state) {
+    (void)state;
+    for (int d = 0; d < 3; d++) {
+        thud_world_def def = weightless();
+        def.time_step = 1;
+        def.maximum_speed = THUD_SPEED_MAX;
+        def.detection = detections[d];
+        thud_world *world = make_world(def);
+        thud_body_options flies = {.kind = THUD_BODY_DYNAMIC, .velocity = {1e6f, 0}};
+        thud_body_options stays = {.kind = THUD_BODY_STATIC}, senses = stays;
+        senses.sensor = true;
+        thud_body_id last = {0, 0};
+        for (int i = 0; i < 3; i++) {
+            thud_body_make(world, thud_circle_at(1e9 - 10 * i, 0, 0.5), &flies);
+            last = thud_body_make(world, thud_obb_at(1e9 - 10 * i, 3, 0.5, 0.5, 0.2), &flies);
+            thud_body_make(world, thud_aabb_at(9e8 * (i - 1), 0, 1, 1), &stays);
+            thud_body_make(world, thud_aabb_at(9e8 * (i - 1), 5, 1, 1), &senses);
+        }
+        run(world, 1200);
+        near_to(state_of(world, last).position.x, 1e9 + 1.2e9 - 0x1p32, 100);
+        thud_world_destroy(world);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_is_driven_further_than_places_can_follow),
@@ -265,6 +291,7 @@ int main(void) {
         cmocka_unit_test(long_motion_passes_over_bodies_that_were_woken),
         cmocka_unit_test(shapes_at_opposite_ends_of_the_world_have_no_contacts),
         cmocka_unit_test(flat_line_stops_what_is_at_the_other_end_of_the_world),
+        cmocka_unit_test(body_that_leaves_the_range_of_positions_comes_in_at_the_other_end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
