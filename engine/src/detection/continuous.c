@@ -289,11 +289,11 @@ static void stop_at_first_hit(thud_world *w, td_awake_slot slot) {
     }
 }
 
-/* Reserves memory for the hits of a query. A query reserves room as if every shape of the ranges
- * that it scans were a hit, rounded up to whole lanes. */
+/* Reserves memory for the hits of a query, which has a hit a shape at most, and reserves as much
+ * again (reserve_hits of wide_scan.h). */
 static bool reserve(thud_world *w) {
     return td_held_reserve(w) && td_array_reserve(&w->memory, &w->scratch.ahead,
-                                                  3 * w->rest_shapes.ids.count + 4 * TD_LANES);
+                                                  2 * w->rest_shapes.ids.count + 4 * TD_LANES);
 }
 
 /* Stops the fast bodies of this detection; see td_detection_stage. */

@@ -286,13 +286,12 @@ static void link_legs(thud_world *w) {
     }
 }
 
-/* scratch.ahead gets room for the hits of a query, which reserves room as if every shape of the
- * ranges that it scans were a hit. */
+/* scratch.ahead gets room for the hits of a query, as continuous.c reserves it. */
 bool td_sensing_reserve(thud_world *w) {
     return td_array_reserve(&w->memory, &w->scratch.first_legs, w->body_of.count) &&
            td_array_reserve(&w->memory, &w->scratch.legs, w->body_of.count) &&
            td_array_reserve(&w->memory, &w->scratch.ahead,
-                            3 * w->rest_shapes.ids.count + 4 * TD_LANES);
+                            2 * w->rest_shapes.ids.count + 4 * TD_LANES);
 }
 
 void td_sensing_note_held(thud_world *w) {
