@@ -296,6 +296,26 @@ def wrong():
         {"firstgid": 50, "source": "tiles/missing.tsx"}])
 
 
+def far():
+    """Objects and tiles that are too far away or too large for the engine, each by one of its
+    ranges, and two boxes that are not. A unit is a thousandth of a pixel."""
+    objects = Objects()
+    objects.add(0, 0, width=10, height=10)
+    objects.add(999900, 0, width=10, height=10, custom={"body": "dynamic"})
+    objects.add(2e6, 0, width=10, height=10)
+    objects.add(0, 0, width=40, height=10)
+    objects.add(0, 0, polygon=points((20, 0), (24, 0), (24, 8), (22, 8), (22, 4), (20, 4)))
+    objects.add(0, 0, polyline=points((0, 0), (2e6, 0)))
+    objects.add(0, -2e6, polyline=points((0, 0), (40, 0)))
+    objects.add(0, 3e6, point=True, type="spawn")
+    objects.add(2e6, 0, gid=STONE, width=10, height=10)
+    joint(objects, "distance", 0, 0, 1, 2, polyline=points((0, 0), (1500, 0)))
+    joint(objects, "hinge", 1000500, 0, b=2)
+    stone = {**tile_layer([STONE], 1, 1), "offsetx": 2e6}
+    return map_of([object_layer(objects), stone], pixels_per_unit=0.001, length_scale=1.5,
+                  tilesets=[{"firstgid": 1, "source": "tiles/ground.tsx"}])
+
+
 def joint(objects, kind, x, y, a=None, b=None, **rest):
     """Adds a joint between two objects, by their ids; returns the id of the joint's object."""
     custom = rest.pop("custom", {})
@@ -416,7 +436,8 @@ def write_xml(name, content):
 
 def main():
     maps = {"shapes": shapes(), "hills": hills(), "props": props(), "infinite": infinite_map(),
-            "unmarked": unmarked(), "wrong": wrong(), "polygons": polygons(), "joints": joints(), "loose": loose(), "csv": packed_map(None)}
+            "unmarked": unmarked(), "wrong": wrong(), "far": far(), "polygons": polygons(),
+            "joints": joints(), "loose": loose(), "csv": packed_map(None)}
     for packing in PACKINGS:
         maps[packing or "base64"] = packed_map(packing)
     for name, content in maps.items():

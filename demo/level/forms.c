@@ -2,6 +2,8 @@
  * and scaled, and adds bodies with their shapes to the scene. */
 #include "reader.h"
 
+#include <thud/thud_limits.h>
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,8 +11,9 @@
 /* Radians per degree. */
 static const double RADIANS = 0.017453292519943295;
 
-/* Min and max of the half extents that are read, in length scales: within the engine's
- * (THUD_SIZE_MIN, THUD_SIZE_MAX), with a margin for rounding to float. */
+/* Min and max of the half extents that are read, and max of a shape's offset from its body, in
+ * length scales: within the engine's (THUD_SIZE_MIN, THUD_SIZE_MAX), with a margin for rounding to
+ * float. */
 static const double SMALLEST = 2e-4;
 static const double LARGEST = 16000;
 
@@ -188,14 +191,39 @@ bool level_form_scale(const level_values *v, level_form *form, double sx, double
 
 /* ---- limits of the engine ---- */
 
-/* Whether the size of a box or circle is in the engine's range. False after a report. */
+bool level_place_fits(const level_reader *r, double x, double y) {
+    return fabs(x) <= THUD_PLACE_MAX * r->unit && fabs(y) <= THUD_PLACE_MAX * r->unit;
+}
+
+/* Whether the size of a box or circle, and its offset from its body, are in the engine's range.
+ * False after a report. */
 static bool size_fits(const level_reader *r, const level_values *v, const level_form *form) {
     double hx = form->hx / r->pixels_per_unit, hy = form->hy / r->pixels_per_unit;
-    double low = SMALLEST * r->s->length_scale, high = LARGEST * r->s->length_scale;
-    if (hx >= low && hy >= low && hx <= high && hy <= high)
+    double x = form->x / r->pixels_per_unit, y = form->y / r->pixels_per_unit;
+    double low = SMALLEST * r->unit, high = LARGEST * r->unit;
+    bool fits = hx >= low && hy >= low && hx <= high && hy <= high;
+    if (!fits)
+        level_complain(v, LEVEL_SKIP, "its size, %g by %g units, is out of range", 2 * hx, 2 * hy);
+    else if (fabs(x) > high || fabs(y) > high)
+        level_complain(v, LEVEL_SKIP, "a shape is further from its body than 16000 length scales");
+    else
         return true;
-    level_complain(v, LEVEL_SKIP, "its size, %g by %g units, is out of range", 2 * hx, 2 * hy);
     return false;
+}
+
+/* Whether the vertices of a line are in the engine's range. False after a report. */
+static bool vertices_fit(const level_reader *r, const level_values *v, const level_form *form) {
+    for (int i = 0; i < form->count; i++) {
+        double x = form->points[i].x / r->pixels_per_unit;
+        double y = form->points[i].y / r->pixels_per_unit;
+        if (fabs(x) <= THUD_TERRAIN_PLACE_MAX && fabs(y) <= THUD_TERRAIN_PLACE_MAX)
+            continue;
+        level_complain(v, LEVEL_SKIP,
+                       "its line is too long: no vertex may be further from its object's place "
+                       "than 1e9 units");
+        return false;
+    }
+    return true;
 }
 
 /* Reverses a line that runs from right to left. False, after a report, if its x do not increase
@@ -246,7 +274,7 @@ static bool is_approximated(const level_physics *physics, level_forms *forms, in
 
 /* The smallest half extent that the engine takes, pixels. */
 static double smallest(const level_reader *r) {
-    return SMALLEST * r->s->length_scale * r->pixels_per_unit;
+    return SMALLEST * r->unit * r->pixels_per_unit;
 }
 
 /* Prepares one form, see level_forms_settle. False if the form has to be removed. */
@@ -271,7 +299,7 @@ static bool settle(const level_reader *r, const level_values *v, const level_phy
         level_complain(v, LEVEL_SKIP, "a line is terrain, which is static");
         return false;
     }
-    return line_fits(r, v, form);
+    return vertices_fit(r, v, form) && line_fits(r, v, form);
 }
 
 void level_forms_settle(const level_reader *r, const level_values *v, const level_physics *physics,
@@ -305,6 +333,11 @@ static scene_body *add_body(level_reader *r, const level_physics *physics, uint3
     if (id != 0)
         level_place_body(r, id, rotation);
     return body;
+}
+
+/* Whether a body may be at (x, y) pixels. */
+static bool pixels_fit(const level_reader *r, double x, double y) {
+    return level_place_fits(r, x / r->pixels_per_unit, (r->map_height - y) / r->pixels_per_unit);
 }
 
 /* Adds the body of a line; (x, y) is the place of the object's body. */
@@ -348,21 +381,31 @@ static void add_box_or_circle(level_reader *r, const level_physics *physics, con
     level_apply_shape(&form->physics, shape);
 }
 
-void level_add_body(level_reader *r, const level_physics *physics, uint32_t id,
+bool level_add_body(level_reader *r, const level_physics *physics, uint32_t id,
                     const level_forms *forms, bool solid_below, double x, double y,
                     double degrees) {
     double c, s, rotation = level_turn(degrees, &c, &s);
-    bool any = false;
+    bool any = false, fits = pixels_fit(r, x, y), all_fit = true;
     for (int i = 0; i < forms->count; i++) {
         const level_form *form = &forms->items[i];
         if (form->points)
+            continue;
+        all_fit = all_fit && fits;
+        if (!fits)
             continue;
         if (!any)
             add_body(r, physics, id, x, y, rotation);
         any = true;
         add_box_or_circle(r, physics, form, rotation);
     }
-    for (int i = 0; i < forms->count; i++)
-        if (forms->items[i].points && (solid_below || !forms->items[i].ground))
-            add_line(r, physics, id, &forms->items[i], x, y);
+    for (int i = 0; i < forms->count; i++) {
+        const level_form *form = &forms->items[i];
+        if (!form->points || (form->ground && !solid_below))
+            continue;
+        fits = pixels_fit(r, x + form->x, y + form->y);
+        all_fit = all_fit && fits;
+        if (fits)
+            add_line(r, physics, id, form, x, y);
+    }
+    return all_fit;
 }

@@ -41,7 +41,7 @@ static const char *const FIELDS[] = {"lower",  "upper",        "frequency",   "d
                                      "target", "spring_force", "motor_speed", "motor_force"};
 
 bool level_joint_fits(const level_reader *r, double length) {
-    return fabs(length) <= LONGEST * r->s->length_scale;
+    return fabs(length) <= LONGEST * r->unit;
 }
 
 const char *level_joint_name(scene_joint_kind kind) {
@@ -170,8 +170,8 @@ static double number(level_values *v, int direction, const char *field, double f
 static void read_drive(const level_reader *r, level_values *v, scene_joint *joint, int direction) {
     scene_drive *d = &joint->drive[direction];
     bool distance = joint->kind == SCENE_DISTANCE;
-    double fastest = direction == SCENE_TURN ? LONGEST : LONGEST * r->s->length_scale;
-    double most = direction == SCENE_TURN ? LARGEST_TURN : LONGEST * r->s->length_scale;
+    double fastest = direction == SCENE_TURN ? LONGEST : LONGEST * r->unit;
+    double most = direction == SCENE_TURN ? LARGEST_TURN : LONGEST * r->unit;
     double least = distance ? 0 : -most;
     d->limited = is_set(v, direction, "lower") || is_set(v, direction, "upper");
     if (d->limited) {
@@ -196,8 +196,8 @@ static void read_values(const level_reader *r, level_values *v, level_joint *o) 
     scene_joint *joint = &o->joint;
     scene_joint_kind kind = joint->kind;
     if (kind == SCENE_DISTANCE)
-        joint->length = level_number(v, "length", length_as_drawn(r, o),
-                                     SHORTEST * r->s->length_scale, LONGEST * r->s->length_scale);
+        joint->length =
+            level_number(v, "length", length_as_drawn(r, o), SHORTEST * r->unit, LONGEST * r->unit);
     joint->ratio = 1;
     if (kind == SCENE_GEAR) {
         joint->ratio = level_number(v, "ratio", 1, -1e4, 1e4);
@@ -255,10 +255,13 @@ void level_read_joint(level_reader *r, level_values *v, const cJSON *object, int
     o.a = (uint32_t)level_whole_number(v, "a", 0, 0, UINT32_MAX);
     o.b = (uint32_t)level_whole_number(v, "b", 0, 0, UINT32_MAX);
     read_values(r, v, &o);
-    if (o.joint.kind == SCENE_DISTANCE && !v->bad &&
-        o.joint.length < SHORTEST * r->s->length_scale) {
+    if (o.joint.kind == SCENE_DISTANCE && !v->bad && o.joint.length < SHORTEST * r->unit) {
         v->bad = true;
         level_complain(v, LEVEL_SKIP, "its line is too short, and no length is given");
+    }
+    if (o.joint.kind == SCENE_DISTANCE && !v->bad && o.joint.length > LONGEST * r->unit) {
+        v->bad = true;
+        level_complain(v, LEVEL_SKIP, "its line is too long, and no length is given");
     }
     if (!v->bad && (o.b == 0 || (o.a == 0 && KINDS[kind].needs_a))) {
         v->bad = true;

@@ -79,6 +79,16 @@ static void set_texts(scene *s, const char *name, const char *title, const char 
     }
 }
 
+/* The greatest power of two that is not above x > 0. */
+static double power_below(double x) {
+    double power = 1;
+    while (power > x)
+        power *= 0.5;
+    while (power * 2 <= x)
+        power *= 2;
+    return power;
+}
+
 /* Reads the map's own values. False if one is wrong, which is fatal, as every object depends on
  * them. */
 static bool read_map_values(level_reader *r, const level_layer *map, const char *name) {
@@ -91,6 +101,7 @@ static bool read_map_values(level_reader *r, const level_layer *map, const char 
     r->map_height = rows * r->tile_height;
     r->pixels_per_unit = level_number(&v, "pixels_per_unit", r->tile_width, 1e-3, 1e6);
     s->length_scale = level_number(&v, "length_scale", 1, 1e-3, 1e3);
+    r->unit = power_below((float)s->length_scale);
     s->gravity_x = level_number(&v, "gravity_x", 0, -1e6, 1e6);
     s->gravity_y = level_number(&v, "gravity_y", -10, -1e6, 1e6);
     double width = columns * r->tile_width / r->pixels_per_unit;

@@ -84,11 +84,14 @@ static const char *class_of(const cJSON *object) {
 /* Reads a point that is no joint: the spawn point, or nothing. */
 static void read_point(level_reader *r, const level_values *v, const cJSON *object, double x,
                        double y) {
-    if (strcmp(class_of(object), "spawn") == 0) {
-        r->s->spawn_x = x / r->pixels_per_unit;
-        r->s->spawn_y = (r->map_height - y) / r->pixels_per_unit;
-    } else {
+    double ux = x / r->pixels_per_unit, uy = (r->map_height - y) / r->pixels_per_unit;
+    if (strcmp(class_of(object), "spawn") != 0) {
         level_complain(v, LEVEL_NOTE, "a point has no meaning here, unless its class is 'spawn'");
+    } else if (!level_place_fits(r, ux, uy)) {
+        level_complain(v, LEVEL_SKIP, "its place is " LEVEL_TOO_FAR);
+    } else {
+        r->s->spawn_x = ux;
+        r->s->spawn_y = uy;
     }
 }
 
@@ -97,6 +100,13 @@ static void read_point(level_reader *r, const level_values *v, const cJSON *obje
  */
 static double lowest_below(const level_reader *r, double y) {
     return r->map_height - r->tile_height - y;
+}
+
+/* Adds the bodies of an object's forms, or reports that they are too far away. */
+static void add_forms(level_reader *r, const level_values *v, const level_physics *physics,
+                      const level_forms *forms, double x, double y, double degrees) {
+    if (!level_add_body(r, physics, v->object, forms, true, x, y, degrees))
+        level_complain(v, LEVEL_SKIP, "its place is " LEVEL_TOO_FAR);
 }
 
 /* Adds the body of a rectangle, ellipse, polygon or line. */
@@ -120,7 +130,7 @@ static void add_shape(level_reader *r, level_values *v, const cJSON *object, dou
             form->x = form->y = form->rotation = 0;
         }
         level_forms_settle(r, v, &physics, &forms, degrees, lowest_below(r, y));
-        level_add_body(r, &physics, v->object, &forms, true, x, y, degrees);
+        add_forms(r, v, &physics, &forms, x, y, degrees);
     }
     r->s->failed = r->s->failed || forms.failed;
     level_forms_free(&forms);
@@ -185,7 +195,7 @@ static level_solid add_tile(level_reader *r, level_values *v, const thing *o, in
         x = x + (c * dx - s * dy);
         y = y + (s * dx + c * dy);
         level_forms_settle(r, &of_tile, &physics, &forms, degrees, lowest_below(r, y));
-        level_add_body(r, &physics, v->object, &forms, true, x, y, degrees);
+        add_forms(r, v, &physics, &forms, x, y, degrees);
     }
     r->s->failed = r->s->failed || forms.failed;
     level_forms_free(&forms);

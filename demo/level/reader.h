@@ -49,6 +49,8 @@ typedef struct level_reader {
     double tile_width, tile_height; /* pixels */
     double map_height;              /* pixels */
     double pixels_per_unit;
+    double unit; /* the engine's own length scale: the greatest power of two that is not above the
+                    map's `length_scale`; thud_limits.h counts in it */
     level_tilesets tilesets;
     double cells; /* number of cells that may still be read, over all layers: a small file can claim
                      any number */
@@ -249,10 +251,14 @@ bool level_form_scale(const level_values *v, level_form *form, double sx, double
 void level_forms_settle(const level_reader *r, const level_values *v, const level_physics *physics,
                         level_forms *forms, double degrees, double lowest);
 
+/* Whether the engine accepts a body at this place, in units. */
+bool level_place_fits(const level_reader *r, double x, double y);
+/* Follows "its place" or "the places" in reports of places that the engine does not accept. */
+#define LEVEL_TOO_FAR "further from the map's lower left corner than 1e9 length scales"
 /* Adds a body at (x, y) pixels with these forms, and one more for each line. Lines that are ground
  * are left out if `solid_below` is false: a tile whose ground does not go on in the cells below it.
- */
-void level_add_body(level_reader *r, const level_physics *physics, uint32_t id,
+ * False if a body is left out because the engine does not accept its place. */
+bool level_add_body(level_reader *r, const level_physics *physics, uint32_t id,
                     const level_forms *forms, bool solid_below, double x, double y, double degrees);
 
 /* ---- tilesets.c ---- */

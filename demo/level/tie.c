@@ -114,6 +114,11 @@ static void tie(level_reader *r, level_joint *o) {
     bool missing = is_missing(r, o, a, 'a', o->a, "body");
     if (is_missing(r, o, b, 'b', o->b, "body") || missing || !may_tie(r, o, a, b))
         return;
+    scene_point place = level_joint_place(r, o, 0);
+    if (!a && !level_place_fits(r, place.x, place.y)) {
+        complain(r, o, "is " LEVEL_TOO_FAR);
+        return;
+    }
     scene_joint joint = o->joint;
     bool near = set_frame(r, o, 0, a, &joint);
     if (!set_frame(r, o, 1, b, &joint) || !near) {

@@ -20,9 +20,10 @@ typedef struct tile_kind {
     level_physics physics;
     level_forms forms;
     bool has_ground;
-    double foot;   /* the highest lower side of its ground, pixels below the cell's lower edge */
-    double dx, dy; /* from the cell's lower left corner to the tile's centre, pixels, y down */
-    int placed, ungrounded; /* tiles with a body; those of them whose ground is left out */
+    double foot;    /* the highest lower side of its ground, pixels below the cell's lower edge */
+    double dx, dy;  /* from the cell's lower left corner to the tile's centre, pixels, y down */
+    int ungrounded; /* tiles whose ground is left out */
+    int far;        /* tiles of which a body is left out, since it would be too far away */
 } tile_kind;
 
 /* A hash table of tile kinds by tile number, with linear probing; its size is a power of two. */
@@ -174,21 +175,26 @@ static void add_tile(level_reader *r, const level_layer *layer, tile_kind *kind,
     double x = (layer->ox + column * r->tile_width) + kind->dx;
     double y = (layer->oy + (row + 1) * r->tile_height) + kind->dy;
     bool grounded = on_floor && kind->foot >= -1e-3 * r->tile_height;
-    kind->placed++;
     kind->ungrounded += kind->has_ground && !grounded;
-    level_add_body(r, &kind->physics, 0, &kind->forms, grounded, x, y, 0);
+    kind->far += !level_add_body(r, &kind->physics, 0, &kind->forms, grounded, x, y, 0);
 }
 
-static void report_ungrounded(const level_reader *r, const level_layer *layer,
-                              const tile_kinds *kinds) {
-    int ungrounded = 0;
-    for (uint32_t i = 0; i < kinds->size; i++)
+static void report_left_out(const level_reader *r, const level_layer *layer,
+                            const tile_kinds *kinds) {
+    int ungrounded = 0, far = 0;
+    for (uint32_t i = 0; i < kinds->size; i++) {
         ungrounded += kinds->slots[i].ungrounded;
+        far += kinds->slots[i].far;
+    }
     if (ungrounded > 0)
         level_problem_add(r->report, LEVEL_SKIP, LEVEL_NO_OBJECT,
                           "layer '%.40s': the polygons of %d tiles are no ground: all below them, "
                           "down to the map's lower edge, would have to be solid",
                           layer->name, ungrounded);
+    if (far > 0)
+        level_problem_add(r->report, LEVEL_SKIP, LEVEL_NO_OBJECT,
+                          "layer '%.40s': the places of %d tiles are " LEVEL_TOO_FAR, layer->name,
+                          far);
 }
 
 /* Adds the bodies of all cells, and reports what is wrong with them. */
@@ -218,7 +224,7 @@ static void read_cells(level_reader *r, const level_layer *layer, const level_ce
         }
     }
     free(floors);
-    report_ungrounded(r, layer, kinds);
+    report_left_out(r, layer, kinds);
     r->unmarked += unmarked;
     if (unknown > 0)
         level_problem_add(r->report, LEVEL_SKIP, LEVEL_NO_OBJECT,

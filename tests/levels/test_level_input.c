@@ -28,6 +28,14 @@ enum { LEVEL_COUNT = sizeof LEVELS / sizeof LEVELS[0] };
 /* A valid object 1 beside the invalid one. */
 #define BESIDE(object) OBJECTS("{\"id\":1,\"x\":0,\"y\":0,\"width\":32,\"height\":32}," object)
 #define BOX "\"x\":0,\"y\":0,\"width\":32,\"height\":32"
+/* The same where a unit is a thousandth of a pixel. */
+#define TINY(scale)                                                   \
+    "\"properties\":[{\"name\":\"pixels_per_unit\",\"value\":0.001}," \
+    "{\"name\":\"length_scale\",\"value\":" scale "}],"
+#define BESIDE_FAR(scale, object)                                                              \
+    MAP(TINY(scale) "\"layers\":[{\"type\":\"objectgroup\",\"name\":\"a\","                    \
+                    "\"objects\":[{\"id\":1,\"x\":0,\"y\":0,\"width\":9,\"height\":9}," object \
+                    "]}]")
 #define WITH(property) BESIDE("{\"id\":9," BOX ",\"properties\":[" property "]}")
 
 /* Each map has one valid object, 1, and one invalid object, 9. */
@@ -76,6 +84,20 @@ static const struct {
     {WITH("{\"name\":\"approximate\",\"value\":65}"), "approximate"},
     {WITH("{\"name\":\"approximate\",\"value\":-1}"), "approximate"},
     {WITH("{\"name\":\"category\",\"value\":-1}"), "category is out of range"},
+    {BESIDE_FAR("1", "{\"id\":9,\"x\":2e6,\"y\":0,\"width\":9,\"height\":9}"), "place is further"},
+    {BESIDE_FAR("1", "{\"id\":9,\"x\":0,\"y\":-2e6,\"polyline\":[{\"x\":0,\"y\":0},"
+                     "{\"x\":9,\"y\":0}]}"),
+     "place is further"},
+    {BESIDE_FAR("1", "{\"id\":9,\"x\":0,\"y\":2e6,\"point\":true,\"type\":\"spawn\"}"),
+     "place is further"},
+    {BESIDE_FAR("1", "{\"id\":9,\"x\":0,\"y\":0,\"polyline\":[{\"x\":0,\"y\":0},"
+                     "{\"x\":2e6,\"y\":0}]}"),
+     "line is too long"},
+    {BESIDE_FAR("1", "{\"id\":9,\"x\":0,\"y\":0,\"polygon\":[{\"x\":20,\"y\":0},"
+                     "{\"x\":24,\"y\":0},{\"x\":24,\"y\":8},{\"x\":22,\"y\":8},"
+                     "{\"x\":22,\"y\":4},{\"x\":20,\"y\":4}]}"),
+     "further from its body"},
+    {BESIDE_FAR("1000", "{\"id\":9,\"x\":0,\"y\":0,\"width\":2e4,\"height\":9}"), "size"},
 };
 
 static void bad_object_is_refused_by_id_or_skipped_alone(void **state) {
@@ -136,6 +158,11 @@ static const struct {
     {MAP("\"layers\":[{\"type\":\"tilelayer\",\"name\":\"t\",\"width\":1,\"height\":1,"
          "\"data\":[1]}]"),
      "no tileset that can be used"},
+    {MAP(TINY("1") "\"tilesets\":[{\"firstgid\":1,\"tilewidth\":32,\"tileheight\":32,"
+                   "\"properties\":[{\"name\":\"solid\",\"value\":true}]}],"
+                   "\"layers\":[{\"type\":\"tilelayer\",\"name\":\"t\",\"width\":2,"
+                   "\"height\":1,\"data\":[1,1],\"offsety\":2e6}]"),
+     "layer 't': the places of 2 tiles are further"},
 };
 
 static void bad_layer_is_refused_or_skipped(void **state) {

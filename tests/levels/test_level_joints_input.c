@@ -38,6 +38,9 @@ static void wrong_joint_is_refused_by_id_or_left_out_alone(void **state) {
         {"{\"id\":9,\"polyline\":[{\"x\":0,\"y\":0},{\"x\":0,\"y\":0}]," WITH("distance",
                                                                               REFERS(1, 2)) "}",
          "its line is too short"},
+        {"{\"id\":9,\"polyline\":[{\"x\":0,\"y\":0},{\"x\":0,\"y\":9e8}]," WITH("distance",
+                                                                                REFERS(1, 2)) "}",
+         "its line is too long"},
         {"{\"id\":9,\"point\":true,\"type\":\"hinge\",\"x\":9e8,\"y\":0,\"properties\":[" REFERS(
              1, 2) "]}",
          "a hinge is too far from its bodies"},

@@ -133,6 +133,11 @@ export interface Reader {
   /** The height of the map, pixels. */
   readonly mapHeight: number;
   readonly pixelsPerUnit: number;
+  /**
+   * The engine's own length scale: the greatest power of two that is not above the level's. The
+   * engine's ranges are multiples of it.
+   */
+  readonly unit: number;
   readonly tilesets: Tileset[];
   readonly library: Library;
   /** Whether every tile collides, because nothing in the map says which do. */
@@ -280,6 +285,14 @@ async function readMap(
   return reader;
 }
 
+/** The greatest power of two that is not above x > 0. */
+function powerBelow(x: number): number {
+  let power = 1;
+  while (power > x) power *= 0.5;
+  while (power * 2 <= x) power *= 2;
+  return power;
+}
+
 /**
  * Reads the map's own fields and properties. Null where one of them is wrong: all objects depend on
  * them.
@@ -339,6 +352,7 @@ function readMapValues(
     tileHeight,
     mapHeight,
     pixelsPerUnit,
+    unit: powerBelow(Math.fround(lengthScale)),
     tilesets: listTilesets(json.tilesets, ""),
     allSolid,
     cells: MOST_CELLS,

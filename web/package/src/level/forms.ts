@@ -9,11 +9,17 @@ import { grid, isRecord, type Json, type JsonRecord, type Physics, type Values }
 import type { Vec2 } from "../types.js";
 
 /**
- * The range of half extents, length scales: within that of the engine (1e-4 to 16384) with a margin
- * for rounding.
+ * The range of half extents, and the largest offset of a shape from its body, length scales: within
+ * that of the engine (1e-4 to 16384) with a margin for rounding.
  */
 const SMALLEST = 2e-4;
 const LARGEST = 16000;
+
+/** The largest coordinate of a body, length scales, and of a terrain's vertex, units. */
+const FARTHEST = 1e9;
+
+/** Follows "its place" or "the places" in reports of places that the engine does not accept. */
+export const TOO_FAR = "further from the map's lower left corner than 1e9 length scales";
 
 /**
  * The upper bits of a tile number: flips in x, in y, and along the diagonal; the rest is the
@@ -126,13 +132,34 @@ export function scaleForm(v: Values, f: Form, sx: number, sy: number): boolean {
 
 // ---- what the engine accepts ----
 
-/** Whether a form's size is in range; if not, a problem is in the report. */
-function sizeFits({ pixelsPerUnit: ppu, level }: Reader, v: Values, f: Form): boolean {
+/** Whether the engine accepts a body at this place, in units. */
+export function placeFits({ unit }: Reader, [x, y]: Vec2): boolean {
+  return Math.abs(x) <= FARTHEST * unit && Math.abs(y) <= FARTHEST * unit;
+}
+
+/**
+ * Whether a form's size, and its offset from its body, are in range; if not, a problem is in the
+ * report.
+ */
+function sizeFits({ pixelsPerUnit: ppu, unit }: Reader, v: Values, f: Form): boolean {
   const [hx, hy] = [f.hx / ppu, f.hy / ppu];
-  const low = SMALLEST * level.lengthScale;
-  const high = LARGEST * level.lengthScale;
-  if (hx >= low && hy >= low && hx <= high && hy <= high) return true;
-  v.complain("skip", `its size, ${2 * hx} by ${2 * hy} units, is out of range`);
+  const [x, y] = [f.x / ppu, f.y / ppu];
+  const low = SMALLEST * unit;
+  const high = LARGEST * unit;
+  const fits = hx >= low && hy >= low && hx <= high && hy <= high;
+  if (!fits) v.complain("skip", `its size, ${2 * hx} by ${2 * hy} units, is out of range`);
+  else if (Math.abs(x) > high || Math.abs(y) > high)
+    v.complain("skip", "a shape is further from its body than 16000 length scales");
+  else return true;
+  return false;
+}
+
+/** Whether the vertices of a line are in range; if not, a problem is in the report. */
+function verticesFit({ pixelsPerUnit: ppu }: Reader, v: Values, points: Vec2[]): boolean {
+  const fits = ([x, y]: Vec2) => Math.abs(x / ppu) <= FARTHEST && Math.abs(y / ppu) <= FARTHEST;
+  if (points.every(fits)) return true;
+  const rule = "no vertex may be further from its object's place than 1e9 units";
+  v.complain("skip", `its line is too long: ${rule}`);
   return false;
 }
 
@@ -178,7 +205,7 @@ export function settleForms(
   lowest: number,
 ): Form[] {
   const added: Form[] = [];
-  const smallest = SMALLEST * reader.level.lengthScale * reader.pixelsPerUnit;
+  const smallest = SMALLEST * reader.unit * reader.pixelsPerUnit;
   const hint = "with the property 'approximate' shapes cover it";
   const kept = forms.filter((f) => {
     if (isApproximated(physics, f, degrees, lowest)) {
@@ -201,7 +228,7 @@ export function settleForms(
       v.complain("skip", "a line is terrain, which is static");
       return false;
     }
-    return lineFits(reader, v, f.points);
+    return verticesFit(reader, v, f.points) && lineFits(reader, v, f.points);
   });
   return [...kept, ...added.filter((f) => sizeFits(reader, v, f))];
 }
@@ -210,7 +237,8 @@ export function settleForms(
 
 /**
  * Adds a body at (x, y) pixels with these forms to the level, and a body for each line. `id`: the
- * object in the map, 0: none; `withGround`: ground lines are added, too.
+ * object in the map, 0: none; `withGround`: ground lines are added, too. False where a body is left
+ * out because the engine does not accept its place.
  */
 export function addBody(
   reader: Reader,
@@ -221,11 +249,16 @@ export function addBody(
   x: number,
   y: number,
   degrees: number,
-): void {
+): boolean {
   const { pixelsPerUnit: ppu, level, mapHeight, placed } = reader;
   const { r: rotation } = turn(degrees);
   const unturned = rotation === 0 && (kind === "static" || body.fixedRotation === true);
+  let allFit = true;
   const add = (px: number, py: number, turned: number, shapes: LevelShape[]) => {
+    if (!placeFits(reader, [px / ppu, (mapHeight - py) / ppu])) {
+      allFit = false;
+      return;
+    }
     const angle = 0 - turned * RADIANS;
     const fixed = shapes.some((shape) => shape.kind === "aabb") || body.fixedRotation;
     const position: Vec2 = [grid(px / ppu), grid((mapHeight - py) / ppu)];
@@ -250,4 +283,5 @@ export function addBody(
     const inUnits = points.map(([px, py]): Vec2 => [px / ppu, 0 - py / ppu]);
     add(x + fx, y + fy, 0, [{ kind: "terrain", material, points: inUnits }]);
   }
+  return allFit;
 }

@@ -47,8 +47,8 @@ export interface Tie {
 }
 
 /** Whether a length of either sign is in the engine's range. */
-export function jointFits({ level }: Reader, length: number): boolean {
-  return Math.abs(length) <= LONGEST * level.lengthScale;
+export function jointFits({ unit }: Reader, length: number): boolean {
+  return Math.abs(length) <= LONGEST * unit;
 }
 
 /** The place of a joint's anchor on a side, in units, on the grid of bodies. */
@@ -113,8 +113,8 @@ function lengthAsDrawn(reader: Reader, tie: Tie): number {
 }
 
 /**
- * Reads the drive of a direction from properties such as "along_frequency". `scale`: the length
- * scale; `length`: the length of a distance, the default of its upper limit and target; of other
+ * Reads the drive of a direction from properties such as "along_frequency". `scale`:
+ * Reader.unit; `length`: the length of a distance, the default of its upper limit and target; of other
  * kinds undefined.
  */
 function readDrive(scale: number, v: Values, way: Direction, length: number | undefined): Drive {
@@ -145,7 +145,7 @@ function readDrive(scale: number, v: Values, way: Direction, length: number | un
 /** Reads the options of a joint from its properties. */
 function readOptions(reader: Reader, v: Values, tie: Tie): void {
   const { kind, options } = tie;
-  const scale = reader.level.lengthScale;
+  const scale = reader.unit;
   if (kind === "distance") {
     const drawn = lengthAsDrawn(reader, tie);
     options.length = v.number("length", drawn, SHORTEST * scale, LONGEST * scale);
@@ -191,8 +191,10 @@ export function readJoint(
   tie.b = v.whole("b", 0, 0, 0xffffffff);
   readOptions(reader, v, tie);
   const { length = Number.POSITIVE_INFINITY } = tie.options;
-  if (!v.bad && length < SHORTEST * reader.level.lengthScale)
+  if (!v.bad && length < SHORTEST * reader.unit)
     v.refuse("its line is too short, and no length is given");
+  if (!v.bad && kind === "distance" && length > LONGEST * reader.unit)
+    v.refuse("its line is too long, and no length is given");
   const needsBoth = kind === "filter" || kind === "gear";
   if (!v.bad && (tie.b === 0 || (tie.a === 0 && needsBoth)))
     v.refuse(`a ${kind} needs ${needsBoth ? "both a and b" : "b, the body that it holds"}`);

@@ -4,12 +4,20 @@
  */
 import type { JointKind } from "../joint-types.js";
 import type { Layer, Reader } from "../level.js";
-import { DEGREES, FAR, turn } from "./form.js";
-import { addBody, readForms, settleForms, turnForm } from "./forms.js";
+import { DEGREES, FAR, type Form, turn } from "./form.js";
+import { addBody, placeFits, readForms, settleForms, TOO_FAR, turnForm } from "./forms.js";
 import { jointKind } from "./joint-names.js";
 import { readJoint } from "./joints.js";
 import { findTile, listTilesets, readTileForms, type Tileset } from "./tilesets.js";
-import { isRecord, type Json, type JsonRecord, readPhysics, Values } from "./values.js";
+import {
+  isRecord,
+  type Json,
+  type JsonRecord,
+  type Physics,
+  readPhysics,
+  Values,
+} from "./values.js";
+import type { Vec2 } from "../types.js";
 
 /** An object together with its template. */
 interface Thing {
@@ -120,8 +128,11 @@ function jointOf(v: Values, object: JsonRecord): JointKind | null {
 /** Reads a point: the spawn point, or a note that it has no meaning. */
 function readPoint(reader: Reader, v: Values, object: JsonRecord, x: number, y: number): void {
   const { pixelsPerUnit: ppu, mapHeight, level } = reader;
-  if (classOf(object) === "spawn") level.spawn = [x / ppu, (mapHeight - y) / ppu];
-  else v.complain("note", "a point has no meaning here, unless its class is 'spawn'");
+  const place: Vec2 = [x / ppu, (mapHeight - y) / ppu];
+  if (classOf(object) !== "spawn")
+    v.complain("note", "a point has no meaning here, unless its class is 'spawn'");
+  else if (!placeFits(reader, place)) v.complain("skip", `its place is ${TOO_FAR}`);
+  else level.spawn = place;
 }
 
 /**
@@ -130,6 +141,20 @@ function readPoint(reader: Reader, v: Values, object: JsonRecord, x: number, y: 
  */
 function lowestBelow({ mapHeight, tileHeight }: Reader, y: number): number {
   return mapHeight - tileHeight - y;
+}
+
+/** Adds the bodies of an object's forms, or reports that they are too far away. */
+function addForms(
+  reader: Reader,
+  v: Values,
+  physics: Physics,
+  forms: readonly Form[],
+  x: number,
+  y: number,
+  degrees: number,
+): void {
+  if (!addBody(reader, physics, v.object, forms, true, x, y, degrees))
+    v.complain("skip", `its place is ${TOO_FAR}`);
 }
 
 /** Adds the body of an object with an outline of its own. */
@@ -154,7 +179,7 @@ function addShape(
     first.x = first.y = first.rotation = 0;
   }
   const settled = settleForms(reader, v, physics, forms, degrees, lowestBelow(reader, y));
-  addBody(reader, physics, v.object, settled, true, x, y, degrees);
+  addForms(reader, v, physics, settled, x, y, degrees);
 }
 
 /** Adds the body of a tile object. True where nothing says whether the tile collides. */
@@ -187,7 +212,7 @@ function addTile(
     const dy = (0.5 - tile.anchorY) * height + tile.offsetY * (height / tile.height);
     const [cx, cy] = [x + (c * dx - s * dy), y + (s * dx + c * dy)];
     const settled = settleForms(reader, ofTile, physics, forms, degrees, lowestBelow(reader, cy));
-    addBody(reader, physics, v.object, settled, true, cx, cy, degrees);
+    addForms(reader, v, physics, settled, cx, cy, degrees);
   }
   return solid === "unmarked";
 }

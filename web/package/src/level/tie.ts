@@ -5,6 +5,7 @@
 import type { JointFrame } from "../joint-types.js";
 import type { LevelJoint, Reader } from "../level.js";
 import { RADIANS, turn } from "./form.js";
+import { placeFits, TOO_FAR } from "./forms.js";
 import { jointFits, jointPlace, type Tie } from "./joints.js";
 
 /** The body of an object. */
@@ -91,6 +92,10 @@ function tieBodies(reader: Reader, tie: Tie): number | null {
   const both = findBoth(reader, tie, placed, "body");
   if (!both || !mayTie(reader, tie, ...both)) return null;
   const [a, b] = both;
+  if (!a && !placeFits(reader, jointPlace(reader, tie, 0))) {
+    complain(reader, tie, `is ${TOO_FAR}`);
+    return null;
+  }
   const frameA = frameOf(reader, tie, 0, a);
   const frameB = frameOf(reader, tie, 1, b);
   if (!frameA || !frameB) {

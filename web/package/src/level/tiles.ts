@@ -7,7 +7,7 @@
 import type { Layer, Reader } from "../level.js";
 import { type Cells, readCells } from "./cells.js";
 import type { Form } from "./form.js";
-import { addBody, NUMBER, settleForms } from "./forms.js";
+import { addBody, NUMBER, settleForms, TOO_FAR } from "./forms.js";
 import { findTile, isTurned, readTileForms, type Tile } from "./tilesets.js";
 import { flagOf, ownProperty, type Physics, Values } from "./values.js";
 
@@ -48,6 +48,7 @@ export async function readTiles(reader: Reader, layer: Layer): Promise<void> {
   let unknown = 0;
   let unmarked = 0;
   let ungrounded = 0;
+  let far = 0;
   let floors: number[] | null = null;
   for (let j = 0; j < cells.height; j++) {
     for (let i = 0; i < cells.width; i++) {
@@ -61,8 +62,7 @@ export async function readTiles(reader: Reader, layer: Layer): Promise<void> {
       const onFloor = kind.hasGround && floors !== null && j + 1 >= floors[i];
       const grounded = onFloor && kind.foot >= -1e-3 * reader.tileHeight;
       if (kind.hasGround && !grounded) ungrounded++;
-      if (kind.physics && kind.forms.length > 0)
-        addTile(reader, layer, kind, cells.column + i, cells.row + j, grounded);
+      if (!addTile(reader, layer, kind, cells.column + i, cells.row + j, grounded)) far++;
     }
   }
   reader.unmarked += unmarked;
@@ -72,12 +72,16 @@ export async function readTiles(reader: Reader, layer: Layer): Promise<void> {
     const rule = "all below them, down to the map's lower edge, would have to be solid";
     say("skip", `the polygons of ${ungrounded} tiles are no ground: ${rule}`);
   }
+  if (far > 0) say("skip", `the places of ${far} tiles are ${TOO_FAR}`);
   if (unknown > 0) say("skip", `${unknown} tiles belong to no tileset that can be used`);
   if (used > 0 && colliding === 0 && unknown < used)
     say("note", `none of its ${used} tiles is solid`);
 }
 
-/** Adds the body of a tile in a cell of the map. `grounded`: with its ground lines. */
+/**
+ * Adds the body of a tile in a cell of the map, if it has one. `grounded`: with its ground lines.
+ * False where a body is left out because the engine does not accept its place.
+ */
 function addTile(
   reader: Reader,
   layer: Layer,
@@ -85,10 +89,10 @@ function addTile(
   column: number,
   row: number,
   grounded: boolean,
-): void {
+): boolean {
   const x = layer.ox + column * reader.tileWidth + dx;
   const y = layer.oy + (row + 1) * reader.tileHeight + dy;
-  if (physics) addBody(reader, physics, 0, forms, grounded, x, y, 0);
+  return !physics || addBody(reader, physics, 0, forms, grounded, x, y, 0);
 }
 
 /** Reads what a tile number stands for; problems are in the report. */
