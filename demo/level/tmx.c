@@ -24,7 +24,8 @@ typedef struct tmx {
     cJSON *root;
     frame stack[DEEPEST];
     int depth;
-    char *text; /* text so far of the innermost element that stores its text */
+    bool infinite; /* the map is infinite: its layers have chunks, and none where they are empty */
+    char *text;    /* text so far of the innermost element that stores its text */
     size_t used, capacity;
     const char *trouble;
 } tmx;
@@ -256,6 +257,8 @@ static void begin_root(tmx *t, const char *element, const char **attributes) {
         if (strcmp(element, ROOTS[i]) == 0)
             root->element = ROOTS[i];
     put(t, root->json, "type", cJSON_CreateString(element));
+    const char *infinite = attribute(attributes, "infinite");
+    t->infinite = infinite && strcmp(infinite, "1") == 0;
     if (strcmp(element, "map") == 0)
         put(t, root->json, "layers", cJSON_CreateArray());
     put_attributes(t, root->json, attributes);
@@ -300,9 +303,9 @@ static void XMLCALL end(void *context, const char *element) {
     if (last->json && last->text_as && !blank) {
         t->text[t->used] = 0;
         put(t, last->json, last->text_as, cJSON_CreateString(t->text));
-    } else if (last->json && strcmp(last->element, "data") == 0 &&
+    } else if (last->json && t->infinite && strcmp(last->element, "data") == 0 &&
                !cJSON_GetObjectItemCaseSensitive(last->json, "data")) {
-        /* A layer without tiles in an infinite map has no chunk in XML. */
+        /* A layer without tiles has an empty list in JSON. */
         put(t, last->json, "chunks", cJSON_CreateArray());
     }
     t->used = 0;

@@ -54,7 +54,7 @@ static void map_is_the_same_as_json_and_as_xml(void **state) {
     (void)state;
     static const char *const NAMES[] = {"shapes", "hills",  "props",  "infinite", "unmarked",
                                         "wrong",  "csv",    "base64", "zlib",     "gzip",
-                                        "zstd",   "joints", "loose",  "polygons"};
+                                        "zstd",   "joints", "loose",  "polygons", "far"};
     for (size_t i = 0; i < sizeof NAMES / sizeof NAMES[0]; i++) {
         char json[32], xml[32];
         level_report of_json, of_xml;

@@ -136,6 +136,11 @@ static void bad_object_is_refused_by_id_or_skipped_alone(void **state) {
 #define CELLS(size, data) \
     TILES("{\"type\":\"tilelayer\",\"name\":\"t\"," size ",\"data\":" data "}")
 
+#define XML(data)                                                            \
+    "<map width='2' height='2' tilewidth='32' tileheight='32' infinite='0'>" \
+    "<tileset firstgid='1' tilewidth='32' tileheight='32'/>"                 \
+    "<layer name='t' width='2' height='2'>" data "</layer></map>"
+
 /* Layers that are refused, or skipped with an empty world as the result. */
 static const struct {
     const char *text, *says;
@@ -163,6 +168,10 @@ static const struct {
                    "\"layers\":[{\"type\":\"tilelayer\",\"name\":\"t\",\"width\":2,"
                    "\"height\":1,\"data\":[1,1],\"offsety\":2e6}]"),
      "layer 't': the places of 2 tiles are further"},
+    {XML("<data/>"), "layer 't': has no tiles"},
+    {XML("<data encoding='csv'>\n</data>"), "layer 't': has no tiles"},
+    {XML("<data encoding='base64' compression='zlib'></data>"), "layer 't': has no tiles"},
+    {XML(""), "layer 't': has no tiles"},
 };
 
 static void bad_layer_is_refused_or_skipped(void **state) {

@@ -128,6 +128,7 @@ for (const [name, content, expected] of [
   ["zstd_that_claims_more", packed(bomb([0x28, 0xb5, 0x2f, 0xfd, 0xa0, 255, 255, 255, 255, 1, 0, 0]), "zstd"), /do not unpack/],
   ["unknown_packing", packed(zeros, "lzma"), /packed in a way that is not known/],
   ["cells_without_end", packed("", "", 900000), /more cells than are read/],
+  ["xml_layer_without_tiles", xml('<layer name="t" width="2" height="2"><data encoding="csv"> </data></layer>'), /layer 't': has no tiles/],
   ["xml_that_is_cut_short", xml("").slice(0, -3), /XML cannot be read/],
   ["xml_of_something_else", "<html/>", /not a Tiled map/],
   ["xml_with_entities", '<!DOCTYPE m [<!ENTITY a "b">]><map>&a;</map>', /XML cannot be read/],

@@ -134,7 +134,13 @@ function walk(json: JsonRecord, element: XmlElement, textAs: string, depth: numb
   }
   if (textAs && text.trim() !== "") put(json, textAs, text);
   // A layer of an infinite map that has no tiles has no chunks in XML, but an empty list in JSON.
-  else if (element.name === "data" && json.data === undefined) put(json, "chunks", []);
+  else if (element.name === "data" && json.data === undefined && isInfinite(element))
+    put(json, "chunks", []);
+}
+
+/** Whether the map of an element is infinite. */
+function isInfinite({ document }: XmlElement): boolean {
+  return document?.root?.attributes.infinite === "1";
 }
 
 /** Converts a child element by the rule for its parent; elements without a rule are ignored. */
