@@ -130,7 +130,7 @@ static bool make_room(level_reader *r, const level_layer *layer, const area *a,
                       level_cells *cells) {
     double count = (double)a->width * a->height;
     if (count > r->cells) {
-        complain(r, layer, "this map has more cells than are read, 67108864 in all");
+        complain(r, layer, "this map has more cells than are read, 16777216 in all");
         return false;
     }
     r->cells -= count;

@@ -335,9 +335,15 @@ static scene_body *add_body(level_reader *r, const level_physics *physics, uint3
     return body;
 }
 
-/* Whether a body may be at (x, y) pixels. */
-static bool pixels_fit(const level_reader *r, double x, double y) {
-    return level_place_fits(r, x / r->pixels_per_unit, (r->map_height - y) / r->pixels_per_unit);
+/* Whether a body at (x, y) pixels may have a form. If it may, the form is counted. */
+static level_added admit(level_reader *r, const level_form *form, double x, double y) {
+    double parts = 1.0 + form->count;
+    if (!level_place_fits(r, x / r->pixels_per_unit, (r->map_height - y) / r->pixels_per_unit))
+        return LEVEL_LEFT_FAR;
+    if (parts > r->parts)
+        return LEVEL_LEFT_MANY;
+    r->parts -= parts;
+    return LEVEL_ADDED;
 }
 
 /* Adds the body of a line; (x, y) is the place of the object's body. */
@@ -381,17 +387,17 @@ static void add_box_or_circle(level_reader *r, const level_physics *physics, con
     level_apply_shape(&form->physics, shape);
 }
 
-bool level_add_body(level_reader *r, const level_physics *physics, uint32_t id,
-                    const level_forms *forms, bool solid_below, double x, double y,
-                    double degrees) {
+level_added level_add_body(level_reader *r, const level_physics *physics, uint32_t id,
+                           const level_forms *forms, bool solid_below, double x, double y,
+                           double degrees) {
     double c, s, rotation = level_turn(degrees, &c, &s);
-    bool any = false, fits = pixels_fit(r, x, y), all_fit = true;
+    bool any = false;
+    level_added all = LEVEL_ADDED;
     for (int i = 0; i < forms->count; i++) {
         const level_form *form = &forms->items[i];
-        if (form->points)
-            continue;
-        all_fit = all_fit && fits;
-        if (!fits)
+        level_added added = form->points ? LEVEL_ADDED : admit(r, form, x, y);
+        all = added == LEVEL_ADDED ? all : added;
+        if (form->points || added != LEVEL_ADDED)
             continue;
         if (!any)
             add_body(r, physics, id, x, y, rotation);
@@ -402,10 +408,10 @@ bool level_add_body(level_reader *r, const level_physics *physics, uint32_t id,
         const level_form *form = &forms->items[i];
         if (!form->points || (form->ground && !solid_below))
             continue;
-        fits = pixels_fit(r, x + form->x, y + form->y);
-        all_fit = all_fit && fits;
-        if (fits)
+        level_added added = admit(r, form, x + form->x, y + form->y);
+        all = added == LEVEL_ADDED ? all : added;
+        if (added == LEVEL_ADDED)
             add_line(r, physics, id, form, x, y);
     }
-    return all_fit;
+    return all;
 }

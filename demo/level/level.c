@@ -148,16 +148,21 @@ static void read_map(level_reader *r, const cJSON *json, const char *name) {
     level_tie_joints(r);
 }
 
-/* Max number of cells that are read of a map, over all its layers. Chosen. */
-static const double MOST_CELLS = 1 << 26;
+/* Max number of cells that are read of a map, over all its layers. Chosen: 4096 by 4096; their
+ * numbers take 64 MiB, and as much again while they are unpacked. */
+static const double MOST_CELLS = 1 << 24;
 
 /* Reads the map into an empty scene. True if nothing in it collides, but it has tiles that would if
  * all tiles did. */
 static bool read_once(level_library *library, const cJSON *json, const char *name, bool all_solid,
                       scene *s, level_report *report) {
     scene_init(s);
-    level_reader reader = {
-        .s = s, .report = report, .library = library, .cells = MOST_CELLS, .all_solid = all_solid};
+    level_reader reader = {.s = s,
+                           .report = report,
+                           .library = library,
+                           .cells = MOST_CELLS,
+                           .parts = LEVEL_PARTS,
+                           .all_solid = all_solid};
     read_map(&reader, json, name);
     free(reader.tilesets.items);
     free(reader.placed);

@@ -102,11 +102,14 @@ static double lowest_below(const level_reader *r, double y) {
     return r->map_height - r->tile_height - y;
 }
 
-/* Adds the bodies of an object's forms, or reports that they are too far away. */
+/* Adds the bodies of an object's forms, or reports why not. */
 static void add_forms(level_reader *r, const level_values *v, const level_physics *physics,
                       const level_forms *forms, double x, double y, double degrees) {
-    if (!level_add_body(r, physics, v->object, forms, true, x, y, degrees))
+    level_added added = level_add_body(r, physics, v->object, forms, true, x, y, degrees);
+    if (added == LEVEL_LEFT_FAR)
         level_complain(v, LEVEL_SKIP, "its place is " LEVEL_TOO_FAR);
+    else if (added == LEVEL_LEFT_MANY)
+        level_complain(v, LEVEL_SKIP, LEVEL_TOO_MANY);
 }
 
 /* Adds the body of a rectangle, ellipse, polygon or line. */

@@ -54,6 +54,8 @@ typedef struct level_reader {
     level_tilesets tilesets;
     double cells; /* number of cells that may still be read, over all layers: a small file can claim
                      any number */
+    double parts; /* number of shapes, and of vertices of lines, that may still be added: tiles and
+                     templates repeat those of a small file any number of times */
     bool all_solid;       /* every tile collides, because the map does not say which do */
     int unmarked;         /* number of tiles without any mark of whether they collide */
     level_placed *placed; /* bodies of objects, in the order of the map */
@@ -253,13 +255,26 @@ void level_forms_settle(const level_reader *r, const level_values *v, const leve
 
 /* Whether the engine accepts a body at this place, in units. */
 bool level_place_fits(const level_reader *r, double x, double y);
-/* Follows "its place" or "the places" in reports of places that the engine does not accept. */
+/* Follows "its place is" or "the places are" in reports of places that the engine does not accept.
+ */
 #define LEVEL_TOO_FAR "further from the map's lower left corner than 1e9 length scales"
+/* Max number of shapes and vertices of lines that are read of a map. Chosen: their bodies take
+ * about 240 MB in a scene. */
+#define LEVEL_PARTS 1048576
+#define LEVEL_TOO_MANY "this map has more shapes and vertices than are read, 1048576 in all"
+
+/* What became of the bodies of some forms. */
+typedef enum level_added {
+    LEVEL_ADDED,
+    LEVEL_LEFT_FAR, /* one is left out: the engine does not accept its place */
+    LEVEL_LEFT_MANY /* one is left out: the map has more than LEVEL_PARTS */
+} level_added;
 /* Adds a body at (x, y) pixels with these forms, and one more for each line. Lines that are ground
  * are left out if `solid_below` is false: a tile whose ground does not go on in the cells below it.
- * False if a body is left out because the engine does not accept its place. */
-bool level_add_body(level_reader *r, const level_physics *physics, uint32_t id,
-                    const level_forms *forms, bool solid_below, double x, double y, double degrees);
+ */
+level_added level_add_body(level_reader *r, const level_physics *physics, uint32_t id,
+                           const level_forms *forms, bool solid_below, double x, double y,
+                           double degrees);
 
 /* ---- tilesets.c ---- */
 

@@ -23,7 +23,7 @@ typedef struct tile_kind {
     double foot;    /* the highest lower side of its ground, pixels below the cell's lower edge */
     double dx, dy;  /* from the cell's lower left corner to the tile's centre, pixels, y down */
     int ungrounded; /* tiles whose ground is left out */
-    int far;        /* tiles of which a body is left out, since it would be too far away */
+    int far, many;  /* tiles of which something is left out: LEVEL_LEFT_FAR, LEVEL_LEFT_MANY */
 } tile_kind;
 
 /* A hash table of tile kinds by tile number, with linear probing; its size is a power of two. */
@@ -176,15 +176,18 @@ static void add_tile(level_reader *r, const level_layer *layer, tile_kind *kind,
     double y = (layer->oy + (row + 1) * r->tile_height) + kind->dy;
     bool grounded = on_floor && kind->foot >= -1e-3 * r->tile_height;
     kind->ungrounded += kind->has_ground && !grounded;
-    kind->far += !level_add_body(r, &kind->physics, 0, &kind->forms, grounded, x, y, 0);
+    level_added added = level_add_body(r, &kind->physics, 0, &kind->forms, grounded, x, y, 0);
+    kind->far += added == LEVEL_LEFT_FAR;
+    kind->many += added == LEVEL_LEFT_MANY;
 }
 
 static void report_left_out(const level_reader *r, const level_layer *layer,
                             const tile_kinds *kinds) {
-    int ungrounded = 0, far = 0;
+    int ungrounded = 0, far = 0, many = 0;
     for (uint32_t i = 0; i < kinds->size; i++) {
         ungrounded += kinds->slots[i].ungrounded;
         far += kinds->slots[i].far;
+        many += kinds->slots[i].many;
     }
     if (ungrounded > 0)
         level_problem_add(r->report, LEVEL_SKIP, LEVEL_NO_OBJECT,
@@ -195,6 +198,10 @@ static void report_left_out(const level_reader *r, const level_layer *layer,
         level_problem_add(r->report, LEVEL_SKIP, LEVEL_NO_OBJECT,
                           "layer '%.40s': the places of %d tiles are " LEVEL_TOO_FAR, layer->name,
                           far);
+    if (many > 0)
+        level_problem_add(r->report, LEVEL_SKIP, LEVEL_NO_OBJECT,
+                          "layer '%.40s': %d tiles are left out: " LEVEL_TOO_MANY, layer->name,
+                          many);
 }
 
 /* Adds the bodies of all cells, and reports what is wrong with them. */

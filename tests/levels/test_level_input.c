@@ -192,6 +192,39 @@ static void bad_layer_is_refused_or_skipped(void **state) {
     }
 }
 
+/* Each of 33 by 33 cells has a tile with 1024 shapes; 1024 of these make up 2^20 shapes. */
+static void small_file_cannot_demand_any_amount_of_memory(void **state) {
+    (void)state;
+    enum { SHAPES = 1024, SIDE = 33 };
+    char *text = malloc(1 << 17), *end = text;
+    end += sprintf(end, "{\"type\":\"map\",\"width\":33,\"height\":33,\"tilewidth\":32,"
+                        "\"tileheight\":32,\"tilesets\":[{\"firstgid\":1,\"tilewidth\":32,"
+                        "\"tileheight\":32,\"tiles\":[{\"id\":0,\"objectgroup\":{\"objects\":[");
+    for (int i = 1; i <= SHAPES; i++)
+        end += sprintf(end, "%s{\"id\":%d,\"x\":0,\"y\":0,\"width\":32,\"height\":32}",
+                       i > 1 ? "," : "", i);
+    end += sprintf(end, "]}}]}],\"layers\":[{\"type\":\"tilelayer\",\"name\":\"t\",\"width\":33,"
+                        "\"height\":33,\"data\":[");
+    for (int i = 0; i < SIDE * SIDE; i++)
+        end += sprintf(end, "%s1", i > 0 ? "," : "");
+    end += sprintf(end, "]}]}");
+    scene s;
+    level_report report;
+    assert_true(level_read("many", text, (size_t)(end - text), true, &s, &report));
+    assert_int_equal(report.count, 1);
+    assert_string_equal(report.problems[0].text,
+                        "layer 't': 65 tiles are left out: this map has more shapes and vertices "
+                        "than are read, 1048576 in all");
+    assert_int_equal(s.shape_count, 1024 * SHAPES);
+    scene_free(&s);
+    level_report_free(&report);
+    const char *wide = CELLS("\"width\":4097,\"height\":4096", "[]");
+    assert_false(level_read("wide", wide, strlen(wide), false, &s, &report));
+    assert_non_null(strstr(report.problems[0].text, "more cells than are read, 16777216 in all"));
+    level_report_free(&report);
+    free(text);
+}
+
 static void file_that_is_no_usable_map_is_refused_even_when_skipping(void **state) {
     (void)state;
     static const struct {
@@ -404,6 +437,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bad_object_is_refused_by_id_or_skipped_alone),
         cmocka_unit_test(bad_layer_is_refused_or_skipped),
+        cmocka_unit_test(small_file_cannot_demand_any_amount_of_memory),
         cmocka_unit_test(file_that_is_no_usable_map_is_refused_even_when_skipping),
         cmocka_unit_test(named_pipe_is_refused_without_waiting),
         cmocka_unit_test(deep_nesting_is_refused_without_overflow),

@@ -115,6 +115,14 @@ const packed = (data, compression = "zlib", size = 2) =>
     ],
   });
 const xml = (body) => `<?xml version="1.0"?><map width="2" height="2" tilewidth="9" tileheight="9">${body}</map>`;
+/** A layer of 33 by 33 tiles with 1024 shapes each. */
+function crowded() {
+  const objects = Array.from({ length: 1024 }, (_, i) => ({ id: i + 1, x: 0, y: 0, width: 9, height: 9 }));
+  const map = JSON.parse(packed("", "", 33));
+  map.tilesets[0].tiles = [{ id: 0, objectgroup: { objects } }];
+  map.layers[0] = { type: "tilelayer", name: "t", width: 33, height: 33, data: Array(33 * 33).fill(1) };
+  return JSON.stringify(map);
+}
 const zeros = "eJxjYGBgAAAABAAB"; // truncated
 const bomb = (bytes) => Buffer.from(bytes).toString("base64");
 
@@ -129,6 +137,7 @@ for (const [name, content, expected] of [
   ["unknown_packing", packed(zeros, "lzma"), /packed in a way that is not known/],
   ["cells_without_end", packed("", "", 900000), /more cells than are read/],
   ["xml_layer_without_tiles", xml('<layer name="t" width="2" height="2"><data encoding="csv"> </data></layer>'), /layer 't': has no tiles/],
+  ["shapes_without_end", crowded(), /layer 't': 65 tiles are left out: this map has more shapes and vertices than are read, 1048576 in all/],
   ["xml_that_is_cut_short", xml("").slice(0, -3), /XML cannot be read/],
   ["xml_of_something_else", "<html/>", /not a Tiled map/],
   ["xml_with_entities", '<!DOCTYPE m [<!ENTITY a "b">]><map>&a;</map>', /XML cannot be read/],

@@ -16,6 +16,7 @@ import { messageOf, ThudError } from "./error.js";
 import type { AnyJointOptions } from "./joint-types.js";
 import { MOST_CELLS } from "./level/cells.js";
 import { type FileContent, type FileOpener, Library, parseDocument } from "./level/library.js";
+import { MOST_PARTS } from "./level/forms.js";
 import type { Tie } from "./level/joints.js";
 import { readObjects } from "./level/objects.js";
 import { type Placed, tieJoints } from "./level/tie.js";
@@ -144,6 +145,11 @@ export interface Reader {
   readonly allSolid: boolean;
   /** The number of cells that may still be read in all layers, since a small file can claim any. */
   cells: number;
+  /**
+   * The number of shapes, and of vertices of lines, that may still be added: tiles and templates
+   * repeat those of a small file any number of times.
+   */
+  parts: number;
   /** The number of tiles of which nothing says whether they collide. */
   unmarked: number;
   /** The first body of each object, by its id. */
@@ -356,6 +362,7 @@ function readMapValues(
     tilesets: listTilesets(json.tilesets, ""),
     allSolid,
     cells: MOST_CELLS,
+    parts: MOST_PARTS,
     unmarked: 0,
     placed: new Map(),
     ties: [],

@@ -6,8 +6,11 @@ import type { Layer, Reader } from "../level.js";
 import { isRecord, type Json, type JsonRecord, numberOf, Values } from "./values.js";
 import { unpack } from "./unpack.js";
 
-/** The maximum number of cells of all layers of a map, 64 million. Chosen: 256 MiB of numbers. */
-export const MOST_CELLS = 2 ** 26;
+/**
+ * The maximum number of cells of all layers of a map. Chosen: 4096 by 4096; their numbers take 64
+ * MiB, and as much again while they are unpacked.
+ */
+export const MOST_CELLS = 2 ** 24;
 
 /** The cells of a layer; of an infinite map the smallest rectangle that contains all its chunks. */
 export interface Cells {

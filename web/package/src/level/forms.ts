@@ -18,7 +18,14 @@ const LARGEST = 16000;
 /** The largest coordinate of a body, length scales, and of a terrain's vertex, units. */
 const FARTHEST = 1e9;
 
-/** Follows "its place" or "the places" in reports of places that the engine does not accept. */
+/**
+ * The maximum number of shapes and vertices of lines that are read of a map. Chosen, as in
+ * demo/level/reader.h.
+ */
+export const MOST_PARTS = 2 ** 20;
+export const TOO_MANY = `this map has more shapes and vertices than are read, ${MOST_PARTS} in all`;
+
+/** Follows "its place is" or "the places are" in reports of places that the engine does not accept. */
 export const TOO_FAR = "further from the map's lower left corner than 1e9 length scales";
 
 /**
@@ -237,8 +244,8 @@ export function settleForms(
 
 /**
  * Adds a body at (x, y) pixels with these forms to the level, and a body for each line. `id`: the
- * object in the map, 0: none; `withGround`: ground lines are added, too. False where a body is left
- * out because the engine does not accept its place.
+ * object in the map, 0: none; `withGround`: ground lines are added, too. Returns why something is
+ * left out: the engine does not accept its place, or the map has more than MOST_PARTS; else null.
  */
 export function addBody(
   reader: Reader,
@@ -249,16 +256,22 @@ export function addBody(
   x: number,
   y: number,
   degrees: number,
-): boolean {
+): "far" | "many" | null {
   const { pixelsPerUnit: ppu, level, mapHeight, placed } = reader;
   const { r: rotation } = turn(degrees);
   const unturned = rotation === 0 && (kind === "static" || body.fixedRotation === true);
-  let allFit = true;
-  const add = (px: number, py: number, turned: number, shapes: LevelShape[]) => {
-    if (!placeFits(reader, [px / ppu, (mapHeight - py) / ppu])) {
-      allFit = false;
-      return;
+  let left: "far" | "many" | null = null;
+  const admit = (f: Form, px: number, py: number): boolean => {
+    const parts = 1 + (f.points?.length ?? 0);
+    const fits = placeFits(reader, [px / ppu, (mapHeight - py) / ppu]);
+    if (fits && parts <= reader.parts) {
+      reader.parts -= parts;
+      return true;
     }
+    left = fits ? "many" : "far";
+    return false;
+  };
+  const add = (px: number, py: number, turned: number, shapes: LevelShape[]) => {
     const angle = 0 - turned * RADIANS;
     const fixed = shapes.some((shape) => shape.kind === "aabb") || body.fixedRotation;
     const position: Vec2 = [grid(px / ppu), grid((mapHeight - py) / ppu)];
@@ -267,7 +280,7 @@ export function addBody(
     level.bodies.push({ body: { ...body, fixedRotation: fixed, position, angle, userData }, shapes });
   };
   const shapes = forms.flatMap((f): LevelShape[] => {
-    if (f.points) return [];
+    if (f.points || !admit(f, x, y)) return [];
     const offset: Vec2 = [f.x / ppu, 0 - f.y / ppu];
     const { material } = f;
     if (f.kind === "circle") return [{ kind: "circle", material, offset, radius: f.hx / ppu }];
@@ -278,10 +291,11 @@ export function addBody(
     return [{ kind: "obb", material, offset, halfWidth, halfHeight, angle }];
   });
   if (shapes.length > 0) add(x, y, rotation, shapes);
-  for (const { points, material, ground, x: fx, y: fy } of forms) {
-    if (!points || (ground && !withGround)) continue;
+  for (const f of forms) {
+    const { points, material, ground, x: fx, y: fy } = f;
+    if (!points || (ground && !withGround) || !admit(f, x + fx, y + fy)) continue;
     const inUnits = points.map(([px, py]): Vec2 => [px / ppu, 0 - py / ppu]);
     add(x + fx, y + fy, 0, [{ kind: "terrain", material, points: inUnits }]);
   }
-  return allFit;
+  return left;
 }

@@ -5,7 +5,7 @@
 import type { JointKind } from "../joint-types.js";
 import type { Layer, Reader } from "../level.js";
 import { DEGREES, FAR, type Form, turn } from "./form.js";
-import { addBody, placeFits, readForms, settleForms, TOO_FAR, turnForm } from "./forms.js";
+import { addBody, placeFits, readForms, settleForms, TOO_FAR, TOO_MANY, turnForm } from "./forms.js";
 import { jointKind } from "./joint-names.js";
 import { readJoint } from "./joints.js";
 import { findTile, listTilesets, readTileForms, type Tileset } from "./tilesets.js";
@@ -143,7 +143,7 @@ function lowestBelow({ mapHeight, tileHeight }: Reader, y: number): number {
   return mapHeight - tileHeight - y;
 }
 
-/** Adds the bodies of an object's forms, or reports that they are too far away. */
+/** Adds the bodies of an object's forms, or reports why not. */
 function addForms(
   reader: Reader,
   v: Values,
@@ -153,8 +153,8 @@ function addForms(
   y: number,
   degrees: number,
 ): void {
-  if (!addBody(reader, physics, v.object, forms, true, x, y, degrees))
-    v.complain("skip", `its place is ${TOO_FAR}`);
+  const left = addBody(reader, physics, v.object, forms, true, x, y, degrees);
+  if (left) v.complain("skip", left === "far" ? `its place is ${TOO_FAR}` : TOO_MANY);
 }
 
 /** Adds the body of an object with an outline of its own. */

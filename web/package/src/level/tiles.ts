@@ -7,7 +7,7 @@
 import type { Layer, Reader } from "../level.js";
 import { type Cells, readCells } from "./cells.js";
 import type { Form } from "./form.js";
-import { addBody, NUMBER, settleForms, TOO_FAR } from "./forms.js";
+import { addBody, NUMBER, settleForms, TOO_FAR, TOO_MANY } from "./forms.js";
 import { findTile, isTurned, readTileForms, type Tile } from "./tilesets.js";
 import { flagOf, ownProperty, type Physics, Values } from "./values.js";
 
@@ -49,6 +49,7 @@ export async function readTiles(reader: Reader, layer: Layer): Promise<void> {
   let unmarked = 0;
   let ungrounded = 0;
   let far = 0;
+  let many = 0;
   let floors: number[] | null = null;
   for (let j = 0; j < cells.height; j++) {
     for (let i = 0; i < cells.width; i++) {
@@ -62,7 +63,9 @@ export async function readTiles(reader: Reader, layer: Layer): Promise<void> {
       const onFloor = kind.hasGround && floors !== null && j + 1 >= floors[i];
       const grounded = onFloor && kind.foot >= -1e-3 * reader.tileHeight;
       if (kind.hasGround && !grounded) ungrounded++;
-      if (!addTile(reader, layer, kind, cells.column + i, cells.row + j, grounded)) far++;
+      const left = addTile(reader, layer, kind, cells.column + i, cells.row + j, grounded);
+      if (left === "far") far++;
+      if (left === "many") many++;
     }
   }
   reader.unmarked += unmarked;
@@ -73,6 +76,7 @@ export async function readTiles(reader: Reader, layer: Layer): Promise<void> {
     say("skip", `the polygons of ${ungrounded} tiles are no ground: ${rule}`);
   }
   if (far > 0) say("skip", `the places of ${far} tiles are ${TOO_FAR}`);
+  if (many > 0) say("skip", `${many} tiles are left out: ${TOO_MANY}`);
   if (unknown > 0) say("skip", `${unknown} tiles belong to no tileset that can be used`);
   if (used > 0 && colliding === 0 && unknown < used)
     say("note", `none of its ${used} tiles is solid`);
@@ -80,7 +84,7 @@ export async function readTiles(reader: Reader, layer: Layer): Promise<void> {
 
 /**
  * Adds the body of a tile in a cell of the map, if it has one. `grounded`: with its ground lines.
- * False where a body is left out because the engine does not accept its place.
+ * Returns why something of it is left out, as addBody does.
  */
 function addTile(
   reader: Reader,
@@ -89,10 +93,10 @@ function addTile(
   column: number,
   row: number,
   grounded: boolean,
-): boolean {
+): ReturnType<typeof addBody> {
   const x = layer.ox + column * reader.tileWidth + dx;
   const y = layer.oy + (row + 1) * reader.tileHeight + dy;
-  return !physics || addBody(reader, physics, 0, forms, grounded, x, y, 0);
+  return physics && addBody(reader, physics, 0, forms, grounded, x, y, 0);
 }
 
 /** Reads what a tile number stands for; problems are in the report. */
