@@ -263,10 +263,29 @@ static bool is_plain(const char *text) {
                              "_-./+,:@%")] == '\0';
 }
 
+/* Appends `text` to a command of `used` characters as one word of a shell, and returns the new
+ * number of characters. What does not fit is left out. */
+static int put_word(char *out, int used, const char *text) {
+#ifdef _WIN32
+    const char *quote = "\"", *escaped = ""; /* a path has no quotes there */
+#else
+    const char *quote = "'", *escaped = "'\\''";
+#endif
+    if (is_plain(text))
+        quote = "";
+    used += snprintf(out + used, (size_t)(RUN_COMMAND_MAX - used), "%s", quote);
+    for (; *text && used < RUN_COMMAND_MAX - 1024; text++)
+        if (*text == *quote)
+            used += snprintf(out + used, (size_t)(RUN_COMMAND_MAX - used), "%s", escaped);
+        else
+            out[used++] = *text;
+    return used + snprintf(out + used, (size_t)(RUN_COMMAND_MAX - used), "%s", quote);
+}
+
 void run_command(const run_options *o, char *out) {
-    const char *quote = is_plain(o->source) ? "" : "\"";
-    int used = snprintf(out, RUN_COMMAND_MAX, "thud-run %s%.900s%s --steps %ld", quote, o->source,
-                        quote, o->steps);
+    int used = snprintf(out, RUN_COMMAND_MAX, "thud-run ");
+    used = put_word(out, used, o->source);
+    used += snprintf(out + used, (size_t)(RUN_COMMAND_MAX - used), " --steps %ld", o->steps);
     struct {
         const char *name, *value;
     } words[] = {{"--quality", QUALITIES[o->quality]->name},

@@ -52,10 +52,12 @@ bool run_options_set(const char *option, const char *value, run_options *out);
  * or if no scene is named. */
 bool run_options_parse(int count, char **arguments, run_options *out);
 
-/* Most characters of a command, its terminating 0 included. */
-enum { RUN_COMMAND_MAX = 1200 };
+/* Most characters of a command, its terminating 0 included: for a path of 4095 quotes, each of
+ * which takes four, and all options. */
+enum { RUN_COMMAND_MAX = 17408 };
 
-/* Writes the command line that runs what the options say once, into RUN_COMMAND_MAX characters. */
+/* Writes the command line that runs what the options say once, for a shell, into RUN_COMMAND_MAX
+ * characters. */
 void run_command(const run_options *options, char *out);
 
 void run_print_help(void);

@@ -8,6 +8,7 @@ import json
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -159,6 +160,17 @@ class Advice(unittest.TestCase):
         found = re.search(r"Advised: .*: error ([0-9.e-]+), [0-9.]+ ms a step.*\n +(thud-run .*)\n", text)
         result = repeat(found.group(2))
         self.assertAlmostEqual(max(result["penetration_max"], 0), float(found.group(1)), delta=1e-3)
+
+    def test_command_of_any_path_is_run_by_a_shell(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("$HOME`date`.tmj", "it's \"one\" \\ two.tmj", "a;b&c|d(e)*.tmj"):
+                path = os.path.join(folder, name)
+                shutil.copy(LEVEL, path)
+                told = advice(path, "--steps", "2", "--repeat", "1")["settings"][0]
+                command = told["command"].replace("thud-run", shlex.quote(THUD_RUN), 1)
+                done = subprocess.run(["sh", "-c", command + " --json"], capture_output=True, text=True)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(json.loads(done.stdout)["hash"], told["hash"])
 
     def test_picture_marks_the_advised_setting(self):
         with tempfile.TemporaryDirectory() as folder:
