@@ -168,8 +168,10 @@ static bool parse_switch(options *o, const char *name) {
     const struct {
         const char *name;
         bool *value;
-    } table[] = {{"--help", &o->help}, {"-h", &o->help},         {"--calls", &o->calls},
-                 {"--list", &o->list}, {"--paused", &o->paused}, {"--bare", &o->bare}};
+    } table[] = {{"--calls", &o->calls},
+                 {"--list", &o->list},
+                 {"--paused", &o->paused},
+                 {"--bare", &o->bare}};
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++)
         if (strcmp(name, table[i].name) == 0) {
             *table[i].value = true;
@@ -186,7 +188,9 @@ bool options_parse(options *o, int argc, char **argv) {
                    .quality = QUALITY_DEFAULT,
                    .detection = DETECTION_DEFAULT,
                    .broadphase = BROADPHASE_DEFAULT};
-    for (int i = 1; i < argc; i++) {
+    for (int i = 1; i < argc; i++)
+        o->help = o->help || strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0;
+    for (int i = 1; i < argc && !o->help; i++) {
         bool known;
         if (!parse_valued(o, argv[i], i + 1 < argc ? argv[i + 1] : NULL, &known))
             return false;

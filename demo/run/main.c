@@ -51,10 +51,10 @@ static int load_and_run(const run_options *options) {
     return done ? 0 : 1;
 }
 
-/* Whether an argument says that a file of jobs is to be run. */
-static bool names_jobs(int count, char **arguments) {
+/* Whether an argument is this option, also where another option would take it as its value. */
+static bool has(int count, char **arguments, const char *option) {
     for (int i = 1; i < count; i++)
-        if (strcmp(arguments[i], "--jobs") == 0)
+        if (strcmp(arguments[i], option) == 0)
             return true;
     return false;
 }
@@ -62,12 +62,13 @@ static bool names_jobs(int count, char **arguments) {
 int main(int count, char **arguments) {
     run_options options;
     jobs_options jobs;
-    if (names_jobs(count, arguments))
-        return jobs_options_parse(count, arguments, &jobs) ? jobs_run(&jobs) : 2;
-    if (!run_options_parse(count, arguments, &options))
-        return 2;
     int status = 0;
-    if (options.help)
+    bool help = has(count, arguments, "--help") || has(count, arguments, "-h");
+    if (!help && has(count, arguments, "--jobs"))
+        return jobs_options_parse(count, arguments, &jobs) ? jobs_run(&jobs) : 2;
+    if (!help && !run_options_parse(count, arguments, &options))
+        return 2;
+    if (help)
         run_print_help();
     else if (options.list)
         run_print_list();

@@ -169,8 +169,6 @@ static bool parse_plain(const char *option, run_options *out) {
         out->advise = true;
     else if (strcmp(option, "--list") == 0)
         out->list = true;
-    else if (strcmp(option, "--help") == 0 || strcmp(option, "-h") == 0)
-        out->help = true;
     else
         return complain("unknown option", option);
     return true;
@@ -178,7 +176,7 @@ static bool parse_plain(const char *option, run_options *out) {
 
 /* Whether the options go together. False after a message. */
 static bool check(const run_options *options, bool only_for_advice) {
-    if (options->help || options->list)
+    if (options->list)
         return true;
     if (options->replay && (options->source || options->record))
         fprintf(stderr, "thud-run: --replay plays a recording, and no scene\n");

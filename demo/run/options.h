@@ -24,7 +24,7 @@ typedef struct run_options {
     double heavier;                     /* factor of the mass of the heaviest body; 1: as it is */
     unsigned without;                   /* bits of without.h */
     double cell_size;                   /* of the grid, length; 0: chosen by the engine */
-    bool json, skip_unsupported, no_sleeping, list, help;
+    bool json, skip_unsupported, no_sleeping, list;
     bool uses;           /* also count what the run uses */
     bool advise;         /* advise instead of running once; what follows is for this alone */
     double max_error;    /* the largest error that the advised setting may have, length scales */

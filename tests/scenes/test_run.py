@@ -184,6 +184,11 @@ class ThudRun(unittest.TestCase):
         for flag in ("--help", "-h"):
             self.assertIn("--skip-unsupported", run(flag).stdout)
             self.assertEqual(run(flag).returncode, 0)
+        for beside in (["--jobs", "none.json", "--help"], ["--help", "--jobs"], ["gas", "--steps", "ten", "-h"],
+                       ["--bogus", "--help"], ["--steps", "--help"], ["--list", "--help"]):
+            done = run(*beside)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), beside)
+            self.assertEqual(done.stdout, run("--help").stdout)
 
     def test_wrong_arguments_are_told_and_give_2(self):
         for arguments in ([], ["pyramid", "gas"], ["gas", "--steps"], ["gas", "--steps", "0"],

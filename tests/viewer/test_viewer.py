@@ -427,6 +427,10 @@ class Viewer(unittest.TestCase):
                        "--broadphase", "--frames", "--screenshot", "--look", "--rate", "--top-speed",
                        "--workers", "--paused", "--bare", "--replay", "--calls"):
             self.assertIn(option, result.stdout)
+        for beside in (["--bogus", "--help"], ["--size", "1", "-h"], ["--frames", "--help"], ["--list", "--help"],
+                       ["pyramid", "gas", "--help"]):
+            with self.subTest(beside=beside):
+                self.assertEqual(run(*beside).stdout, result.stdout)
 
 
 if __name__ == "__main__":
