@@ -295,6 +295,16 @@ int session_quality(const session *s) {
     return -1;
 }
 
+int session_detection(const session *s) {
+    thud_step_settings settings;
+    if (!s->played || thud_world_get_step_settings(s->world, &settings) != THUD_OK)
+        return s->detection;
+    for (int i = 1; i < DETECTION_CHOICES; i++)
+        if (settings.quality.detection == DETECTIONS[i].detection)
+            return i;
+    return DETECTION_DEFAULT;
+}
+
 void session_spawn(session *s, thud_shape_kind kind, thud_pos at, float size) {
     if (!s->world || !session_yields(s))
         return;

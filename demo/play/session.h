@@ -105,6 +105,9 @@ void session_step(session *s); /* runs one step */
 void session_set_quality(session *s, int quality);
 /* The world's quality, as an index in QUALITIES; -1: it is none of them. */
 int session_quality(const session *s);
+/* The detection that is shown, as an index in DETECTIONS: of a recording its world's, which is
+ * never "auto"; of a scene the choice. */
+int session_detection(const session *s);
 
 /* Adds a dynamic body of `size` length scales at a place. */
 void session_spawn(session *s, thud_shape_kind kind, thud_pos at, float size);

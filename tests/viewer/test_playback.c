@@ -358,6 +358,43 @@ static void what_differs_is_told_and_marked(void **state) {
     remove("differs.rec");
 }
 
+/* The text at the foot that tells of bisection is there where the recording's detection is that. */
+static void the_detection_of_the_recording_is_shown(void **state) {
+    (void)state;
+    static const char path[] = "test_detection.rec";
+    int without = 0; /* pixels of the text's colour elsewhere */
+    for (int choice = 1; choice < DETECTION_CHOICES; choice++) {
+        thud_world_def def = thud_default_world_def();
+        def.detection = DETECTIONS[choice].detection;
+        thud_world *world = NULL;
+        OK(thud_world_create(&def, &world));
+        thud_body_options falls = {.kind = THUD_BODY_DYNAMIC};
+        thud_body_make(world, thud_circle_at(0, 3, 0.5), &falls);
+        thud_recorder *recorder = NULL;
+        OK(thud_recorder_begin(world, NULL, &recorder));
+        OK(thud_world_step(world));
+        thud_bytes bytes;
+        OK(thud_recorder_get_bytes(recorder, &bytes));
+        write_file(path, bytes.data, bytes.count);
+        thud_recorder_end(recorder);
+        thud_world_destroy(world);
+
+        screen *s = open_screen();
+        s->v.session.detection = DETECTION_CHOICES - choice;
+        drop(s, path);
+        press(s, SDLK_RIGHT, false);
+        assert_int_equal(session_detection(&s->v.session), choice);
+        bool bisects = DETECTIONS[choice].detection == &thud_detection_bisect;
+        int pixels = pixels_of(s, COLOR_TIMINGS);
+        without = choice == 1 ? pixels : without;
+        assert_true((pixels > without) == bisects);
+        drop(s, "tests/viewer/ball.tmj");
+        assert_int_equal(session_detection(&s->v.session), DETECTION_CHOICES - choice);
+        close_screen(s);
+    }
+    remove(path);
+}
+
 static void a_wrong_file_changes_nothing(void **state) {
     (void)state;
     screen *s = open_screen();
@@ -555,6 +592,7 @@ int main(void) {
         cmocka_unit_test(calls_of_a_step_are_listed),
         cmocka_unit_test(a_fork_goes_on_by_hand_and_back),
         cmocka_unit_test(what_differs_is_told_and_marked),
+        cmocka_unit_test(the_detection_of_the_recording_is_shown),
         cmocka_unit_test(a_wrong_file_changes_nothing),
         cmocka_unit_test(a_recording_is_dropped_and_a_scene_follows),
         cmocka_unit_test(the_last_seconds_are_saved),

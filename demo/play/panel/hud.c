@@ -41,7 +41,7 @@ static void draw_missed(viewer *v, float y) {
     size_t used = 0;
     double limit = 0;
     bool broken = false;
-    bool bisects = DETECTIONS[s->detection].detection == &thud_detection_bisect;
+    bool bisects = DETECTIONS[session_detection(s)].detection == &thud_detection_bisect;
     if ((bisects || s->missed.fast > 0 || s->top_speed > 0) &&
         thud_world_get_bisection_limit(s->world, &limit) == THUD_OK && isfinite(limit)) {
         used = (size_t)snprintf(text, sizeof text, "bisects up to %.3g m/s  %ld times too fast  ",

@@ -72,15 +72,18 @@ static float draw_quality(viewer *v, float y) {
     return y + (ROW + GAP) * v->canvas.unit;
 }
 
-/* Each click chooses the next one. */
+/* Each click chooses the next one. A world does not tell its broadphase: that of a recording is not
+ * known. */
 static float draw_systems(viewer *v, float y) {
     session *s = &v->session;
+    int detection = session_detection(s);
     y = label(v, y, "Detection, broadphase");
-    if (ui_button(&v->ui, &v->canvas, cell(v, y, 0, 2), DETECTIONS[s->detection].name,
-                  s->detection != DETECTION_DEFAULT))
+    if (ui_button(&v->ui, &v->canvas, cell(v, y, 0, 2), DETECTIONS[detection].name,
+                  detection != DETECTION_DEFAULT))
         viewer_set_detection(v, (s->detection + 1) % DETECTION_CHOICES);
-    if (ui_button(&v->ui, &v->canvas, cell(v, y, 1, 2), BROADPHASES[s->broadphase].name,
-                  s->broadphase != BROADPHASE_DEFAULT))
+    if (ui_button(&v->ui, &v->canvas, cell(v, y, 1, 2),
+                  s->played ? "as recorded" : BROADPHASES[s->broadphase].name,
+                  !s->played && s->broadphase != BROADPHASE_DEFAULT))
         viewer_set_broadphase(v, (s->broadphase + 1) % BROADPHASE_CHOICES);
     return y + (ROW + GAP) * v->canvas.unit;
 }
