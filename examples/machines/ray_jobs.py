@@ -9,7 +9,8 @@ JOBS is a file for thud-run --jobs. Each part of it is a task of Ray, which star
 machine is lost. thud-run, and the levels that the jobs name, must be on every machine, at the same
 path. Results of parts are kept beside RESULTS until all are there: after an interruption, only the
 parts without results are run. Exit status: 0 done, 1 some jobs failed, and their results say so,
-2 a job is wrong, or there are results of other jobs.
+2 a job is wrong, the jobs cannot be read, or there are results already, 3 not all jobs were run, or
+their results cannot be written: thud-run is missing or has crashed, or the cluster is lost.
 """
 
 import argparse
@@ -44,16 +45,23 @@ def arguments():
     return given
 
 
-def main():
-    given = arguments()
-    jobs = given.jobs.read_bytes()
+def complain(text, status):
+    print(f"ray_jobs.py: {text}", file=sys.stderr)
+    return status
+
+
+def have_failures(lines):
+    return any("failed" in json.loads(line) for line in lines.splitlines())
+
+
+def run(given, jobs):
+    """Runs the parts that have no results, and puts all results together. Returns the exit status."""
     # Results of other jobs, or of another division, have another name, and are never taken for ours.
     name = hashlib.sha256(jobs).hexdigest()[:12]
     kept = {part: given.results.with_name(f"{given.results.name}.{name}.{part}-{given.parts}")
             for part in range(1, given.parts + 1)}
     if given.results.exists():
-        print(f"ray_jobs.py: {given.results} is there already", file=sys.stderr)
-        return 2
+        return complain(f"{given.results} is there already", 2)
     ray.init(address=given.address, log_to_driver=False)
     running = {run_part.options(num_cpus=given.cores).remote(
         given.thud_run, jobs, part, given.parts, given.cores): part
@@ -62,9 +70,12 @@ def main():
         [task], _ = ray.wait(list(running), num_returns=1)
         part = running.pop(task)
         status, results, complaint = ray.get(task)
-        if status not in (0, 1):
-            print(f"ray_jobs.py: part {part}: {complaint}", file=sys.stderr)
-            return 2
+        if status == 2:
+            return complain(f"part {part}: {complaint}", 2)
+        # thud-run also ends with 1 where it cannot write all its results.
+        whole = status in (0, 1) and (not results or results.endswith(b"\n"))
+        if not whole or status != have_failures(results):
+            return complain(f"part {part}: thud-run ended with {status}: {complaint}", 3)
         new = kept[part].with_name("new." + kept[part].name)
         new.write_bytes(results)
         new.replace(kept[part])
@@ -73,7 +84,19 @@ def main():
     given.results.write_bytes(lines)
     for path in kept.values():
         path.unlink()
-    return 1 if any("failed" in json.loads(line) for line in lines.splitlines()) else 0
+    return 1 if have_failures(lines) else 0
+
+
+def main():
+    given = arguments()
+    try:
+        jobs = given.jobs.read_bytes()
+    except OSError as error:
+        return complain(error, 2)
+    try:
+        return run(given, jobs)
+    except (OSError, ray.exceptions.RayError) as error:
+        return complain(error, 3)
 
 
 if __name__ == "__main__":

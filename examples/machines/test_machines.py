@@ -23,6 +23,25 @@ RUNS = 9
 TASKS = {"Slurm": {"SLURM_ARRAY_TASK_ID": "2", "SLURM_ARRAY_TASK_COUNT": "3"},
          "PBS": {"PBS_ARRAY_INDEX": "2", "COUNT": "3"},
          "Grid Engine": {"SGE_TASK_ID": "2", "SGE_TASK_LAST": "3"}}
+# A stand-in for Ray that runs each task when its result is asked for.
+RAY = """
+from types import SimpleNamespace as space
+
+exceptions = space(RayError=type("RayError", (Exception,), {}))
+
+def init(**options):
+    pass
+
+def remote(**options):
+    return lambda task: space(options=lambda **options: space(remote=lambda *values: (task, values)))
+
+def wait(tasks, num_returns):
+    return tasks[:num_returns], tasks[num_returns:]
+
+def get(begun):
+    task, values = begun
+    return task(*values)
+"""
 
 
 def sorted_results(text):
@@ -74,6 +93,35 @@ class Machines(unittest.TestCase):
         complaint = task.communicate(timeout=60)[1]
         self.assertEqual(task.returncode, 2)
         self.assertIn("no task of a job array", complaint)
+
+    def test_failures_are_told_by_the_status(self):
+        stand_in = self.folder / "modules"
+        stand_in.mkdir()
+        (stand_in / "ray.py").write_text(RAY)
+        fails = self.folder / "fails.ndjson"
+        fails.write_text(json.dumps({"scene": "chain", "size": 5, "steps": 9, "inputs": [
+            {"step": 5, "drop": "circle", "at": [1e20, 0], "size": 1}]}))
+        wrong = self.folder / "wrong.ndjson"
+        wrong.write_text('{"scene": "nowhere"}')
+        programs = {name: self.folder / name for name in ("crashes", "writes_nothing", "is_cut")}
+        for path, text in zip(programs.values(), ("echo '{'; kill -9 $$", "exit 1", "printf '{'; exit 1")):
+            path.write_text(f"#!/bin/sh\n{text}\n")
+            path.chmod(0o755)
+        for number, (jobs, program, status, says) in enumerate((
+                (self.jobs, THUD_RUN, 0, ""), (fails, THUD_RUN, 1, ""),
+                (wrong, THUD_RUN, 2, "nowhere"), (self.folder / "none", THUD_RUN, 2, "No such file"),
+                (self.jobs, self.folder / "no-thud-run", 3, "No such file"),
+                (self.jobs, programs["crashes"], 3, "ended with -9"),
+                (self.jobs, programs["writes_nothing"], 3, "ended with 1"),
+                (self.jobs, programs["is_cut"], 3, "ended with 1"))):
+            done = subprocess.run(
+                [sys.executable, FOLDER / "ray_jobs.py", jobs, self.folder / f"results-{number}",
+                 "--parts", "2", "--thud-run", program], capture_output=True, text=True, timeout=60,
+                env=os.environ | {"PYTHONPATH": str(stand_in)})
+            self.assertEqual(done.returncode, status, (program, done.stderr))
+            self.assertIn(says, done.stderr)
+            self.assertNotIn("Traceback", done.stderr)
+            self.assertEqual((self.folder / f"results-{number}").exists(), status < 2)
 
     @unittest.skipUnless(importlib.util.find_spec("ray"), "needs Ray")
     def test_ray_has_the_results_of_one_run(self):
