@@ -110,6 +110,8 @@ release_rust() {
         return 0
     fi
     python3 -B tools/amalgamate.py bindings/rust/thud-sys
+    cp LICENSE bindings/rust/thud-sys
+    cp LICENSE bindings/rust/thud
     (cd bindings/rust && cargo package --quiet --workspace --no-verify --allow-dirty --exclude-lockfile \
         --target-dir "$work/crates")
     for crate in thud-sys thud; do

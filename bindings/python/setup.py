@@ -24,6 +24,8 @@ PACKED = (HERE / "thud.c").is_file()
 API_FILE = HERE / "api.json" if PACKED else ROOT / "bindings/api.json"
 API = json.loads(API_FILE.read_text(encoding="utf-8"))
 MADE = HERE / "build/made"
+if not PACKED:
+    shutil.copyfile(ROOT / "LICENSE", HERE / "LICENSE")  # setuptools packs only what stands in this folder
 
 
 def engine_to(folder):

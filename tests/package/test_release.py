@@ -112,6 +112,12 @@ class ReleaseTest(unittest.TestCase):
             self.assertEqual([Path(entry.name).name for entry in archive],
                              ["LICENSE", "thud.c", "thud.h", "thud.hpp", "thud_recorded.h"])
 
+    def test_crates_have_the_license(self):
+        for path in (self.first / "build/release-files").glob("*.crate"):
+            with tarfile.open(path) as archive:
+                text = archive.extractfile(f"{path.stem}/LICENSE").read()
+            self.assertEqual(text, (SOURCE / "LICENSE").read_bytes(), path)
+
     def test_changes_are_refused(self):
         made = files_of(self.second)
         (self.second / "new").write_text("", encoding="utf-8")

@@ -9,6 +9,7 @@ import os
 import subprocess
 import sys
 import tempfile
+import zipfile
 from pathlib import Path
 
 PROJECT, CC = Path(sys.argv[1]).resolve(), sys.argv[2]
@@ -25,12 +26,15 @@ with tempfile.TemporaryDirectory() as held:
     for name in ("engine", "tools", "LICENSE", "bindings/api.json"):
         (folder / name).symlink_to(PROJECT / name)
     for path in (PROJECT / "bindings/python").iterdir():
-        if path.name not in ("build", "thud.egg-info"):
+        if path.name not in ("build", "thud.egg-info", "LICENSE"):
             (source / path.name).symlink_to(path)
     pip = [sys.executable, "-m", "pip", "--quiet", "--disable-pip-version-check"]
     run(*pip, "wheel", "--no-index", "--no-deps", "--no-build-isolation", "--wheel-dir", folder, source,
         env={**os.environ, "CC": CC, "CFLAGS": "-O0 -Werror"})
     wheel = next(folder.glob("thud-*.whl"))
+    with zipfile.ZipFile(wheel) as packed:
+        licenses = [name for name in packed.namelist() if name.endswith("/LICENSE")]
+        assert [packed.read(name) for name in licenses] == [(PROJECT / "LICENSE").read_bytes()], licenses
     run(*pip, "install", "--no-index", "--no-deps", "--target", installed, wheel)
     run(sys.executable, "-B", "-m", "pytest", "-q", "-p", "no:cacheprovider", source / "tests", cwd=folder,
         env={**os.environ, "PYTHONPATH": str(installed), "THUD_PROJECT": str(PROJECT), "MALLOC_PERTURB_": "90",
