@@ -6,6 +6,8 @@ import re
 ROOTS = {"_Bool": "bool", "float": "float", "double": "float", "const char *": "str"}
 INTEGERS = {"int", "unsigned int", "size_t", *(f"{sign}int{bits}_t" for sign in ("", "u")
                                               for bits in (8, 16, 32, 64))}
+# Functions of Python's that the engine calls.
+CALLED = 'extern "Python" double thud_py_clock(void *context);\n'
 
 
 def declaration(kind, name):

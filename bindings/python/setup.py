@@ -69,7 +69,7 @@ class BuildNative(build_ext):
     def build_extensions(self):
         engine_to(MADE)
         builder = FFI()
-        builder.cdef(declare.cdef(API) + (HERE / "helper.h").read_text(encoding="utf-8"))
+        builder.cdef(declare.cdef(API) + declare.CALLED + (HERE / "helper.h").read_text(encoding="utf-8"))
         builder.set_source("thud._native", '#include "thud.h"\n#include "helper.c"\n')
         builder.emit_c_code(str(MADE / "native.c"))
         super().build_extensions()

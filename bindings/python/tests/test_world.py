@@ -108,6 +108,9 @@ def test_refused_calls_raise_the_message_and_change_nothing():
     (lambda: thud.World(gravity=(1, 2, 3)), ValueError, "3 numbers, not 2"),
     (lambda: thud.World(cookie=1), TypeError, "no option 'cookie'"),
     (lambda: thud.World(allocator={}), TypeError, "thud.lib"),
+    (lambda: thud.World(clock=1.5), TypeError, "clock of a world: it is not a function"),
+    (lambda: thud.World(clock=lambda: "now"), ValueError, "now"),
+    (lambda: thud.World(time_budget=0.01), thud.ThudError, "time_budget lacks a clock"),
     (lambda: thud.World(substeps=1 << 40), OverflowError, "substeps of a world"),
     (lambda: thud.World(time_step=2.0), thud.ThudError, "time_step is 2"),
     (lambda: thud.World().body("dynamik"), ValueError, "it has dynamic, kinematic, static"),
@@ -117,6 +120,21 @@ def test_refused_calls_raise_the_message_and_change_nothing():
 def test_wrong_options_are_refused_by_name(wrong, error, text):
     with pytest.raises(error, match=re.escape(text)):
         wrong()
+
+
+def test_a_clock_times_stages_and_keeps_to_a_budget():
+    readings = iter(range(1 << 20))
+    slow, _ = falling(clock=lambda: next(readings) * 0.01, time_budget=0.001)
+    before = slow.stats().steps
+    slow.step(20)
+    assert slow.stats().steps == before + 20 and slow.stats().substeps == 1
+    assert slow.stats().step_seconds > 0.05 and min(slow.stats().stage_seconds) >= 0
+    fast, _ = falling(clock=time.perf_counter, time_budget=1.0)
+    gc.collect()
+    with thud.Batch([fast, slow], threads=2) as batch:
+        batch.step(30)
+    assert fast.stats().substeps == 4 and 0 < fast.stats().step_seconds < 1
+    assert falling()[0].stats().step_seconds == 0
 
 
 def test_objects_of_the_engine_are_options_by_name():

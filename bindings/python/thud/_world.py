@@ -29,6 +29,12 @@ class ThudError(Exception):
         self.result = result
 
 
+@ffi.def_extern()
+def thud_py_clock(context: Any) -> float:
+    """Reads the clock of a world for the engine."""
+    return float(ffi.from_handle(context)())
+
+
 class StepEvents(NamedTuple):
     """The events of the last step, or of all steps of the last advance, each list a NumPy array
     with the fields of the engine's struct, which is a view of the world's memory."""
@@ -46,7 +52,9 @@ class StepEvents(NamedTuple):
 class World:
     """A world that advances in steps of 1/60 s, or another `time_step`.
 
-    Options are the fields of thud_world_def. A world is used by one thread at a time; a call during
+    Options are the fields of thud_world_def. `clock` is a function such as time.perf_counter: it times
+    the stages of each step, and a `time_budget` needs it. It is read several times a step, by the
+    thread that steps, and neither calls the world nor raises. A world is used by one thread at a time; a call during
     step(), advance() or a Batch's step on another thread is refused. It is freed when nothing refers to it, or by close()."""
 
     def __init__(self, **options: "Unpack[WorldDefOptions]"):
@@ -57,11 +65,18 @@ class World:
             raise MemoryError("no memory for a world")
         self._context = ffi.gc(context, lib.thud_py_context_destroy)
         given = dict(options)
-        for owned in ("allocator", "log", "log_context", "job_system", "clock", "clock_context"):
+        for owned in ("allocator", "log", "log_context", "job_system", "clock_context"):
             if owned in given:
                 raise TypeError(f"{owned} is a matter of C, for which thud.lib is")
         def_ = ffi.new("thud_world_def *", lib.thud_default_world_def())
+        clock = given.pop("clock", None)
         fill(def_, given, "a world")
+        if clock is not None:
+            if not callable(clock):
+                raise TypeError("clock of a world: it is not a function")
+            float(clock())
+            self._clock = ffi.new_handle(clock)  # keeps the function
+            def_.clock, def_.clock_context = lib.thud_py_clock, self._clock
         self._check(lib.thud_py_context_create_world(self._context, def_))
         self._world = lib.thud_py_context_world(self._context)
 

@@ -20,6 +20,8 @@ use std::ffi::{c_char, c_int, c_void, CStr};
 use std::fmt;
 use std::marker::PhantomData;
 use std::ptr::NonNull;
+use std::sync::OnceLock;
+use std::time::Instant;
 
 pub use thud_sys as sys;
 
@@ -49,7 +51,27 @@ impl std::error::Error for Error {}
 #[derive(Clone, Default)]
 pub struct WorldDef(sys::thud_world_def);
 
+/// A clock for [`WorldDef::clock`]: the seconds since its first reading.
+pub fn monotonic() -> f64 {
+    static BEGIN: OnceLock<Instant> = OnceLock::new();
+    BEGIN.get_or_init(Instant::now).elapsed().as_secs_f64()
+}
+
+/// The context is the address of a function.
+unsafe extern "C" fn read_clock(context: *mut c_void) -> f64 {
+    std::mem::transmute::<*mut c_void, fn() -> f64>(context)()
+}
+
 impl WorldDef {
+    /// Times the stages of each step by this clock, in seconds: [`monotonic`], or one of your own. A
+    /// `time_budget` needs it. It is read several times a step, by the thread that steps.
+    #[must_use]
+    pub fn clock(mut self, clock: fn() -> f64) -> Self {
+        self.0.clock = Some(read_clock);
+        self.0.clock_context = clock as *mut c_void;
+        self
+    }
+
     #[must_use]
     pub fn quality(mut self, quality: &'static Quality) -> Self {
         self.0.quality = &quality.0;

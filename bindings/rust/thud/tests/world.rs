@@ -250,3 +250,26 @@ fn worlds_go_to_other_threads() {
         .collect();
     assert!(worlds.iter().all(|hash| *hash == worlds[0]));
 }
+
+#[test]
+fn a_clock_times_stages_and_keeps_to_a_budget() {
+    /// Each reading is a second after the one before.
+    fn slow() -> f64 {
+        static READINGS: AtomicUsize = AtomicUsize::new(0);
+        READINGS.fetch_add(1, Ordering::Relaxed) as f64
+    }
+    let mut world = World::new(&WorldDef::default().clock(slow).time_budget(0.01)).unwrap();
+    dynamic(&mut world, 0.0, 5.0);
+    for _ in 0..20 {
+        world.step().unwrap();
+    }
+    let stats = world.stats().unwrap();
+    assert!(stats.substeps == 1 && stats.step_seconds >= 5.0);
+    let mut world = World::new(&WorldDef::default().clock(thud::monotonic).time_budget(1.0)).unwrap();
+    dynamic(&mut world, 0.0, 5.0);
+    world.step().unwrap();
+    let stats = world.stats().unwrap();
+    assert!(stats.substeps == 4 && stats.step_seconds > 0.0 && stats.step_seconds < 1.0);
+    let refused = World::new(&WorldDef::default().time_budget(1.0)).err().unwrap();
+    assert_eq!(refused.message, "world def: time_budget lacks a clock");
+}
