@@ -137,6 +137,17 @@ def test_a_clock_times_stages_and_keeps_to_a_budget():
     assert falling()[0].stats().step_seconds == 0
 
 
+def test_views_of_structs_have_their_arrays():
+    world, _ = falling(clock=time.perf_counter)
+    world.step()
+    stats = thud.ffi.new("thud_stats *")
+    world.call("world_get_stats", stats)
+    view = world.view(stats, 1)
+    assert view["stage_seconds"].shape == (1, len(stats.stage_seconds))
+    assert view["stage_seconds"][0].tolist() == list(stats.stage_seconds)
+    assert view["steps"][0] == 1 and not view.flags.writeable
+
+
 def test_objects_of_the_engine_are_options_by_name():
     world, _ = falling(quality="high", detection="swept", broadphase="sweep", sleeping=False)
     plain, _ = falling()

@@ -108,6 +108,8 @@ def dtype_of(kind: Any) -> Any:
         return numpy.dtype({"names": names, "formats": [dtype_of(field.type) for _, field in kind.fields],
                             "offsets": [field.offset for _, field in kind.fields],
                             "itemsize": ffi.sizeof(kind)})
+    if kind.kind == "array":
+        return numpy.dtype((dtype_of(kind.item), kind.length))
     if kind.kind == "enum":
         return numpy.dtype(f"u{ffi.sizeof(kind)}")
     if kind.cname in ("float", "double"):
