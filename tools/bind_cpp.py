@@ -307,17 +307,15 @@ def connections():
             names[name] = True
             declared, passed = trampoline_parameters(parameters)
             passes = f"return static_cast<C *>(context)->{name}({passed});"
-            body.append(f"if constexpr (detail::has_{name}<C>::value) {{ callbacks.{name} = []({declared}) "
+            body.append(f"if constexpr (detail::has_{name}<C>()) {{ callbacks.{name} = []({declared}) "
                         f"noexcept -> {cpp(returned)} {{ {passes} }}; }}")
-        any_of = " || ".join(f"detail::has_{name}<C>::value" for name, _ in fields)
+        any_of = " || ".join(f"detail::has_{name}<C>()" for name, _ in fields)
         lines.append(
             f"template <class C> void connect({entry['name']} &callbacks, C &object) noexcept {{\n"
             f"static_assert({any_of}, \"no member has the name of a callback\");\n" + "\n".join(body) +
             "\ncallbacks.context = detail::context(object); }\n"
             f"template <class C> void connect({entry['name']} &, const C &&) = delete;\n\n")
-    has = "".join(f"template <class C, class = void> struct has_{name} : std::false_type {{}};\n"
-                  f"template <class C> struct has_{name}<C, std::void_t<decltype(&C::{name})>> "
-                  f": std::true_type {{}};\n" for name in names)
+    has = HAS + "".join(f"THUD_HAS({name})\n" for name in names) + "#undef THUD_HAS\n"
     return has, "".join(lines)
 
 
@@ -429,6 +427,27 @@ template <class F> void connect(thud_world_def &def, F &log) noexcept {
 }
 template <class F> void connect(thud_world_def &, const F &&) = delete;
 
+"""
+
+HAS = """// has_NAME(): whether a class has a member of this name. A class that derives from it and from one
+// that has the name as well finds it in both, also where it is overloaded, a template or private. None
+// derives from a union or a final class: there a public member that is not overloaded is found.
+template <class C>
+constexpr bool may_be_base = !std::is_final<C>::value && !std::is_union<C>::value;
+#define THUD_HAS(NAME) \\
+    struct named_##NAME { int NAME; }; \\
+    template <class C> struct both_##NAME : C, named_##NAME {}; \\
+    template <class C, class = void> struct lacks_##NAME : std::false_type {}; \\
+    template <class C> \\
+    struct lacks_##NAME<C, std::void_t<decltype(&both_##NAME<C>::NAME)>> : std::true_type {}; \\
+    template <class C, class = void> struct shows_##NAME : std::false_type {}; \\
+    template <class C> \\
+    struct shows_##NAME<C, std::void_t<decltype(&C::NAME)>> : std::true_type {}; \\
+    template <class C> constexpr bool has_##NAME() { \\
+        using plain = std::remove_cv_t<C>; \\
+        if constexpr (may_be_base<plain>) return !lacks_##NAME<plain>::value; \\
+        else return shows_##NAME<plain>::value; \\
+    }
 """
 
 ROLLBACK = """THUD_CREATES static result<rollback> create(world_ref world, in<thud_rollback_options> options) {

@@ -45,6 +45,10 @@ int other() { return thud::body().set_awake(true).code != THUD_ERROR_NULL; }
 REFUSED = {
     "deleted": "world.set_filter([](thud::world_ref, thud_shape_id, thud_shape_id) { return true; });",
     "no member has the name": "struct {} none; thud::listeners l{}; thud::connect(l, none);",
+    "private": "class { void epilogue(thud::world_ref, const thud_contact &) {} } shy; "
+               "thud::listeners l{}; thud::connect(l, shy);",
+    "no matching": "struct { void epilogue(int) {} void epilogue(const char *) {} } odd; "
+                   "thud::listeners l{}; thud::connect(l, odd);",
     "nodiscard": "world.create_body();",
 }
 

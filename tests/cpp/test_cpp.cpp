@@ -312,6 +312,36 @@ static void callbacks_are_objects() {
     EXPECT(seen == 1);
 }
 
+// Functions of a class with members of the names of callbacks, which a derived class inherits.
+struct base_calls {
+    int befores = 0, afters = 0;
+    void before(int) = delete;
+    void before(thud::world_ref) {
+        befores++;
+    }
+    template <class W> void after(W) {
+        afters++;
+    }
+};
+
+static void callbacks_may_be_overloaded_or_templates() {
+    thud::world world(thud::default_world_def());
+    struct : base_calls {
+    } game;
+    struct final_calls final : base_calls {
+        using base_calls::after;
+        void before(thud::world_ref) {
+            befores++;
+        }
+    } last;
+    thud::step_calls calls{}, last_calls{};
+    thud::connect(calls, game);
+    thud::connect(last_calls, last);
+    EXPECT(calls.before && calls.after && last_calls.before && !last_calls.after);
+    EXPECT(world.advance_with(1.0 / 60, 1, calls) && world.advance_with(1.0 / 60, 1, last_calls));
+    EXPECT(game.befores == 1 && game.afters == 1 && last.befores == 1 && last.afters == 0);
+}
+
 // ---- what else owns ----
 
 static void pools_and_rollbacks_are_freed() {
@@ -343,6 +373,7 @@ int main() {
     inputs_are_spans_and_objects();
     joints_hold();
     callbacks_are_objects();
+    callbacks_may_be_overloaded_or_templates();
     pools_and_rollbacks_are_freed();
     return failures != 0;
 }

@@ -22,7 +22,8 @@
 // its type. Calls that keep it (set_...) take no temporary: it must live as long as it may be
 // called. An exception that leaves a callback ends the program. connect() fills a struct of
 // callbacks, such as thud::listeners, from the members of an object that have the names of its
-// fields.
+// fields. They may be overloaded; one that is private, or takes other parameters, does not compile.
+// Of a class that is final, or a union, private, overloaded and template members are passed over.
 //
 // Threads: as in C, one world is used by one thread at a time.
 #ifndef THUD_HPP
@@ -930,63 +931,72 @@ bool call_filter_fn(const thud_world *world, thud_shape_id shape_a, thud_shape_i
                                         shape_a, shape_b);
 }
 
-template <class C, class = void> struct has_circle : std::false_type {};
-template <class C> struct has_circle<C, std::void_t<decltype(&C::circle)>> : std::true_type {};
-template <class C, class = void> struct has_box : std::false_type {};
-template <class C> struct has_box<C, std::void_t<decltype(&C::box)>> : std::true_type {};
-template <class C, class = void> struct has_line : std::false_type {};
-template <class C> struct has_line<C, std::void_t<decltype(&C::line)>> : std::true_type {};
-template <class C, class = void> struct has_point : std::false_type {};
-template <class C> struct has_point<C, std::void_t<decltype(&C::point)>> : std::true_type {};
-template <class C, class = void> struct has_allocate : std::false_type {};
-template <class C> struct has_allocate<C, std::void_t<decltype(&C::allocate)>> : std::true_type {};
-template <class C, class = void> struct has_release : std::false_type {};
-template <class C> struct has_release<C, std::void_t<decltype(&C::release)>> : std::true_type {};
-template <class C, class = void> struct has_run : std::false_type {};
-template <class C> struct has_run<C, std::void_t<decltype(&C::run)>> : std::true_type {};
-template <class C, class = void> struct has_before : std::false_type {};
-template <class C> struct has_before<C, std::void_t<decltype(&C::before)>> : std::true_type {};
-template <class C, class = void> struct has_after : std::false_type {};
-template <class C> struct has_after<C, std::void_t<decltype(&C::after)>> : std::true_type {};
-template <class C, class = void> struct has_prologue : std::false_type {};
-template <class C> struct has_prologue<C, std::void_t<decltype(&C::prologue)>> : std::true_type {};
-template <class C, class = void> struct has_epilogue : std::false_type {};
-template <class C> struct has_epilogue<C, std::void_t<decltype(&C::epilogue)>> : std::true_type {};
-template <class C, class = void> struct has_prologue_all : std::false_type {};
+// has_NAME(): whether a class has a member of this name. A class that derives from it and from one
+// that has the name as well finds it in both, also where it is overloaded, a template or private.
+// None derives from a union or a final class: there a public member that is not overloaded is
+// found.
 template <class C>
-struct has_prologue_all<C, std::void_t<decltype(&C::prologue_all)>> : std::true_type {};
-template <class C, class = void> struct has_epilogue_all : std::false_type {};
-template <class C>
-struct has_epilogue_all<C, std::void_t<decltype(&C::epilogue_all)>> : std::true_type {};
-template <class C, class = void> struct has_pass : std::false_type {};
-template <class C> struct has_pass<C, std::void_t<decltype(&C::pass)>> : std::true_type {};
+constexpr bool may_be_base = !std::is_final<C>::value && !std::is_union<C>::value;
+#define THUD_HAS(NAME)                                                                        \
+    struct named_##NAME {                                                                     \
+        int NAME;                                                                             \
+    };                                                                                        \
+    template <class C> struct both_##NAME : C, named_##NAME {};                               \
+    template <class C, class = void> struct lacks_##NAME : std::false_type {};                \
+    template <class C>                                                                        \
+    struct lacks_##NAME<C, std::void_t<decltype(&both_##NAME<C>::NAME)>> : std::true_type {}; \
+    template <class C, class = void> struct shows_##NAME : std::false_type {};                \
+    template <class C>                                                                        \
+    struct shows_##NAME<C, std::void_t<decltype(&C::NAME)>> : std::true_type {};              \
+    template <class C> constexpr bool has_##NAME() {                                          \
+        using plain = std::remove_cv_t<C>;                                                    \
+        if constexpr (may_be_base<plain>)                                                     \
+            return !lacks_##NAME<plain>::value;                                               \
+        else                                                                                  \
+            return shows_##NAME<plain>::value;                                                \
+    }
+THUD_HAS(circle)
+THUD_HAS(box)
+THUD_HAS(line)
+THUD_HAS(point)
+THUD_HAS(allocate)
+THUD_HAS(release)
+THUD_HAS(run)
+THUD_HAS(before)
+THUD_HAS(after)
+THUD_HAS(prologue)
+THUD_HAS(epilogue)
+THUD_HAS(prologue_all)
+THUD_HAS(epilogue_all)
+THUD_HAS(pass)
+#undef THUD_HAS
 
 } // namespace detail
 
 // Callbacks that are the members of an object of the same names; the object outlives their use.
 template <class C> void connect(thud_debug_draw &callbacks, C &object) noexcept {
-    static_assert(detail::has_circle<C>::value || detail::has_box<C>::value ||
-                      detail::has_line<C>::value || detail::has_point<C>::value,
+    static_assert(detail::has_circle<C>() || detail::has_box<C>() || detail::has_line<C>() ||
+                      detail::has_point<C>(),
                   "no member has the name of a callback");
-    if constexpr (detail::has_circle<C>::value) {
+    if constexpr (detail::has_circle<C>()) {
         callbacks.circle = [](thud_vec2 a0, float a1, float a2, float a3, thud_style a4, int a5,
                               void *context) noexcept -> void {
             return static_cast<C *>(context)->circle(a0, a1, a2, a3, a4, a5);
         };
     }
-    if constexpr (detail::has_box<C>::value) {
+    if constexpr (detail::has_box<C>()) {
         callbacks.box = [](thud_vec2 a0, thud_vec2 a1, float a2, float a3, thud_style a4, int a5,
                            void *context) noexcept -> void {
             return static_cast<C *>(context)->box(a0, a1, a2, a3, a4, a5);
         };
     }
-    if constexpr (detail::has_line<C>::value) {
+    if constexpr (detail::has_line<C>()) {
         callbacks.line = [](thud_vec2 a0, thud_vec2 a1, thud_style a2,
                             void *context) noexcept -> void {
             return static_cast<C *>(context)->line(a0, a1, a2);
         };
     }
-    if constexpr (detail::has_point<C>::value) {
+    if constexpr (detail::has_point<C>()) {
         callbacks.point = [](thud_vec2 a0, thud_style a1, void *context) noexcept -> void {
             return static_cast<C *>(context)->point(a0, a1);
         };
@@ -996,14 +1006,14 @@ template <class C> void connect(thud_debug_draw &callbacks, C &object) noexcept 
 template <class C> void connect(thud_debug_draw &, const C &&) = delete;
 
 template <class C> void connect(thud_allocator &callbacks, C &object) noexcept {
-    static_assert(detail::has_allocate<C>::value || detail::has_release<C>::value,
+    static_assert(detail::has_allocate<C>() || detail::has_release<C>(),
                   "no member has the name of a callback");
-    if constexpr (detail::has_allocate<C>::value) {
+    if constexpr (detail::has_allocate<C>()) {
         callbacks.allocate = [](size_t a0, void *context) noexcept -> void * {
             return static_cast<C *>(context)->allocate(a0);
         };
     }
-    if constexpr (detail::has_release<C>::value) {
+    if constexpr (detail::has_release<C>()) {
         callbacks.release = [](void *a0, size_t a1, void *context) noexcept -> void {
             return static_cast<C *>(context)->release(a0, a1);
         };
@@ -1013,8 +1023,8 @@ template <class C> void connect(thud_allocator &callbacks, C &object) noexcept {
 template <class C> void connect(thud_allocator &, const C &&) = delete;
 
 template <class C> void connect(thud_job_system &callbacks, C &object) noexcept {
-    static_assert(detail::has_run<C>::value, "no member has the name of a callback");
-    if constexpr (detail::has_run<C>::value) {
+    static_assert(detail::has_run<C>(), "no member has the name of a callback");
+    if constexpr (detail::has_run<C>()) {
         callbacks.run = [](thud_task_fn *task, void *argument, int workers,
                            void *context) noexcept -> void {
             return static_cast<C *>(context)->run(task, argument, workers);
@@ -1025,14 +1035,14 @@ template <class C> void connect(thud_job_system &callbacks, C &object) noexcept 
 template <class C> void connect(thud_job_system &, const C &&) = delete;
 
 template <class C> void connect(thud_step_calls &callbacks, C &object) noexcept {
-    static_assert(detail::has_before<C>::value || detail::has_after<C>::value,
+    static_assert(detail::has_before<C>() || detail::has_after<C>(),
                   "no member has the name of a callback");
-    if constexpr (detail::has_before<C>::value) {
+    if constexpr (detail::has_before<C>()) {
         callbacks.before = [](thud_world *world, void *context) noexcept -> void {
             return static_cast<C *>(context)->before(world_ref(world));
         };
     }
-    if constexpr (detail::has_after<C>::value) {
+    if constexpr (detail::has_after<C>()) {
         callbacks.after = [](thud_world *world, void *context) noexcept -> void {
             return static_cast<C *>(context)->after(world_ref(world));
         };
@@ -1042,22 +1052,22 @@ template <class C> void connect(thud_step_calls &callbacks, C &object) noexcept 
 template <class C> void connect(thud_step_calls &, const C &&) = delete;
 
 template <class C> void connect(thud_listeners &callbacks, C &object) noexcept {
-    static_assert(detail::has_prologue<C>::value || detail::has_epilogue<C>::value ||
-                      detail::has_prologue_all<C>::value || detail::has_epilogue_all<C>::value,
+    static_assert(detail::has_prologue<C>() || detail::has_epilogue<C>() ||
+                      detail::has_prologue_all<C>() || detail::has_epilogue_all<C>(),
                   "no member has the name of a callback");
-    if constexpr (detail::has_prologue<C>::value) {
+    if constexpr (detail::has_prologue<C>()) {
         callbacks.prologue = [](thud_world *world, const thud_contact *contact,
                                 thud_contact_settings *settings, void *context) noexcept -> bool {
             return static_cast<C *>(context)->prologue(world_ref(world), *contact, *settings);
         };
     }
-    if constexpr (detail::has_epilogue<C>::value) {
+    if constexpr (detail::has_epilogue<C>()) {
         callbacks.epilogue = [](thud_world *world, const thud_contact *contact,
                                 void *context) noexcept -> void {
             return static_cast<C *>(context)->epilogue(world_ref(world), *contact);
         };
     }
-    if constexpr (detail::has_prologue_all<C>::value) {
+    if constexpr (detail::has_prologue_all<C>()) {
         callbacks.prologue_all = [](thud_world *world, const thud_contact *contacts,
                                     thud_contact_answer *answers, int count,
                                     void *context) noexcept -> void {
@@ -1067,7 +1077,7 @@ template <class C> void connect(thud_listeners &callbacks, C &object) noexcept {
                 span<thud_contact_answer>(answers, static_cast<std::size_t>(count)));
         };
     }
-    if constexpr (detail::has_epilogue_all<C>::value) {
+    if constexpr (detail::has_epilogue_all<C>()) {
         callbacks.epilogue_all = [](thud_world *world, const thud_contact *contacts, int count,
                                     void *context) noexcept -> void {
             return static_cast<C *>(context)->epilogue_all(
@@ -1080,8 +1090,8 @@ template <class C> void connect(thud_listeners &callbacks, C &object) noexcept {
 template <class C> void connect(thud_listeners &, const C &&) = delete;
 
 template <class C> void connect(thud_mover &callbacks, C &object) noexcept {
-    static_assert(detail::has_pass<C>::value, "no member has the name of a callback");
-    if constexpr (detail::has_pass<C>::value) {
+    static_assert(detail::has_pass<C>(), "no member has the name of a callback");
+    if constexpr (detail::has_pass<C>()) {
         callbacks.pass = [](const thud_mover *mover, const thud_mover_hit *hit, thud_vec2 velocity,
                             void *context) noexcept -> bool {
             return static_cast<C *>(context)->pass(*mover, *hit, velocity);
