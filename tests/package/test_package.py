@@ -188,6 +188,19 @@ class PackageTest(unittest.TestCase):
             run(CC, "-std=c17", "-mfpmath=387", "-fsyntax-only", f"-I{SOURCE / 'engine/include'}",
                 f"-I{SOURCE / 'engine/src'}", SOURCE / "engine/src/base/memory.c")
 
+    def test_pkg_config_file_names_folders_that_are_relative_or_absolute(self):
+        folder = self.made("folders")
+        for library, headers, says in (
+                ("lib64", "include/2d", ("${prefix}/lib64", "${prefix}/include/2d")),
+                (folder / "libraries", folder / "headers", (folder / "libraries", folder / "headers"))):
+            run("cmake", "-G", "Unix Makefiles", "-B", folder / "build", "-S", SOURCE, "-DTHUD_DEMO=OFF",
+                f"-DCMAKE_C_COMPILER={CC}", f"-DCMAKE_INSTALL_PREFIX={folder / 'prefix'}",
+                f"-DCMAKE_INSTALL_LIBDIR={library}", f"-DCMAKE_INSTALL_INCLUDEDIR={headers}")
+            text = (folder / "build/engine/thud.pc").read_text(encoding="utf-8")
+            self.assertIn(f"prefix={folder / 'prefix'}\n", text)
+            self.assertIn(f"\nCflags: -I{says[1]} \n", text)
+            self.assertIn(f"\nLibs: -L{says[0]} -lthud -lm\n", text)
+
     def test_shared_library_is_configured_where_it_is_asked_for(self):
         folder = self.made("shared")
         run("cmake", "-G", "Unix Makefiles", "-B", folder, "-S", SOURCE, "-DBUILD_SHARED_LIBS=ON",
