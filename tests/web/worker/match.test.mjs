@@ -4,6 +4,8 @@
  */
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { setFlagsFromString } from "node:v8";
+import { runInNewContext } from "node:vm";
 import { buildScene, importTypeScript } from "../../../web/tools/scenes.mjs";
 import { thud } from "../support/package.mjs";
 
@@ -647,4 +649,52 @@ test("second_player_takes_the_second_car_and_the_platform_gets_shorter", async (
   assert.equal(scene.state.friend, true);
   assert.equal(scene.paint().figures[1].label, "Blue");
   close();
+});
+
+test("inputs_of_a_long_match_do_not_fill_the_memory", () => {
+  setFlagsFromString("--expose-gc");
+  const collect = runInNewContext("gc");
+  const [STEPS, ROUND] = [120_000, 40_000];
+  const queue = [];
+  const all = [0, 1].map((own) => {
+    const known = [0, 0];
+    // A game that has no world.
+    const rollback = {
+      steps: 0,
+      get confirmed() {
+        return Math.min(this.steps, ...known);
+      },
+      get settled() {
+        return this.steps;
+      },
+      input: (player, step) => (known[player] = step + 1),
+      advance() {
+        if (this.steps - this.confirmed >= DEPTH) return false;
+        this.steps++;
+        return true;
+      },
+      hashAt: () => "0",
+      leadOver: () => 0,
+      hearLead: () => {},
+    };
+    const send = (to, bytes) => queue.push([own, to, bytes]);
+    return { rollback, peers: new RollbackPeers({ rollback, players: 2, own, inputs: 2, depth: DEPTH, delay: 2, send }) };
+  });
+  all[0].peers.start(1);
+  all[1].peers.connect(0);
+  const heap = [];
+  while (all[1].rollback.steps < STEPS) {
+    for (const { peers } of all) {
+      peers.give(1);
+      peers.advance();
+      peers.tell();
+    }
+    for (const [from, to, bytes] of queue.splice(0)) all[to].peers.hear(from, bytes);
+    if (all[1].rollback.steps % ROUND !== 0) continue;
+    collect();
+    heap.push(process.memoryUsage().heapUsed);
+  }
+  assert.ok(all.every(({ peers }) => peers.refused === 0 && peers.equal > STEPS / 8), "they have not played");
+  // All inputs since the first round would take 2.6 MB, in lists of both players here and there.
+  assert.ok(heap.at(-1) - heap[0] < 1e6, heap.join(" "));
 });

@@ -61,6 +61,12 @@ const NOTICE = 12;
  */
 const MIGRATED_DEPTHS = 4;
 
+/**
+ * Inputs of each player that are kept at least, beside those of MIGRATED_DEPTHS. Chosen: as many as
+ * examples/network/peer.c stores.
+ */
+const KEPT = 1024;
+
 /** Sends bytes to a player; `sure`: they arrive, and in order. */
 type Send = (player: number, bytes: Uint8Array<ArrayBuffer>, sure: boolean) => void;
 
@@ -204,7 +210,10 @@ export class RollbackPeers {
     return writeWelcome({ own: number, players, rate, depth, end, seed, ...none });
   }
 
-  /** Packets are sent to somebody, who has the game from its first step on. */
+  /**
+   * Packets are sent to somebody, who has the game from its first step on. In a game that runs already it
+   * has to have all but the last KEPT inputs of each player: older ones may be stored no longer.
+   */
   connect(number: number): void {
     const has = this.#inputs.map(({ from, list }) => (from === 0 ? Math.min(list.length, this.#options.delay) : from));
     this.#add(number, has, this.#firstEvent);
@@ -269,7 +278,29 @@ export class RollbackPeers {
     if (this.#isOver) rollback.settle();
     else made = rollback.advance();
     this.#noteFinal();
+    this.#forget();
     return made;
+  }
+
+  /**
+   * Drops inputs that nobody lacks who is sent them, but for the last ones, which a new host may need.
+   * Those who join get a game that has the others in it. As many at once as are kept, since all that
+   * follow are moved.
+   */
+  #forget(): void {
+    const kept = Math.max(KEPT, MIGRATED_DEPTHS * this.#options.depth);
+    this.#inputs.forEach((known, player) => {
+      if (known.list.length < 2 * kept) return;
+      const lacked = [...this.#peers].filter(([number]) => this.#tellsOf(number, player));
+      const first = Math.min(this.#end(player) - kept, ...lacked.map(([, peer]) => this.#nextFor(peer, player)));
+      const dropped = known.list.splice(0, Math.max(0, first - known.from));
+      known.from += dropped.length;
+    });
+  }
+
+  /** Whether somebody is told the inputs of a player by this one. */
+  #tellsOf(number: number, player: number): boolean {
+    return this.#isHost ? player !== number : player === this.#options.own;
   }
 
   /** Whether the next step lies far behind what is known: who has joined runs until it does not. */
@@ -290,11 +321,9 @@ export class RollbackPeers {
   /** Whether, besides, everyone has what this player knows: nothing is left to be sent. */
   get isDone(): boolean {
     if (!this.hasEnded) return false;
-    const { own } = this.#options;
-    const told = this.#isHost ? this.#inputs.keys() : [own].filter((one) => one in this.#inputs);
-    for (const player of told)
+    for (const player of this.#inputs.keys())
       for (const [number, peer] of this.#peers)
-        if (number !== player && this.#nextFor(peer, player) < this.#end(player)) return false;
+        if (this.#tellsOf(number, player) && this.#nextFor(peer, player) < this.#end(player)) return false;
     const isKnown = ({ events }: Peer) => events >= this.#applied;
     return !this.#isHost || [...this.#peers.values()].every(isKnown);
   }
@@ -551,7 +580,7 @@ export class RollbackPeers {
   write(number: number): Uint8Array<ArrayBuffer> {
     const { rollback, players, own, mesh, now } = this.#options;
     const peer = this.#peers.get(number)!;
-    const told = this.#isHost ? [...this.#inputs.keys()].filter((one) => one !== number) : own < players ? [own] : [];
+    const told = [...this.#inputs.keys()].filter((player) => this.#tellsOf(number, player));
     const runs = told.flatMap((player): Run[] => {
       const first = this.#nextFor(peer, player);
       const { from, list } = this.#inputs[player];
