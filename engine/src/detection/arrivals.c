@@ -58,8 +58,9 @@ static bool stops(const thud_world *w, const td_arrival *r) {
     return speed > 0.0f && (restitution == 0.0f || (restitution < 1.0f && speed <= threshold));
 }
 
-/* Asks the rules and the prologue about the pair, and keeps the answer. False if they refuse the
- * pair, which then has no effect in this step. */
+/* Asks the rules and the prologue about the pair, and keeps the answer in the arrival. False if
+ * they refuse the pair: its contact is then vetoed, and the two shapes pass through each other in
+ * this step. */
 static bool is_accepted(thud_world *w, td_arrival *r) {
     if (w->decisions) {
         w->decisions->has_impact = false; /* forgets the decision about an earlier impact */
@@ -118,6 +119,8 @@ static void add_arrival(thud_world *w, int contact, const td_toi_candidate *e, d
     TD_PUSH(td_arrival, &w->scratch.arrivals) = r;
 }
 
+/* Trajectories are begun at the first contact that may be an arrival, so that a step without one
+ * needs no pass over all bodies. */
 void td_arrivals_find(thud_world *w) {
     bool began = false;
     double time;

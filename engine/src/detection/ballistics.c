@@ -52,9 +52,9 @@ static bool gained_only_gravity(const thud_world *w, td_awake_slot slot, double 
     return free;
 }
 
-/* Sets the motion to that of the parabola that ends with the body's velocity. A body that contacts
- * did not touch at all also gets that velocity from the one before, without the rounding of the
- * substeps. */
+/* Sets the motion to that of the parabola that ends with the body's velocity. Where contacts did
+ * not change the velocity at all (`touched` is false), the velocity itself is computed anew as that
+ * before the step plus the gain, without the rounding of the substeps. */
 static void set_parabola(thud_world *w, td_awake_slot slot, bool touched) {
     td_trajectory *f = td_trajectory_at(w, slot);
     double dt = w->def.time_step;
@@ -70,7 +70,9 @@ static void set_parabola(thud_world *w, td_awake_slot slot, bool touched) {
     }
 }
 
-/* The solver has moved the body on its exact path: the fall is what it gained, with damping too. */
+/* Sets the fall of a body that no constraint acts on. The solver has moved such a body on its exact
+ * path (wide_motion.c), so that its motion stays as it is; the fall is the change of its velocity
+ * in the step, in which damping is included. */
 static void set_fall(const thud_world *w, td_awake_slot slot) {
     td_trajectory *f = td_trajectory_at(w, slot);
     const float *velocity = td_row(&w->velocity, slot);
@@ -97,7 +99,7 @@ void td_ballistics_set_parabolas(thud_world *w) {
         const td_body *body = td_body_at(w, f->body);
         if (body->kind != THUD_BODY_DYNAMIC || body->detection->rank != TD_RANK_SWEPT ||
             w->skin == 0.0f) {
-            continue;
+            continue; /* the skin is 0 where the world's own detection is not bisect or swept */
         }
         const float *substep_gain = td_row(&w->substep_gain, slot);
         double x = (double)substep_gain[0], y = (double)substep_gain[1];

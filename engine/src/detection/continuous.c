@@ -53,10 +53,10 @@ static bool is_sooner(const sweep_hit *a, const sweep_hit *b) {
     return a->time < b->time || (a->time == b->time && a->pair < b->pair);
 }
 
-/* Keeps a hit as `next` if it is after `last` and before `next`. The smaller shape hits later than
- * the real one, so that the time is reduced by the time in which the body moves by `shrink`; a
- * head-on hit then leaves no overlap, an oblique one up to `shrink`. A core (hit->inside) that
- * overlaps at the start, too, is no hit. */
+/* Keeps a hit as `next` if it is after `last` and before `next`. The swept shape, which is smaller
+ * by `shrink`, hits later than the real one. The time of the hit is therefore reduced by
+ * shrink / |motion|: a head-on hit then leaves no overlap, an oblique one up to `shrink`. A core
+ * (hit->inside) that overlaps already at the start is no hit, so that the body can move out. */
 static void record_hit(sweep *s, int other, const td_swept_hit *hit) {
     const thud_motion *m = &s->swept.motion;
     double time = hit->time;
@@ -156,8 +156,10 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
 }
 
 /* Sets `shapes` to the shapes at rest that the bounds of the path overlap. False where neither
- * they nor a terrain are near; true where memory is short. A path longer than 2^15 length scales,
- * an eighth of the period at which bounds wrap around, is tested against all shapes at rest. */
+ * such a shape nor a terrain is near. True also where memory is short, which happens only to a
+ * worker (td_fast_meets): the calling thread, for which `reserve` has made room, then sweeps the
+ * body. A path longer than 2^15 length scales, an eighth of the period at which bounds wrap around,
+ * is tested against all shapes at rest. */
 static bool find_obstacles(sweep *s) {
     const thud_world *w = s->w;
     td_array *hits = s->hits;

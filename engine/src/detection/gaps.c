@@ -210,7 +210,7 @@ typedef struct relative_motion {
     double turn_a, turn_b; /* radians */
     double row_error;      /* bound on the error of the rows, whose normal and arms do not turn */
     double turn_reach;     /* bound on how far turns move any point along the normal */
-    double slide;          /* displacement across the normal, and turn_reach */
+    double slide;          /* displacement across the normal plus turn_reach */
 } relative_motion;
 
 /* The relative displacement at `time`. With T the sum of both turns, E that of both extents and D
@@ -262,6 +262,8 @@ bool td_gap_stays_open(const thud_world *w, const td_contact *contact, double no
     relative_motion start = relative_motion_at(w, contact, block, at.lane, now);
     relative_motion end = relative_motion_at(w, contact, block, at.lane, 1.0);
     int points = td_form_points(w->kinds[contact->kind]->form), present = 0;
+    /* Bound on how much smaller a gap may be than its row says: the error of the row, which centred
+     * circles do not have, and what sliding along an inclined edge takes away. */
     double slack =
         are_centred_circles(w, contact) ? 0.0 : td_max_double(start.row_error, end.row_error);
     bool stays_open = block->restitution[at.lane] < 1.0f;

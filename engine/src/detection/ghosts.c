@@ -40,7 +40,8 @@ static double time_past_face(const td_approach *p) {
 }
 
 /* Whether a shape meets a terrain at a sealed end (td_is_at_sealed_end), which is a ghost. *part:
- * the share of the approach after which the shape may have come above the line; 2 if it is above it
+ * the share of the approach after which the shape may have crossed the vertical through that end
+ * and come over the line, where its contacts are valid; 2 if a part of the shape is over the line
  * already, so that the contact stays a ghost for the whole step. */
 static bool is_end_ghost(const thud_world *w, const td_toi_candidate *e, const td_approach *p,
                          double *part) {
@@ -52,6 +53,7 @@ static bool is_end_ghost(const thud_world *w, const td_toi_candidate *e, const t
     }
     thud_geometry end = {.kind = THUD_SHAPE_CIRCLE, .x = x, .y = p->a.y, .c = 1.0};
     thud_geometry probe = face_probe(&p->a);
+    /* The gap between the probe and the vertical through the end; < 0: the two overlap. */
     double beyond = (probe.x - x) * out - td_projected_extent(&probe, 1.0, 0.0);
     *part = beyond > 0.0
                 ? td_time_across(&end, &(thud_motion){0}, &probe, &p->motion_a, out, 0.0, 0.0)

@@ -156,7 +156,9 @@ static bool is_vetoed(thud_world *w, int number, const thud_contact *seen,
     return veto;
 }
 
-/* Whether the step has used up its budget of times of impact (TOI_BUDGET). */
+/* Whether the step has used up its budget of times of impact: TOI_BUDGET + TOI_BUDGET_PER_BODY
+ * times the awake bodies. Both sides are divided by the latter factor, so that nothing overflows.
+ */
 static bool is_over_budget(const thud_world *w) {
     return w->stats.motion_exact / TOI_BUDGET_PER_BODY >
            TOI_BUDGET / TOI_BUDGET_PER_BODY + w->body_of.count;
@@ -323,14 +325,15 @@ static void hit_events(thud_world *w) {
 
 /* Reserves all memory that the stage uses; see td_detection_stage. */
 static bool reserve(thud_world *w) {
-    /* Upper bound: each impact is counted for at least one body that is not held yet, and a body is
-     * held after so many. */
+    /* Upper bound: each impact counts for at least one body that is not held, and a body is held by
+     * its impact number ELASTIC_IMPACTS_MAX + 1 at the latest. */
     int awake = w->body_of.count;
     int impacts_max = (ELASTIC_IMPACTS_MAX + 1) * awake + td_arrivals_max(w);
     int extras = awake * (w->terrains.live + 1) + SPARE_CANDIDATES;
-    /* Hit events of contacts that begin in the step. */
+    /* Room for the hit events of contacts that begin in the step, beside those of impacts. */
     int hits = w->scratch.begins.count;
-    /* A query has a hit a shape at most, and reserves as much again (reserve_hits). */
+    /* A query finds each shape once at most, and reserves room for as many again before it tests
+     * them (reserve_hits, wide_scan.h). */
     int shapes = w->awake_shapes.ids.count + w->rest_shapes.ids.count;
     /* Each impact ends a leg of both bodies. Each body also has a last leg, and one more if
      * td_sensing_note_held finds it held. */

@@ -27,9 +27,9 @@ static double max_time(double a, double b) {
     return a > b ? a : b;
 }
 
-/* Whether joints tie one of the bodies to others, so that the pair is left to the solver once it
- * touches, as in td_gap_is_left_to_solver. If such a body were held at its contact, all bodies tied
- * to it would be held: a vehicle would stop whenever a wheel touches the ground. */
+/* Whether joints tie one of the bodies to others. The pair is then left to the solver once it
+ * touches, as in td_gap_is_left_to_solver: if such a body were held at its contact, all bodies that
+ * are tied to it would be held, and a vehicle would stop whenever a wheel touches the ground. */
 static bool is_tied(const thud_world *w, const td_toi_candidate *e) {
     return td_is_tied(w, td_body_at(w, e->body[0])->awake) ||
            td_is_tied(w, td_body_at(w, e->body[1])->awake);

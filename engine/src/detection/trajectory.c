@@ -102,6 +102,7 @@ void td_held_count(thud_world *w, td_awake_slot slot, double time) {
             *TD_AT(double, all, i) = 1.0;
         }
     }
+    /* The share of the step's motion that the body has kept after all its stops so far; 1: none. */
     double *at = TD_AT(double, all, slot.at);
     w->stats.held_bodies += *at == 1.0;
     w->stats.held_seconds += (1.0 - time) * *at * w->def.time_step;

@@ -35,8 +35,8 @@ typedef struct td_trajectory {
     double fall[2];   /* change of `motion` by gravity and forces in a whole step, lengths; 0 unless
                          in free flight */
     bool free;      /* only gravity and forces acted on the body: its motion follows its velocity */
-    bool deflected; /* it has taken the change of motion for both bodies of an impact
-                       (remove_remaining_gain, collide.c) */
+    bool deflected; /* an impact of this step has changed this body's motion alone, and left that of
+                       the other body (choose_kept_motion, collide.c) */
     int32_t contact_count; /* touching contacts of the body at the start of the step */
     bool borne;            /* contacts carry the body: solver/bounces.c */
     bool changed;          /* its path differs from the one that td_finalize took */
@@ -93,7 +93,8 @@ static inline int td_edge_candidate(int edge) {
  * any speed. Not-a-number is not changed. */
 #define TD_MOTION_TURN_MAX 1e9
 
-/* Clamps a motion in a step: x and y (axes 0, 1) in lengths, the angle (axis 2) in radians. */
+/* A motion in a step, clamped to its bounds: x and y (axes 0, 1) in lengths, the angle (axis 2) in
+ * radians. (It has nothing to do with td_trajectory.held.) */
 static inline double td_motion_held(const thud_world *w, int axis, double motion) {
     double max = axis < 2 ? THUD_PLACE_MAX * (double)w->length_scale : TD_MOTION_TURN_MAX;
     return td_clamp(motion, -max, max);

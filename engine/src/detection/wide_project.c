@@ -123,7 +123,8 @@ TD_INLINE f8 reach_of(const float (*reach)[2], const uint32_t *side) {
     return out;
 }
 
-/* As edge_slope of gaps.c: by how much the gap may shrink per length of sliding. */
+/* edge_slope of gaps.c for eight lanes: the length by which the gap may shrink per length of
+ * sliding. */
 TD_INLINE f8 edge_slope(const td_block *block) {
     const td_point *p = block->point;
     f8 width = f8_abs(p[0].cross_b - p[1].cross_b),
