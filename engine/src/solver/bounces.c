@@ -19,7 +19,8 @@
  * apart: impacts.c leaves touching shapes with nearly as much overlap. */
 #define OVERLAP_SHARE 0.25f
 
-/* The gravity of one side along the normal, length/s^2; *max: the greatest magnitude so far. */
+/* The component along the normal of the gravity that acts on the body of one side, length/s^2; 0
+ * unless the body is dynamic. *max is raised to the magnitude of that gravity. */
 static double gravity_of(const thud_world *w, uint32_t side, double nx, double ny, double *max) {
     td_awake_slot slot = td_slot_of_side(side);
     const td_body *body = slot.at ? td_body_at(w, td_body_of(w, slot)) : NULL;
@@ -40,7 +41,8 @@ static td_trajectory *trajectory_of(const thud_world *w, uint32_t side) {
 typedef struct lane {
     td_block *block;
     int index, points;
-    bool loaded; /* its impulse in the last step was more than LOAD_SHARE of a weight */
+    bool loaded; /* the warm-start impulse of a point is more than LOAD_SHARE of that which would
+                    carry the point's effective mass against gravity for a substep */
 } lane;
 
 static lane lane_of(const thud_world *w, td_block *block, int index) {
@@ -97,8 +99,8 @@ static bool bounces_lossily(const thud_world *w, const lane *l) {
 /* Whether a pair with restitution 1 or more bounces: the speed at which it meets is above the
  * threshold. From the closing speed now, conservation of energy gives it as speed^2 = closing^2 + 2
  * g d, where g is the relative gravity along the normal and d the distance until the pair meets. A
- * loaded pair meets where it rests, at the distance TD_SKIN; any other pair meets at
- * TD_IMPACT_DISTANCE. */
+ * loaded pair counts as meeting at the distance TD_SKIN, at which soft contacts rest; any other
+ * pair meets at TD_IMPACT_DISTANCE. */
 static bool bounces_elastically(const thud_world *w, const lane *l) {
     double nx = (double)l->block->nx[l->index], ny = (double)l->block->ny[l->index], max = 0.0;
     double pull = gravity_of(w, l->block->a[l->index], nx, ny, &max);

@@ -10,7 +10,8 @@
 /* The exponential is Taylor's series for z / 4, squared twice: exact to the rounding of floats up
  * to z = 1, and falling as z rises above. To keep digits where z is small, q = (exp(z) - 1) / z is
  * found by doubling z: with d = (q - 1) / z, doubling turns q into q (1 + z q / 2) and d into d / 2
- * + q^2 / 4. */
+ * + q^2 / 4. Then exp(z) = 1 + z q, p = q / exp(z), and gain_share = (1 - p) / (z p) = 1 - d / q.
+ */
 td_damping td_damping_of(float z) {
     if (z == 0.0f) {
         return (td_damping){.lost = 0.0f, .gained = 1.0f, .gain_share = 0.5f};

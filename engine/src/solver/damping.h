@@ -7,8 +7,9 @@
 #ifndef TD_DAMPING_H
 #define TD_DAMPING_H
 
-/* lost: z p; gained: p. With gain = g t p the mean velocity is v0 p + gain_share gain. A velocity
- * is damped as v - lost v: a factor near 1 would be rounded alike in every step. */
+/* lost: z p; gained: p. With gain = g t p the mean velocity is v0 p + gain_share gain. A velocity v
+ * is damped as v - lost v, and not as v times 1 - lost: that factor is near 1, and its rounding
+ * error, the same in every step, would add up. */
 typedef struct td_damping {
     float lost, gained, gain_share;
 } td_damping;

@@ -52,6 +52,7 @@ static void count_block(thud_world *w, const td_block *block, int points) {
             }
             float separation = p->separation[lane];
             float depth = td_max_float(-(separation + w->skin), 0.0f);
+            /* As in the relax pass (wide_solve.h): an open gap may close within a substep. */
             float speed = speed_of(w, block, p, lane) + td_max_float(separation, 0.0f) * inv_h;
             e->points++;
             e->overlaps += depth > td_overlap_depth_min(w);

@@ -105,6 +105,8 @@ void td_finalize(thud_world *w) {
         }
         move(w, index, delta);
         td_body_place_shapes(w, index);
+        /* The condition of wide_finalize.c: a dynamic body that moved by more than half of its
+         * least extent. */
         if (w->detections[TD_RANK_CONTINUOUS] && td_inv_mass_of(w, slot) > 0.0f &&
             delta[0] * delta[0] + delta[1] * delta[1] > 0.25f * reach[0] * reach[0]) {
             td_push_slot(&w->scratch.fast, slot);

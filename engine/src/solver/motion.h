@@ -1,8 +1,8 @@
 /* motion.h: the passes over all awake bodies, eight at a time: integration of velocities and
  * positions in each substep, and the end of the step. A body that a constraint acts on moves by
- * semi-implicit Euler. A body that none acts on, here called free, moves on the exact path of its
- * acceleration and damping (damping.h). Arrays are by awake slot; slot 0 is a dummy that stands for
- * all static bodies. */
+ * semi-implicit Euler. A dynamic body that no constraint acts on (here called free, which is not
+ * the same as td_trajectory.free) moves on the exact path of its acceleration and damping
+ * (damping.h). Arrays are by awake slot; slot 0 is a dummy that stands for all static bodies. */
 #ifndef TD_MOTION_H
 #define TD_MOTION_H
 

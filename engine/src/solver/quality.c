@@ -26,7 +26,6 @@ const char *td_quality_error(const thud_quality *q, td_reason *why) {
     return in ? NULL : why->text;
 }
 
-/* max_error: a depth, length; 0: none. */
 const char *td_check_max_error(double max_error, const thud_quality *quality, td_reason *why) {
     if (!td_in(why, "max_error", max_error, 0.0, THUD_MAX_ERROR_MAX)) {
         return why->text;

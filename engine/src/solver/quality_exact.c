@@ -1,8 +1,9 @@
-/* quality_exact.c: every island solved directly, whatever it takes, and bodies swept from impact
- * to impact. Beside high columns and pyramids take 1.1 to 1.6 times as long a step, a gas 1.5
- * times, rubble 4 times, a pit 26 times; nothing overlaps that flies free, a pit by 0.6 mm (high
- * 31), a slide is exact, a gas and a cradle keep their energy and momentum to 10^-6.
- * docs/tradeoff.md has all. */
+/* quality_exact.c: sixteen substeps, every island of up to 4,096 bodies solved directly with a
+ * budget of 10^9 operations a step, and bodies swept from impact to impact. A median step takes 1.2
+ * to 1.4 times as long as one of high in columns and pyramids, 2.1 times in a gas; a mean step 4.4
+ * times in rubble and 180 times in a pit. Bodies that fly freely do not overlap; a pit overlaps by
+ * 0.45 mm (high 30); boxes that slide stay within 0.1 mm of their analytic path; a gas keeps its
+ * energy to 10^-6 (docs/tradeoff.md, 2026-11-28). */
 #include "thud/thud_quality.h"
 
 const thud_quality thud_quality_exact = {

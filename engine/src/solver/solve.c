@@ -57,7 +57,8 @@ static void set_softness(td_solve_context *c, int which, float hertz, float damp
     c->impulse_scale[which] = a3;
 }
 
-/* The constants that the passes of this step share; h is the length of a substep, s. */
+/* The constants that the passes of this step share: see td_solve_context for their meaning. h is
+ * the length of a substep, s. */
 static td_solve_context solve_context(const thud_world *w, float h) {
     float x = w->def.gravity.x, y = w->def.gravity.y, time = (float)w->def.time_step;
     float gravity_speed = __builtin_sqrtf(x * x + y * y) * time; /* gained in a step */
@@ -137,8 +138,8 @@ typedef struct solving {
     td_worker worker;
     pass which;            /* the present pass */
     const td_phase *phase; /* the present phase */
-    bool relaxed; /* the present bracing is the one after the substep's relax pass, not the one
-                     before its solve pass */
+    bool relaxed; /* the present bracing is the one after the substep's relax pass; false: it is
+                     the one before its solve pass */
 } solving;
 
 /* Solves the last blocks of a run. The last one may have empty lanes, which read the record of slot

@@ -16,7 +16,8 @@ TD_INLINE f8 divide_by_inverse(f8 x, f8 inverse) {
     return f8_keep(inverse > f8_all(0.0f), x / inverse);
 }
 
-/* Twice the kinetic energy of both bodies; an infinite mass or inertia counts as 0. */
+/* Twice the kinetic energy of both bodies, m v^2 + I w^2 each; the share of an infinite mass or
+ * inertia, which an impulse does not change, is left out. */
 TD_INLINE f8 energy_of(const td_block *block, const sides *v) {
     return divide_by_inverse(v->a.x * v->a.x + v->a.y * v->a.y, v->a.w) +
            divide_by_inverse(v->b.x * v->b.x + v->b.y * v->b.y, v->b.w) +
@@ -124,6 +125,8 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
                 hit[k] = bounced & (speed[k] < target[k]);
             } else {
                 target[k] = -share * speed[k];
+                /* It closes fast enough, and its gap at the end of bounce_time would be below
+                 * `fall`, g time_step^2, which gravity can close in addition. */
                 hit[k] =
                     (speed[k] < slow) & (e > zero) &
                     (p->start_separation + speed[k] * f8_all(c->bounce_time) < f8_all(c->fall));

@@ -70,8 +70,9 @@ TD_INLINE i8 wrap_add(i8 a, i8 b) {
 }
 
 /* Bounds around centres (x, y). `shape`: cosine, sine and half extents; a shape that does not turn
- * has c = 1 and s = 0. Two quanta of margin take up rounding.
- * The centres are rounded down, so that the maxima get one quantum more, as in td_bounds_about. */
+ * has c = 1 and s = 0. The half extents along the world's axes are |c| hx + |s| hy and
+ * |s| hx + |c| hy, plus two quanta that take up rounding. The centres are rounded down, so that the
+ * maxima get one quantum more, as in td_bounds_about. */
 TD_INLINE bounds8 tight_bounds(i8 x, i8 y, const td_rows *shape, f8 to_coarse) {
     f8 ca = f8_abs(shape->x), sa = f8_abs(shape->y);
     f8 hx = ca * shape->z + sa * shape->w, hy = sa * shape->z + ca * shape->w;

@@ -62,7 +62,10 @@ TD_INLINE f8 of_two(float first, float second, float rest) {
 }
 
 /* Begins the motion of two bodies, of which one is free or damped: td_begin_motion_fn. `start` is
- * their velocity before the step, `free` says which of them is free. */
+ * their velocity before the step, `free` says which of them is free. With the symbols of damping.h
+ * (over the step for a free body, else over the first substep), `from` is the damped velocity
+ * v0 - v0 z p, `to` is v1, and for a free body, of which each substep adds h v1 to delta, `way` is
+ * T (mean velocity - v1) for the step's length T. */
 TD_INLINE void begin_pair(const td_motion_context *c, int i, f8 start, const bool free[2],
                           body_damping *substep, body_damping *step) {
     f8 lost = f8_all(0.0f), gained = f8_all(1.0f), share = f8_all(0.5f);
