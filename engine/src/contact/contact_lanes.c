@@ -1,6 +1,7 @@
-/* contact_lanes.c: writes what a contact keeps in its lane: shapes, friction and restitution, and
- * whether its block needs the passes that know lever arms of the shapes (td_block.has_offsets) and
- * internal edges. */
+/* contact_lanes.c: the lane operations of contacts (td_lane_ops): they write what a contact keeps
+ * in its lane, which is its shapes, its surface (friction, restitution, surface speed) and its mark
+ * of internal edges, and set td_block.has_offsets where the block needs the passes that know lever
+ * arms. */
 #include "constraint/lanes.h"
 #include "contact/internal_edges.h"
 #include "rules/rule_hooks.h"
@@ -27,6 +28,7 @@ static void fill(thud_world *w, td_block *block, int lane, int index) {
     block->shape_a[lane] = contact->shape_a;
     block->shape_b[lane] = contact->shape_b;
     td_contact_settle(w, block, lane, index);
+    /* A shape with `centred` 2 is about the centre of mass and not turned against its body. */
     block->has_offsets |= a->centred + b->centred < 2 * 2 || b->internal_edges ||
                           (a->internal_edges && td_body_at(w, a->body)->kind != THUD_BODY_STATIC);
     block->mark[lane].internal_edges = td_internal_edges_of(a, b);
@@ -43,7 +45,7 @@ static void clear(thud_world *w, td_block *block, int lane, int index) {
 /* Makes the narrowphase compute the manifold anew: a lane without effective masses is not kept by
  * the manifold cache. */
 static void renew(thud_world *w, td_block *block, int lane, int index) {
-    block->has_offsets = 1; /* a body may have got another centre of mass */
+    block->has_offsets = 1; /* the body's centre of mass may have moved away from its shape's */
     for (int k = 0; k < points_of(w, td_contact_at(w, index)); k++) {
         block->point[k].normal_mass[lane] = 0.0f;
     }

@@ -30,8 +30,9 @@ static void set_masks(thud_world *w, int shape, unsigned internal_edges, unsigne
     }
 }
 
-/* A thin box outside a face, for testing whether a neighbour covers some of it: it reaches from one
- * to two `width`s away from the face, and ends one width short of the face's ends. */
+/* A thin box outside a face, for testing whether a neighbour covers some of the face: it reaches
+ * from one to two `width`s away from the face, and ends one width short of the face's ends; of a
+ * face that is not longer than four widths it has the middle half. */
 static thud_geometry strip_outside(const thud_geometry *box, int face, double width) {
     thud_geometry strip = *box;
     double along = face % 2 ? box->hx : box->hy, out = (face % 2 ? box->hy : box->hx) + 1.5 * width;

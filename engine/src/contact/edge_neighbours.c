@@ -113,7 +113,7 @@ bool td_neighbour_extends(const td_neighbourhood *s, int neighbour, const thud_g
                       s->length_scale; /* Ground further away gives contacts of its own. */
         int first, last;
         thud_terrain_segments(&terrain, x - n->x - near, x - n->x + near, &first, &last);
-        bool higher = ny < 0.0;
+        bool higher = ny < 0.0; /* the solid below a line has no end downwards */
         for (int i = first; i <= last; i++) {
             td_segment t = td_terrain_segment(&terrain, i, x - n->x - s->length_scale,
                                               x - n->x + s->length_scale);

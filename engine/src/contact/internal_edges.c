@@ -119,7 +119,10 @@ static bool corner_hidden(const td_neighbourhood *s, const contact_feature *at, 
     return is_covered(s, &p);
 }
 
-/* Whether the part of a face that the other shape's projection onto the face takes up is hidden. */
+/* Whether the part of a face that the other shape's projection onto the face takes up is hidden. In
+ * the frame of the face's box: `middle` is the coordinate of the other shape's centre along the
+ * face, `half` its half extent there (0 for a circle, which touches at one place), and `deepest`
+ * the coordinate, from `middle`, of its corner that lies furthest against the face's normal. */
 static bool touched_part_hidden(const td_neighbourhood *s, int face) {
     double u, v, half = 0.0, deepest = 0.0;
     td_to_frame(&s->a, s->b.x - s->a.x, s->b.y - s->a.y, &u, &v);
@@ -150,7 +153,8 @@ static bool is_ghost(const td_neighbourhood *s, double nx, double ny, double str
 
 /* A quick test by the masks alone, in single precision: whether the contact of a lane is at a face
  * or corner of shape a that has no neighbour. Most are. If it returns false, the feature may be
- * hidden, and is_ghost has to decide. */
+ * hidden, and is_ghost has to decide. Against rounding, a normal counts as a corner's from half of
+ * FACE_SINE_MAX on, and then the nearest face has to be without a neighbour as well. */
 static bool is_open(const thud_world *w, const td_block *block, int lane) {
     const td_shape_proxy *a = td_shape_proxy_at(w, block->shape_a[lane]);
     float nx = block->nx[lane], ny = block->ny[lane];
@@ -238,8 +242,8 @@ static float inverse_or_zero(float k) {
     return k > 0.0f ? 1.0f / k : 0.0f;
 }
 
-/* Writes a manifold into a lane, as td_write_points does for eight. Places in `c` are relative to
- * the centre of shape a. Impulses stay where the normal has hardly changed. */
+/* Writes a manifold into a lane, as td_write_points (wide_collide.h) does for eight. Places in `c`
+ * are relative to the centre of shape a. Impulses stay where the normal has hardly changed. */
 static void write_lane(thud_world *w, td_block *block, int kind, int lane,
                        const td_internal_edge_contact *c) {
     int points = td_form_points(w->kinds[kind]->form);
@@ -248,11 +252,12 @@ static void write_lane(thud_world *w, td_block *block, int kind, int lane,
     const float *va = (const float *)w->velocity.data + block->a[lane] / sizeof(float);
     const float *vb = (const float *)w->velocity.data + block->b[lane] / sizeof(float);
     float nx = (float)c->nx, ny = (float)c->ny, mid_x = 0.0f, mid_y = 0.0f;
+    /* (dx, dy): from b's centre of mass to the centre of shape a. */
     float dx = (float)((double)(a->center.x - b->center.x) / w->to_fixed) + b->x;
     float dy = (float)((double)(a->center.y - b->center.y) / w->to_fixed) + b->y;
     float ia = block->inv_inertia_a[lane], ib = block->inv_inertia_b[lane], mass = va[3] + vb[3];
     bool a_static = block->a[lane] == 0;
-    float to_a_x = a->x - dx, to_a_y = a->y - dy; /* from b's centre of mass to that of a */
+    float to_a_x = a->x - dx, to_a_y = a->y - dy; /* from a's centre of mass to that of b */
     float ax = a_static ? 0.0f : to_a_x, ay = a_static ? 0.0f : to_a_y;
     float impulse[3] = {block->tangent_impulse[lane], block->point[0].normal_impulse[lane],
                         block->point[points - 1].normal_impulse[lane]};

@@ -47,6 +47,7 @@ static bool begin_contacts(thud_world *w) {
         return true;
     }
     const int *list = begins->data;
+    /* Contacts before `first` have begun already, in a try of this step that ran out of memory. */
     int first = 0;
     while (first < begins->count && td_contact_at(w, list[first])->state == TD_TOUCHING) {
         first++;

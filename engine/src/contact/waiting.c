@@ -9,7 +9,7 @@
 
 enum {
     TEST_BLOCKS = 32
-}; /* scratch blocks of a thread: 256 contacts are tested at once. Chosen. */
+}; /* scratch blocks of a thread, so that it tests 256 contacts at once. Chosen. */
 
 /* The input of the kernels, without the outputs `has_offsets` and `separated`. */
 static td_collide_context context_of(const thud_world *w) {

@@ -77,6 +77,10 @@ typedef struct axes {
     f8 sep_ax, sep_ay, sep_bx, sep_by;
 } axes;
 
+/* The separating axis test of two boxes (Gottschalk et al., as above): along an axis of a with the
+ * half extent h, the separation is |d| - h - r, where d is the distance of the centres along it and
+ * r = |c| hx + |s| hy or |s| hx + |c| hy the half extent of b there; and the same with a and b
+ * exchanged. */
 TD_INLINE axes axes_of(const td_pairs8 *p) {
     axes x = {.dax = p->ac * p->dx + p->as * p->dy,
               .day = p->ac * p->dy - p->as * p->dx,

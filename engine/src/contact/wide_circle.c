@@ -14,7 +14,9 @@ TD_INLINE f8 normalise(f8 *x, f8 *y) {
     return f8_keep(long_enough, length);
 }
 
-/* A pseudo-random point of a square for each shape index (a multiplicative hash). */
+/* A pseudo-random point of a square for each shape index: a multiplicative hash by a prime near
+ * 2^32 over the golden ratio (D. Knuth, "The Art of Computer Programming", vol. 3, 6.4), mixed once
+ * more with the first factor of MurmurHash3's finaliser. */
 TD_INLINE void scatter(int32_t shape, float *x, float *y) {
     uint32_t bits = (uint32_t)shape * 0x9e3779b1u;
     bits = (bits ^ bits >> 15) * 0x85ebca6bu;
