@@ -42,7 +42,8 @@ static int32_t own_cell(const thud_world *w) {
     return (int32_t)((double)w->def.cell_size * w->to_coarse);
 }
 
-/* Keeps shapes of at most that extent out of the size classes: they share a level of their own. */
+/* Finds the size classes anew without the shapes whose extent is at most `own`, the cell width that
+ * the world sets: these share a level of their own. */
 static void drop_small(td_grid_measures *m, int32_t own) {
     memset(m->has_size, 0, sizeof m->has_size);
     for (int i = 0; i < m->count; i++) {
@@ -142,6 +143,7 @@ static int choose_tables(td_proxy_set *grid, bool few_moved) {
         /* Less than 1 / cell by 2^-16 of it: rounding must never put shapes that overlap two cells
          * apart. 2 quanta of the width are for the rounding of the centres. */
         level->inv_cell = (1.0 - 1.0 / 65536.0) / (double)level->cell;
+        /* One column more than the last index, and an empty one on each side (grid.h). */
         int64_t columns = td_grid_index(grid->end_x - grid->origin_x, level->inv_cell) + 3;
         int64_t rows = td_grid_index(grid->end_y - grid->origin_y, level->inv_cell) + 3;
         uint32_t table = table_size_for(2 * (int64_t)level->count);
@@ -262,8 +264,8 @@ static bool build(thud_world *w, td_proxy_set *grid, bool few_moved) {
     return true;
 }
 
-/* Whether the middle of a moved shape's bounds, along one axis, is within the slack of its anchor.
- */
+/* Whether the middle of a moved shape's bounds, along one axis, is within the slack of its anchor:
+ * -slack <= drift <= slack, as one comparison of unsigned numbers. */
 static bool is_near_anchor(int32_t anchor, int32_t low, int32_t high, int32_t slack) {
     uint32_t drift = (uint32_t)td_wrap_sub(td_middle(low, high), anchor);
     return drift + (uint32_t)slack <= 2u * (uint32_t)slack;

@@ -30,8 +30,9 @@
  * snapshots and drawings hold an array of this length. */
 enum { TD_LEVELS = 16 };
 
-/* The most shapes that a sorted grid of resting shapes takes in as strays (level_of_strays in
- * grid.c). */
+/* Maximum number of strays: resting shapes that a sorted grid takes in without a cell
+ * (level_of_strays in grid.c). Derived: a level of so many shapes is always tested whole
+ * (SCAN_WHOLE_MAX in wide_grid_sweep.c). */
 enum { TD_STRAYS_MAX = 16 };
 
 typedef struct td_level {

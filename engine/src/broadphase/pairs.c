@@ -100,7 +100,9 @@ bool td_pairs_sort(thud_world *w) {
         return true;
     }
     for (int shift = 0; shift < 64; shift += DIGIT_BITS) {
-        if (w->shapes.count >> shift % 32 > 0) { /* else the digit is 0 in all keys */
+        /* Either half of a key is an index below shapes.count: where that count has no bits from
+         * the digit's on, the digit is 0 in all keys. */
+        if (w->shapes.count >> shift % 32 > 0) {
             sort_pass(from, to, count, shift);
             td_new_pair *t = from;
             from = to;

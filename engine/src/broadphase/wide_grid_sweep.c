@@ -74,8 +74,9 @@ TD_INLINE bool scan_forward(scan *s, const int32_t *starts, int i, uint32_t cell
     return true;
 }
 
-/* The same where cells may wrap around, or (`forward` false) the other half: what precedes the
- * shape in its cell, the cell before, and three cells of the row below. */
+/* scan_forward where cells may wrap around the table's end; or, with `forward` false, the other
+ * half of the neighbourhood: what precedes the shape in its cell, the cell before, and three cells
+ * of the row below. */
 TD_INLINE bool scan_half(scan *s, const td_level *level, int i, uint32_t cell, bool forward,
                          scan_filter which) {
     const int32_t *starts = s->starts + level->starts + cell;
@@ -99,9 +100,9 @@ TD_INLINE bool scan_half(scan *s, const td_level *level, int i, uint32_t cell, b
  * centre of that shape, in bounds quanta from the grid's origin. Along each axis, the centres of
  * two such shapes are at most half a cell of the one level plus half a cell of the other apart.
  * These are mostly 2 x 2 cells, and never more than 3 x 3. In a hashed table, the rows share no
- * cell: of three consecutive rows, any two begin at least 0.23 of the table apart, and a table has
- * 64 cells or more.
- */
+ * cell: of three consecutive rows, any two begin at least 0.23 of the table apart (0.382 and 0.236
+ * are the distances of one and two times the golden ratio from whole numbers), and a table has 64
+ * cells or more. */
 TD_INLINE bool scan_coarser(scan *s, const td_level *level, const td_level *own, double x, double y,
                             scan_filter which) {
     if (level->count <= SCAN_WHOLE_MAX) {

@@ -5,7 +5,7 @@
  * A constraint that acts (a touching contact, or a constraint of an enabled joint) holds one lane
  * of a block. Invariants:
  * - The lanes of a bin (kind of constraint, side a static or not, graph colour) refer to no moving
- * body twice, so that eight lanes can be read, solved and written back at once.
+ *   body twice, so that eight lanes can be read, solved and written back at once.
  * - Slot 0 of the awake bodies is a dummy at rest with inverse mass 0. Static sides and empty lanes
  *   point to it, and write it back unchanged.
  *
@@ -163,7 +163,7 @@ typedef struct td_gear_rows {
 
 /* Flags and counters of a lane: 32 bits, so that they are copied like a row. */
 typedef struct td_lane_marks {
-    uint8_t internal_edges; /* td_shape.internal_edges of shape_a, where that is static */
+    uint8_t internal_edges; /* td_internal_edges_of both shapes; 0: neither has internal edges */
     uint8_t loaded;         /* times in succession that its load was above the threshold of
                                direct/direct_islands.c, at most 2; and the bit TD_DIRECT */
     uint16_t rule;          /* bits 0 to 9: number of the pair's rule in the table (rules/rules.h);
@@ -393,8 +393,8 @@ typedef enum td_brace {
 #define TD_SPRING_PHASE 1.0f
 
 /* Maximum number of bounce passes before the substeps. A pass propagates an impact along a row of
- * bodies by at least two contacts, so that it passes through a row of 128 bodies in one step.
- * Chosen. */
+ * bodies by at least two contacts, since neighbouring contacts have different colours, which a pass
+ * solves one after the other. The 64 passes reach through a row of 128 bodies. Chosen. */
 enum { TD_BOUNCE_PASSES = 64 };
 
 /* Arguments of the solver's passes: constants of the step, then the state of the present pass. */

@@ -5,8 +5,8 @@
 
 /* ---- which slots a worker has ---- */
 
-/* The workers' ranges begin and end at multiples of so many awake slots, a few KiB of velocities.
- * Chosen: the larger one where every worker has several of them. */
+/* The workers' ranges begin and end at multiples of so many awake slots, 8 or 1 KiB of velocities.
+ * The larger unit is used where every worker has UNITS_MIN of them on average. Chosen. */
 enum { SLOTS_UNIT = 512, SLOTS_UNIT_SMALL = 64, UNITS_MIN = 4 };
 
 int td_body_chunk(const thud_world *w, int workers) {
@@ -14,9 +14,10 @@ int td_body_chunk(const thud_world *w, int workers) {
     return slots >= workers * UNITS_MIN * SLOTS_UNIT ? SLOTS_UNIT : SLOTS_UNIT_SMALL;
 }
 
-/* A boundary between two workers is moved to an end of its place if that moves at most a twelfth of
- * a worker's share: the blocks of a place are in the order in which their contacts began, so that
- * workers that share a place write the same cache lines. Chosen. */
+/* A boundary between two workers is moved to an end of its place if no more than a twelfth of a
+ * worker's blocks change their worker by that. The blocks of a place are in the order in which
+ * their contacts began, so that two workers that share a place write the same cache lines. Chosen.
+ */
 enum { UNEVEN = 12 };
 
 /* The awake slots of a place. */

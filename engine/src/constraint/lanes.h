@@ -5,8 +5,8 @@
  * constraints of one colour share no moving (awake and dynamic) body, so that they are solved in
  * parallel. A bin is the doubly linked list of the blocks of one kind of constraint and one colour;
  * constraints whose side a is static have bins of their own. One more bin of each kind has the
- * lanes of sleeping bodies. A constraint that finds no free
- * colour goes to the overflow colour, whose blocks have one lane each.
+ * lanes of sleeping bodies. A constraint that finds no free colour goes to the overflow colour,
+ * whose blocks have one lane each.
  *
  * A place is a range of TD_PLACE_SLOTS awake slots. Constraints of two moving bodies with one of
  * the first colours (TD_PLACED_COLOURS) have a bin for each place: that of the lower of both slots
@@ -25,8 +25,8 @@
 /* A run of blocks of one bin, in the order of solving. */
 typedef struct td_run {
     int32_t kind, a_static; /* kind of the constraints; `a_static` 1: side a is static */
-    int32_t bin;   /* colour, + TD_COLOURS where a_static: runs with equal `bin`, even of different
-                      kinds or places, have no moving body in common, except in the overflow colour */
+    int32_t bin;   /* colour, + TD_COLOURS where a_static. Runs with equal `bin`, even of different
+                      kinds or places, have no moving body in common, but in the overflow colour */
     int32_t place; /* number of its bin's place; 0 where the bins of the colour have none */
     int32_t first, count; /* blocks, in scratch.blocks */
     int32_t has_offsets;  /* 1: one of its blocks has offsets (td_block.has_offsets) */
