@@ -36,8 +36,8 @@ static int chunks_left(atomic_int *taken, int before, int size) {
 enum { POLLS_BEFORE_STEALING = 32 };
 
 /* Takes chunks of another worker's part: at once while that has more than a quarter of its part to
- * do, but the last ones only where it has not taken one for a while. For in the next phase the data
- * of a chunk that is taken from another worker travel back to it. Returns how many. */
+ * do, but the last ones only where that worker has not taken one for a while, since in the next
+ * phase the data of a stolen chunk travel back to their owner's processor. Returns how many. */
 static int steal_part(atomic_int *taken, int before, int first, int end, td_chunk_fn *run,
                       void *work) {
     int size = end - first, ran = 0, polls = 0;

@@ -48,7 +48,8 @@ enum {
 typedef struct td_body {
     int32_t next_free; /* must be the first member: td_slots */
     uint32_t generation;
-    uint8_t kind, flags, changes, aabbs; /* aabbs: number of AABB shapes, which fix rotation */
+    uint8_t kind, flags, changes, aabbs; /* aabbs: 1 from the body's first AABB on, which fixes its
+                                            rotation; else 0 */
     td_awake_slot awake;                 /* TD_NONE: static, asleep, or waits for the next step */
     int32_t first_shape, shape_count;
     int32_t first_constraint; /* first edge of the list (td_edge_of) */
@@ -113,7 +114,8 @@ typedef struct td_terrain_record {
     thud_terrain_kind kind;
     int32_t unused; /* 0, in place of padding: snapshots copy all bytes */
     double slope, x0, spacing;
-    double highest;  /* height of the highest point from the origin; infinite for a flat slope */
+    double highest; /* upper bound of the heights from the origin (an edit that lowers the line does
+                       not lower it); infinite for an inclined flat line */
     td_array points; /* thud_pos */
 } td_terrain_record;
 
@@ -130,7 +132,8 @@ enum {
     TD_VETOED = 1,  /* does nothing in this step */
     TD_PASSING = 2, /* a one-way rule lets the shapes pass until they part, or are found apart on
                        the solid side (one_way.c); TD_VETOED is set, too */
-    TD_HELD = 4     /* a one-way rule holds it until the two part */
+    TD_HELD = 4     /* a one-way rule has found the shapes on the solid side: the contact acts until
+                       the two part */
 };
 
 /* A constraint: an edge in the graph of bodies (constraint.h). */

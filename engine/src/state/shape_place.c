@@ -1,6 +1,6 @@
 /* shape_place.c: computes the places of shapes from their bodies' poses, their tight and fat
- * bounds, and which terrain segments bounds reach. wide_finalize.c does the
- * same for the awake bodies of a step, eight at a time and with the same rounding. */
+ * bounds, and which terrain segments bounds reach. wide_finalize.c computes places and bounds for
+ * the awake bodies of a step, eight at a time and with the same rounding. */
 #include "state/body.h"
 #include "state/shape.h"
 
@@ -56,7 +56,8 @@ void td_shape_mark_moved_in(thud_world *w, td_array *moved, int index) {
     }
 }
 
-/* (Edits invalidate the resting proxy set: changes.c.) */
+/* The set of resting shapes stays valid: its shapes move by edits alone, and changes.c invalidates
+ * it then. */
 void td_shape_mark_moved(thud_world *w, int index) {
     td_shape_mark_moved_in(w, &w->moved, index);
     w->awake_shapes.valid = false;

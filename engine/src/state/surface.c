@@ -38,7 +38,8 @@ bool td_surface_meet(thud_world *w, const thud_contact *seen, thud_contact_setti
            (!w->asks || w->listener_hooks->ask_one(w, seen, settings));
 }
 
-/* Stores a lane's settings, and keeps the world's counts of bouncy and driven surfaces. */
+/* Stores a lane's settings, and keeps the world's counts of lanes with restitution (w->bouncy) and
+ * with a surface speed. */
 void td_surface_set(thud_world *w, td_block *block, int points, int lane,
                     const thud_contact_settings *s) {
     td_surface *surface = td_surface_at(block, points);
@@ -49,7 +50,9 @@ void td_surface_set(thud_world *w, td_block *block, int points, int lane,
     block->bouncy |= s->restitution > 0.0f;
     surface->speed[lane] = s->surface_speed;
     if (s->friction == 0.0f) {
-        block->tangent_impulse[lane] = 0.0f; /* a block without friction would keep and apply it */
+        /* The relax pass skips the friction of a block in which no lane has any (relax_blocks), and
+         * the warm start would go on applying the impulse. */
+        block->tangent_impulse[lane] = 0.0f;
     }
 }
 
