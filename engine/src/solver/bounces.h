@@ -7,8 +7,8 @@
 
 /* The closing speed, in multiples of gravity times the time step, below which a swept pair in free
  * flight counts as resting at its impact (bounce_speed in detection/collide.c; bounces.c has its
- * own, FLIGHT_REST). An elastic pair (restitution >= 1) that meets at this speed would meet again
- * after a quarter of the step (2 * 0.125). */
+ * own, FLIGHT_REST). Chosen: an elastic pair (restitution >= 1) that meets at this speed v would
+ * meet again after 2 v / g, a quarter of the step. */
 #define TD_BOUNCE_REST 0.125
 /* TD_BOUNCE_REST for a pair with a body that other contacts carry. The solver's errors let the
  * velocity of such a body fluctuate by less than this, which must not make the pair bounce. Chosen.

@@ -1,7 +1,8 @@
 /* budget.c: the controller of the time budget. Over each TD_BUDGET_STEPS steps it takes the median
- * of the step times. Substeps are halved where that is over the budget, and doubled, up to the
- * quality's number, where the step with twice the solver's time would still be well within it. The
- * result depends on the clock, so that worlds with a time budget are not deterministic. */
+ * of the step times. Substeps are halved where the median is over the budget. They are doubled, up
+ * to the number that the def or the quality asks for, where the median of the step times plus the
+ * solver's times, an estimate for twice the substeps, is below RISE_SHARE of the budget. The result
+ * depends on the clock, so that worlds with a time budget are not deterministic. */
 #include "solver/budget.h"
 
 #include "solver/quality.h"

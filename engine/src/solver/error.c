@@ -65,6 +65,8 @@ static void count_block(thud_world *w, const td_block *block, int points) {
     }
 }
 
+/* td_errors_recount, of contacts and of joints. What detection has found of this step, such as the
+ * shortfall, is not known yet and begins at 0. */
 static void recount(thud_world *w) {
     w->errors = (td_errors){.energy_change = w->errors.energy_change,
                             .energy_decided = w->errors.energy_decided};

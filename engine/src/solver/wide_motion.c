@@ -18,7 +18,8 @@ TD_INLINE void store(float (*rows)[4], int i, f8 v) {
 
 /* Clamps velocities to max_speed and THUD_ANGULAR_SPEED_MAX. All passes use the same bound:
  * otherwise the difference would look like an impulse of the last substep and be added again. The
- * order of operands keeps not-a-number, which finalize.c looks for. */
+ * fourth value, the inverse mass, is not clamped: its bound is near the largest float. The order of
+ * operands keeps not-a-number, which finalize.c looks for. */
 TD_INLINE f8 clamp_velocity(const td_motion_context *c, f8 v) {
     float s = c->max_speed, t = THUD_ANGULAR_SPEED_MAX, m = 3.0e38f;
     f8 max = {s, s, t, m, s, s, t, m};
