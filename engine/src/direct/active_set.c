@@ -44,10 +44,10 @@
 #define RESIDUAL_SHARE 1e-4
 
 enum {
-    FACTORINGS_MAX = 6, /* factorisations before the method gives up; at rest it takes one ... */
-    /* As FACTORINGS_MAX, with td_direct.search. Measured at default: at 6 the widest gaps of
-     * 23 bridges of 10 to 98 planks under a lorry are two to five times those at 8 (geometric
-     * means); at 10 a step of bridges under boxes takes two fifths longer. */
+    FACTORINGS_MAX = 6, /* factorisations before the method gives up; an island at rest takes one */
+    /* As FACTORINGS_MAX, with td_direct.search. Measured at the quality `default`: at 6 the widest
+     * gaps of 23 bridges of 10 to 98 planks under a lorry are two to five times those at 8
+     * (geometric means); at 10 a step of bridges under boxes takes two fifths longer. */
     FACTORINGS_OF_SEARCH = 8,
     UPDATES_MAX = 12,      /* maximum number of updates of multipliers and friction bounds */
     UPDATES_AGAIN = 4,     /* UPDATES_MAX for td_direct_solve_same_active_set, which does not factor
@@ -128,8 +128,9 @@ static bool has_no_impulses(const td_direct *d) {
 /* Warm-starts the active set. Active are the unilateral rows that had an impulse in the last step,
  * and those whose speed is below the target speed. If the impulses are the soft solver's, which are
  * not converged, or are all 0, every unilateral row that does not separate is active. With the soft
- * solver's impulses, friction rows that slide slower than g h also have no bound until the first
- * solve has given normal impulses. Returns the number of rows. */
+ * solver's impulses, friction rows whose sliding speed is at most g h also have an infinite bound,
+ * until the first solve has given normal impulses from which the bound is computed. Returns the
+ * number of rows. */
 static int warm_start(td_direct *d, double hysteresis) {
     int rows = 0;
     double margin = d->soft_warm_start || has_no_impulses(d) ? hysteresis : -hysteresis;

@@ -13,10 +13,11 @@
 /* The share of an overlap that a step corrects, as Box2D's b2_baumgarte of 0.2. Chosen; what is
  * left is corrected in later steps. */
 #define PUSH_SHARE 0.2
-/* A separation below the blur counts as 0. The blur is BLUR times the lever arms (some ten times
- * the rounding of floats, 2^-24), at most BLUR_MAX length scales, plus BLUR_MIN length scales for
- * bodies whose arms are 0. Without BLUR_MAX, ground that is thousands of length scales wide would
- * hold bodies up in the air far from its centre. */
+/* The blur is the rounding error that a separation may have; a separation or overlap below it
+ * counts as 0. It is BLUR times the sum of both lever arms (BLUR is some ten times the rounding of
+ * floats, 2^-24), at most BLUR_MAX length scales, plus BLUR_MIN length scales for bodies whose arms
+ * are 0. Without BLUR_MAX, ground that is thousands of length scales wide would hold bodies up in
+ * the air far from its centre. */
 #define BLUR 1e-6
 #define BLUR_MIN 1e-7
 #define BLUR_MAX 1e-4
@@ -34,7 +35,7 @@ static double target_speed_of(const thud_world *w, double gap, double blur) {
     return depth < blur ? 0.0 : pushed < push_max ? pushed : push_max;
 }
 
-/* The rounding error of a separation, which is computed in single precision. Without this
+/* The blur of a row's point, a length: separations are computed in single precision. Without this
  * tolerance, contacts of a heap at rest that carry almost no load would enter and leave the active
  * set at random. */
 static double blur_of(const thud_world *w, const td_direct_row *r) {
@@ -43,7 +44,9 @@ static double blur_of(const thud_world *w, const td_direct_row *r) {
     return (blur < max ? blur : max) + BLUR_MIN * (double)w->length_scale;
 }
 
-/* The lever arms of a body that does not turn are 0. */
+/* A body of the problem that does not turn gets lever arms of 0: any moment of inertia is then
+ * correct for it (inertia_of, newton_step.c). A body outside of the problem keeps its arms, since
+ * its given angular velocity moves the contact point. */
 bool td_contact_take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
                           td_direct_constraint *c) {
     int points = td_form_points(w->kinds[td_contact_at(w, block->constraint[lane])->kind]->form);

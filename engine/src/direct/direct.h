@@ -7,11 +7,15 @@
  *     subject to  J_i v + known_i >= target_i   for a unilateral row i,
  *                 J_i v + known_i  = target_i   for an equality row i.
  *
- * v has three numbers a body (x, y, turn), v* are the velocities without constraints, M is the
- * diagonal of masses and moments of inertia, J_i the Jacobian of row i, and known_i the speed that
- * bodies outside of the problem (static, kinematic) give the row. A constraint brings one to three
- * rows. The optimum satisfies the KKT conditions: M (v - v*) = sum_i J_i' impulse_i, and a
- * unilateral row has impulse >= 0, speed >= target_speed, and equality in at least one of the two.
+ * v has three numbers a body: the linear velocity of its centre of mass (x, y) and its angular
+ * velocity (turn). v* are the velocities without constraints, M is the diagonal of masses and
+ * moments of inertia, and J_i is the Jacobian of row i. known_i is the speed along the row that
+ * comes from bodies outside of the problem (static, kinematic, or of another island), whose
+ * velocities are given. target_i is the speed that the row has to reach: the one that corrects an
+ * overlap or a joint's gap, the one at which a contact that is apart just closes, or 0. A
+ * constraint brings one to three rows. The optimum satisfies the KKT conditions: M (v - v*) = sum_i
+ * J_i' impulse_i, and a unilateral row has impulse >= 0, speed >= target_speed, and equality in at
+ * least one of the two.
  *
  * Friction is not part of the convex problem. A friction row has |impulse| <= max_impulse;
  * `max_impulse` is kept fixed while velocities are solved for, and then recomputed from the normal
@@ -33,11 +37,13 @@ enum {
     TD_DIRECT_TANGENT = 2 /* index of a contact's friction row */
 };
 
-/* The order of the kinds matters: odd kinds are active from the start, and a row from
- * TD_ROW_FRICTION on is allowed to miss its target speed. */
+/* The code relies on these values: rows of odd kinds (equality and soft rows) are in the active set
+ * from the start, and rows of the kinds from TD_ROW_FRICTION on may miss their target speeds
+ * without an error, so that the residual leaves them out. */
 typedef enum td_row_kind {
     /* A contact point or a joint's limit: impulse >= 0 and speed >= target_speed, with equality in
-     * at least one of the two. Never the last row of a constraint. */
+     * at least one of the two. Never row TD_DIRECT_TANGENT, which loops over unilateral rows leave
+     * out (td_direct_load). */
     TD_ROW_UNILATERAL,
     /* A joint's lock: speed = target_speed, with an impulse of any size. */
     TD_ROW_EQUALITY,
@@ -59,14 +65,15 @@ typedef struct td_direct_body {
     double moved[3];                      /* motion since the start of the step */
     /* The rest is for islands with joints, whose step is divided into parts, each solved by itself:
      * island_step_joints.c. */
-    double stiff;               /* added to the moment of inertia: geometric stiffness of joints */
-    double turned;              /* rate of turning in the iteration before, rad/s */
+    double stiff;               /* sum of the geometric stiffness of the body's joints, which is
+                                   added to its moment of inertia; 0 between two sums */
+    double turned;              /* angular velocity by the Newton iteration before, rad/s */
     double own_inverse_inertia; /* inverse_inertia without `stiff` */
     double gain[3];             /* what gravity, forces and damping add to the mean velocity in one
                                    part: half of what they add to the velocity by its end */
     bool sweeps;                /* the body's rotation moves an anchor or the axis of a joint */
-    bool turn_limited; /* the body has a contact, and is no disc about its centre of mass (a wheel):
-                          its rotation changes the manifold */
+    bool turn_limited; /* the body has a contact, and is not a single circle about its centre of
+                          mass, so that its rotation changes the manifold */
 } td_direct_body;
 
 typedef struct td_direct_row {
@@ -129,7 +136,8 @@ typedef struct td_direct {
     double (*step)[4]; /* Newton step of each body: x, y, turn, and a number that is not used */
     double (*work)[4]; /* scratch memory of the same size */
     int body_count, constraint_count;
-    double unit_speed;    /* g h: the speed that gravity gives a body in a step */
+    double unit_speed;    /* g h: the speed that gravity gives a body in a step of length h,
+                             length/s */
     int factorings;       /* factorisations so far */
     int factoring_budget; /* budget of factorisations */
     int64_t effort;       /* budget of work that is left, in operations on 3 x 3 blocks */
@@ -160,10 +168,12 @@ bool td_direct_solve_active_set(td_direct *d, double tolerance);
  * the factor of the last td_direct_solve_active_set. If the active set changes, the impulses are
  * restored and the result is false. */
 bool td_direct_solve_same_active_set(td_direct *d, double tolerance);
-/* line_search.c: what helps the active set to settle where contacts slide. */
+/* line_search.c: a line search and damped updates of friction bounds. Without them the active set
+ * may cycle where contacts slide. */
 typedef struct td_direct_search {
-    /* How much of the present Newton step is taken, from 0 to 1: up to where the function that is
-     * minimised no longer falls much. Without a search the whole step is taken. */
+    /* The length of the present Newton step, as a share of the whole step, 0 to 1: near the minimum
+     * of the augmented Lagrangian along it. Where td_direct.search is null, whole steps are
+     * taken. */
     double (*part_of_step)(const td_direct *d);
     void (*update_bounds)(td_direct *d); /* in place of td_direct_update_friction */
 } td_direct_search;

@@ -3,10 +3,10 @@
  * An island is a connected component of dynamic bodies and the constraints that act between them.
  * It is direct if one of its bodies is marked (direct_steps). td_islands_mark_loaded marks the
  * bodies of a contact whose load is above the threshold of td_islands_load_max in two successive
- * checks, while the two bodies hardly move against each other: an impact gives as high a load, but
- * for one step; and the soft solver solves a moving heap as well at lower cost. A step checks an
- * eighth of the blocks (in small worlds all), so that two checks are eight steps apart. Where a
- * heavy body lies on a light one, the contact sinks in at once, so that half the threshold,
+ * checks, while the two bodies hardly move against each other: an impact causes as high a load, but
+ * for one step only; and the soft solver solves a moving heap equally well at lower cost. A step
+ * checks an eighth of the blocks (in small worlds all), so that two checks are eight steps apart.
+ * Where a heavy body lies on a light one, the contact sinks in at once, so that half the threshold,
  * exceeded once, is enough. A joint is marked as soon as its load exceeds the threshold once, and
  * its island is solved directly in the same step (direct/overloaded_joints.c). With overlap_limit 0
  * every island is direct. */
@@ -187,8 +187,8 @@ int64_t td_island_cost(const td_island *island) {
     return island->system.work + island->bodies + 2 * (int64_t)island->constraints;
 }
 
-/* Whether an island stays in its cooldown: more than half of its bodies are. A few bodies that join
- * a heap do not end its cooldown. */
+/* Whether an island is in its cooldown: more than half of its bodies are. So a heap stays in its
+ * cooldown when a few bodies that are in none join it. */
 static bool cools_down(const thud_world *w, const td_island *island) {
     int cooling = 0;
     for (int i = 0; i < island->bodies; i++) {

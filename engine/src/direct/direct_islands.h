@@ -14,7 +14,7 @@
 
 struct thud_world;
 
-/* What became of an island that was to be solved as a tree (joints/lock_tree_step.c). */
+/* The outcome of solving an island as a tree (joints/lock_tree_step.c) in this step. */
 typedef enum td_tree_outcome {
     TD_TREE_UNTRIED,
     TD_TREE_SOLVED,
@@ -51,7 +51,7 @@ typedef struct td_islands {
     td_array listed;     /* td_listed_body of direct/lock_tree.h */
     td_array results;    /* td_lock_result of direct/lock_tree.h, parallel to `slots` */
     bool passes_over; /* islands were solved as trees before the soft solver, which skips the blocks
-                         all of whose joints are solved so (td_block.solved) */
+                         of locks in which every lane belongs to such an island (td_block.solved) */
     float trees_residual; /* residual of the islands that were solved as trees: the maximum speed
                              along a locked direction of a joint after the step, length/s */
     td_array topology,
@@ -125,8 +125,8 @@ int64_t td_island_cost(const td_island *island);
 #define TD_DIRECT_STEPS 60
 #define TD_DIRECT_LEAVE 0.7
 /* thud_world.direct_steps of a body: 0, not direct; 1 to TD_DIRECT_STEPS, direct, counting down;
- * from TD_DIRECT_COOLDOWN + TD_COOLDOWN_STEPS down to TD_DIRECT_COOLDOWN, in the cooldown. The
- * values fit a byte. */
+ * from TD_DIRECT_COOLDOWN + TD_COOLDOWN_STEPS down to TD_DIRECT_COOLDOWN + 1, in the cooldown,
+ * after which it is 0. The values fit a byte. */
 #define TD_DIRECT_COOLDOWN 128
 #define TD_COOLDOWN_STEPS 120
 /* Steps of cooldown of islands with joints: joints under load come apart if they are left to the

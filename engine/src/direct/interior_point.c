@@ -7,19 +7,22 @@
  * - Unilateral: slack s = J v - target and impulse y, both > 0; the product s y goes to zero.
  * - Friction: y within its bounds. The distances low = max + y and high = max - y have slacks s0,
  *   s1 > 0 with s0 - s1 = J v - target; both products s0 low and s1 high go to zero.
- * - Spring with a greatest force: as friction, with s0 - s1 = J v - target + y / weight, so that
- *   it is a spring between its bounds.
+ * - Spring with a maximum force: as friction, with s0 - s1 = J v - target + y / weight, so that it
+ *   is a spring between its bounds.
  * - Equality: a penalty of weight STIFFNESS times the effective mass, whose multiplier is the
  *   row's impulse so far.
- * - Spring without a greatest force: a penalty of its own weight, without a multiplier.
+ * - Spring without a maximum force: a penalty of its own weight, without a multiplier.
  *
  * Each iteration linearises these conditions and the equilibrium of the bodies. Eliminating
- * impulses and slacks leaves the equations of td_direct_step, where a row has weight = impulse /
- * slack. They are solved twice with one factor: the predictor aims at products of zero; from how
- * far it gets before a number becomes negative, the corrector computes its target for the products
- * (`sigma`, the cube of the share of the gap that is left) and adds the second-order term of the
- * products. Products are divided by the row's effective mass, so that heavy and light contacts
- * converge alike. */
+ * impulses and slacks leaves the equations of td_direct_step, where a unilateral row has weight = y
+ * / s, and a friction row or spring has weight = 1 / (s0 / low + s1 / high + compliance), with the
+ * spring's compliance 1 / weight. The equations are solved twice with one factor. The predictor
+ * aims at products of zero. With gap, the mean of the products, and gap_after, that after the
+ * longest part of the predictor's step that makes no slack, impulse or distance negative,
+ *     sigma = (gap_after / gap)^3
+ * and the corrector aims at products of sigma gap, and adds the second-order term of the products,
+ * from the predictor's steps. Products are divided by the row's effective mass, so that heavy and
+ * light contacts converge alike. */
 #include "direct/direct.h"
 
 /* A step goes this share of the way to the boundary, the point at which the first slack, impulse or

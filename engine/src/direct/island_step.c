@@ -11,7 +11,7 @@
  *    factorisation is needed (td_direct_solve_same_active_set).
  * Islands with joints are solved by island_step_joints.c instead.
  *
- * The result is checked. It is refused, and the soft solver's result kept, if bodies move or turn
+ * The result is checked. The result is refused, and the soft solver's kept, if bodies move or turn
  * too far for the first-order rows, if an impulse is implausibly large, or if the residual is above
  * the tolerance and no smaller than the soft solver's. Otherwise velocities, motions and impulses
  * of the island are overwritten. Islands in which a contact bounces in this step are left to the
@@ -148,8 +148,8 @@ bool td_island_is_disc(const td_island_work *work, int body) {
     return shape >= 0 && td_kind_is_round(td_shape_at(work->w, shape)->kind);
 }
 
-/* Whether the island is a single disc on static bodies. It may roll by any angle, since rotation
- * does not move its contacts. */
+/* Whether the island is a single disc, whose contacts are then all with static and kinematic
+ * bodies. It may roll by any angle, since rotation does not move its contacts. */
 static bool is_lone_disc(const td_island_work *work) {
     return work->island->bodies == 1 && td_island_is_disc(work, 0);
 }

@@ -6,8 +6,8 @@
  * in the implicit midpoint rule. Joint rows change as bodies turn. Their Jacobian is a discrete
  * gradient: J(h v) (h v) = q(after) - q(before) exactly, for the joint's coordinate q (Gonzalez,
  * "Time integration and discrete Hamiltonian systems", 1996; td_update_rows_fn computes it). Then
- * impulses J' l of locked rows (l: their sizes) do no work, and a gap that is to be closed is
- * exactly closed at the end of the part, not only to first order.
+ * the impulses J' l of locked rows, with the multipliers l, do no work, and a gap that is to be
+ * closed is exactly closed at the end of the part, not only to first order.
  *
  * Since J depends on v, the equations are solved by Newton's method: solve direct.h's problem with
  * the present rows, compute the rows for the new motion, and so on. The derivative of J' l with
@@ -138,17 +138,18 @@ static double newton_residual(const td_island_work *work) {
     return everywhere && td_island_is_joints(work) ? TD_RESIDUAL_EXACT : 1.0;
 }
 
-/* Newton's method is given up after its first iteration where that leaves a residual of more than
- * FAR_RESIDUAL tolerances, and what is left of the budget is less than MORE_SOLVES times what the
- * first solve took: two further iterations and the velocities at the end of the part need at least
- * that. Measured on walkers, ragdolls and bridges under falling boxes, at the quality `default`:
- * islands that converged within the budget had left at most 270 tolerances; of 61 attempts at a
- * bridge none converged, and each had left more than 900.
- * Where less than FAR_BUDGET_MIN is left and the first iteration does not find the active set, the
- * velocities of that search serve as an approximation: the rows change with them anyway, and the
- * second iteration often finds it. Where it does not, from as large a residual, the method is given
- * up too, since an interior point takes some twenty factorisations more. Under
- * falling boxes an attempt in vain takes 15 factorisations on average, in place of 24. */
+/* Newton's method is given up after its first iteration if the residual is then more than
+ * FAR_RESIDUAL tolerances, and fewer factorisations are left of the budget than MORE_SOLVES times
+ * those of the first solve: two further iterations and the velocities at the end of the part need
+ * at least that. Measured on walkers, ragdolls and bridges under falling boxes, at the quality
+ * `default`: islands that converged within the budget had left at most 270 tolerances; of 61
+ * attempts at a bridge none converged, and each had left more than 900. Where fewer than
+ * FAR_BUDGET_MIN factorisations are left and, in an island with contacts, the first iteration does
+ * not find the active set, the velocities of that search serve as an approximation: the rows change
+ * with the velocities anyway, and the second iteration often finds the active set. Where a later
+ * iteration begins with more than FAR_RESIDUAL tolerances and does not find it, the method is given
+ * up too, since an interior point takes some twenty factorisations more. Under falling boxes an
+ * attempt without a result takes 15 factorisations on average; without this rule it takes 24. */
 #define FAR_RESIDUAL 500.0
 enum { MORE_SOLVES = 3, FAR_BUDGET_MIN = 90 };
 
@@ -171,9 +172,9 @@ static double solve_rows(td_island_work *work, double tolerance) {
                : td_direct_solve(&work->problem, tolerance);
 }
 
-/* solve_rows for iteration n of Newton's method, where `far`: the one before left more than
- * FAR_RESIDUAL. Out: *rough, the active set was not found, and the velocities are only an
- * approximation. */
+/* solve_rows for iteration n of Newton's method. `far`: the residual before it is more than
+ * FAR_RESIDUAL tolerances. Out: *rough, whether the active set was not found, and the velocities
+ * are only an approximation. */
 static double approach_rows(td_island_work *work, double tolerance, int n, bool far, bool *rough) {
     td_direct *d = &work->problem;
     double residual;
@@ -518,8 +519,9 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
         return __builtin_inf();
     }
     work->problem.effort = work->w->islands.effort;
-    /* Not at exact, where budgets are large, so that it saves little, and where one of 48 chains
-     * of soft welds on a floor gains energy with it (test_joints_stiff.c). */
+    /* Qualities that solve every island directly (overlap_limit 0, as `exact`) do without the line
+     * search: their budgets are large, so that it would save little, and one of 48 chains of soft
+     * welds on a floor gains energy with it (test_joints_stiff.c). */
     work->problem.search = work->w->quality.overlap_limit > 0.0f ? &td_direct_line_search : NULL;
     work->problem.factoring_budget *=
         td_island_is_joints(work) ? TD_BUDGET_OF_JOINTS : BUDGET_WITH_CONTACTS;
@@ -556,8 +558,10 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
         missing = __builtin_inf();
     }
     work->time = work->elapsed = whole;
-    /* Long lever arms may have made numbers overflow; and a body with contacts must not have turned
-     * further than its contacts' lever arms allow. */
+    /* The result is refused if a velocity is not finite, as after an overflow where lever arms are
+     * long, or if a body with contacts has turned further than turn_max, for which its contacts'
+     * lever arms of the start of the step are still accurate enough. td_island_compute need not
+     * check rotations again: turn_max becomes infinite. */
     missing = td_finite(energy.now) && !td_island_turns_too_far(work) ? missing : __builtin_inf();
     work->turn_max = __builtin_inf();
     if (td_finite(missing) && missing > tolerance && !td_island_is_joints(work) &&

@@ -57,14 +57,15 @@ static bool find(thud_world *w) {
  * EFFORT_BODIES_MIN bodies if there are fewer, which is some 30 ms. Loops of joints that are
  * stretched may take any number of Newton steps, and a body that is joined to many others makes a
  * factorisation take the cube of their number: without a budget a hub with 900 rods took up to a
- * second in one step at exact. Both numbers are chosen; half of them sends islands to the soft
- * solver at half that time, twice as much allows a frame of 60 ms. */
+ * second in one step at exact. Both numbers are chosen; with half of them, islands are left to the
+ * soft solver once they have taken 15 ms in a step; with twice as much a step may take 60 ms. */
 enum { EFFORT_OF_BODY = 4000, EFFORT_BODIES_MIN = 1000 };
 
-/* The part of the budget that is reserved for the islands that are not solved yet: EFFORT_OF_BODY
- * for each of their bodies. So an island may spend its own share, and what the islands before it
- * have left over. Without this reserve, a heap that spent the whole budget would send all later
- * islands to the soft solver. */
+/* The sum of the shares of the budget of all listed islands that are not solved yet: EFFORT_OF_BODY
+ * for each of their bodies. solve_found takes the shares of later islands out of the budget while
+ * it solves an island, which so may spend its own share and what the islands before it have left of
+ * theirs. Without this reserve, a heap that spent the whole budget would send all later islands to
+ * the soft solver. */
 static int64_t reserved_effort(const thud_world *w) {
     int64_t reserved = 0;
     for (int i = 0; i < w->islands.island.count; i++) {
@@ -74,7 +75,7 @@ static int64_t reserved_effort(const thud_world *w) {
     return reserved;
 }
 
-/* Sets td_block.solved of all locks. */
+/* Sets td_block.solved of all blocks of locks: the lanes whose islands were solved as trees. */
 static void mark_solved_lanes(thud_world *w) {
     td_islands *s = &w->islands;
     for (int r = 0; r < w->scratch.runs.count; r++) {
@@ -110,8 +111,9 @@ static void solve_trees(thud_world *w) {
     }
 }
 
-/* thud_island_solver.begin: sets the budget, and stores the velocities at the start of the step, to
- * which islands of 2. and 3. return; then solves trees of locks. */
+/* thud_island_solver.begin: sets the budget, and stores the velocities at the start of the step,
+ * from which islands of 2. and 3. are solved after the soft solver has changed them; then solves
+ * trees of locks. */
 static void begin(thud_world *w) {
     td_islands_begin(w);
     w->islands.effort = (int64_t)EFFORT_OF_BODY * td_max_int(w->body_of.count, EFFORT_BODIES_MIN);

@@ -5,14 +5,14 @@
 
 #include "base/base.h"
 
-/* The energies that tell whether a result is plausible; each is twice the energy. */
+/* Energies by which a result is judged plausible or not. Each member is twice the energy. */
 typedef struct td_island_energy {
     double start, now; /* kinetic energy before and after the step; `start` with what motors and
                           springs may add */
-    double work;       /* of gravity, forces and damping in the step */
+    double work;       /* work of gravity, forces and damping in the step */
     double free;       /* kinetic energy without constraints: that of the first or of the last part,
                           whichever is larger */
-    double pushed;     /* what closing gaps and overlaps may add */
+    double pushed;     /* energy that closing gaps and overlaps may add */
 } td_island_energy;
 
 /* A result is refused if its kinetic energy is more than this many times the energy that the island
@@ -21,7 +21,7 @@ typedef struct td_island_energy {
 #define TD_ENERGY_RATIO_MAX 16.0
 /* Factor of the budget of factorisations for islands without contacts: Newton's method needs
  * several factorisations where an island without joints needs one, and if the budget runs out the
- * soft solver lets a loaded chain come apart. */
+ * island is left to the soft solver, under which the gaps of a loaded chain open. */
 enum { TD_BUDGET_OF_JOINTS = 8 };
 /* Maximum of Newton iterations in a part. Chosen; each takes one or more factorisations. */
 enum { TD_NEWTON_ITERATIONS_MAX = 12 };
@@ -37,12 +37,13 @@ enum { TD_NEWTON_ITERATIONS_MAX = 12 };
 #define TD_RESIDUAL_EXACT 1e-3
 /* Rules on unbalanced moments, measured as a speed (unbalanced_speed, island_step_joints.c).
  * Newton's iteration goes on while that speed is above TD_BALANCE_ENOUGH times the tolerance. A
- * result is refused if the speed is above TD_BALANCE_MAX times the tolerance, which is g h, and the
- * island gains more than TD_GAIN_MAX of the energy that it had and got. Measured on 800 random
- * mechanisms (test_joints_random.c) without gaps or overlaps at the start. Without these rules 10
- * gained more than 5 % of energy, up to 16 times their own; with them 4 do, up to 0.9 times.
- * TD_BALANCE_ENOUGH 1 would leave 3 of these, but takes half as many factorisations again in
- * ragdolls at default. */
+ * result is refused if the speed is above TD_BALANCE_MAX times the tolerance, which is g h (a
+ * tolerance is 1e-3 g h: TOLERANCE_SHARE, island_step.c), and the island's energy exceeds the sum
+ * of its energy before the step and the work of forces by more than TD_GAIN_MAX times the sum of
+ * their magnitudes. Measured on 800 random mechanisms (test_joints_random.c) without gaps or
+ * overlaps at the start. Without these rules 10 gained more than 5 % of energy, up to 16 times
+ * their own; with them 4 do, up to 0.9 times. TD_BALANCE_ENOUGH 1 would leave 3 of these, but takes
+ * half as many factorisations again in ragdolls at default. */
 #define TD_BALANCE_ENOUGH 100.0
 #define TD_BALANCE_MAX 1000.0
 #define TD_GAIN_MAX 0.1
@@ -54,8 +55,10 @@ enum { TD_NEWTON_ITERATIONS_MAX = 12 };
  * island_step_joints.c). Chosen. */
 #define TD_CLOSING_SHARE 1e-3
 
-/* Whether the result has more than TD_ENERGY_RATIO_MAX times the energy that it may have. A motor
- * may move more than its own two bodies: hence `free`. Equality rows do no work themselves. */
+/* Whether the result has more than TD_ENERGY_RATIO_MAX times the energy that it may have. `free`
+ * counts the velocities before the first part and those before the last part: a motor may move more
+ * bodies than the two whose effective mass energy_of_drives counts, and the energy of these is in
+ * the velocities before the last part. Equality rows do no work themselves. */
 static inline bool td_gains_energy(const td_island_energy *e) {
     return !(e->now <= TD_ENERGY_RATIO_MAX * (e->free + e->pushed));
 }

@@ -97,8 +97,8 @@ typedef struct linkage_counts {
     int contacts, overloaded, locks;
 } linkage_counts;
 
-/* Adds the joints of a body and the bodies at their other ends. False if the linkage is too large,
- * or contains a body that is marked as unfit. */
+/* Adds the joints of a body to the linkage, each once, and the bodies at their other ends. False if
+ * the linkage is too large, or contains a body that is marked as unfit. */
 static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot,
                           linkage_counts *counts) {
     td_body_index body = td_body_of(w, slot);
@@ -315,7 +315,7 @@ static void solve_one(thud_world *w, td_awake_slot seed) {
     joints.system = linkage.system;
     td_island_work work;
     double pushed;
-    bool alone = joints.constraints == linkage.constraints; /* it has no contacts */
+    bool alone = joints.constraints == linkage.constraints; /* the linkage has no contacts */
     bool solved =
         (alone && solve_as_tree(&work, w, &joints)) ||
         (solve_with_contacts(&work, w, &linkage, &pushed) && !gains_energy(&work, pushed)) ||

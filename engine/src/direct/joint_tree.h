@@ -20,8 +20,9 @@
  * gradients.
  *
  * A spring between i and p is a row whose impulse is weight (target - speed): 1 / weight is added
- * to its element of S's diagonal. A limit is in the rows while it pushes. The body that is joined
- * to bodies outside of the problem is the root, and these rows are those of its own joint. */
+ * to its element of S's diagonal. A limit is one of the rows while it is in the active set. The
+ * body that is joined to bodies outside of the problem is the root, and these rows are those of its
+ * own joint. */
 #ifndef TD_JOINT_TREE_H
 #define TD_JOINT_TREE_H
 
@@ -36,12 +37,13 @@ typedef struct td_tree_body {
     double compliance[6];  /* S, then its factor */
     double coupling[3][3]; /* S^-1 J_p, row by row */
     double impulse[3];     /* S^-1 (t - J_i A_i^-1 g_i) */
-    td_direct_row *row[3]; /* the joint's rows, and their parts of i and of p */
+    td_direct_row *row[3]; /* the joint's rows; own, parents: the parts of their Jacobians for i
+                              (J_i) and for p (J_p) */
     const double *own[3], *parents[3];
     int rows;         /* of the joint */
     int parent;       /* place of p; TD_NONE: the body is the root of a tree */
-    bool turned_over; /* the link to p was reversed (set_order): in the matrix's order p comes
-                         earlier */
+    bool turned_over; /* the body is on the path whose links set_order reverses, so that its parent
+                         p may come before it in the matrix's order */
     int order;        /* of element n: the place of the body that is eliminated as number n */
 } td_tree_body;
 

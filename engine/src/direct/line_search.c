@@ -1,20 +1,25 @@
-/* line_search.c: help for active_set.c where contacts slide, in a file of its own, since only
- * islands with joints use it.
+/* line_search.c: td_direct_search for active_set.c: two measures by which the active set converges
+ * where contacts slide. They have a file of their own, so that programs without joints do not link
+ * them: only islands with joints use them.
  *
- * A Newton step goes no further than to the minimum on its way. The function that the method
- * minimises is convex and piecewise quadratic along the step, so that its slope is piecewise linear
- * and grows (Hermans, Themelis, Patrinos, "QPALM: a proximal augmented Lagrangian method for
- * nonconvex quadratic programs", 2022).
+ * part_of_step is a line search: a Newton step that passes the minimum of the function along it is
+ * shortened to end near that minimum. The function that active_set.c minimises is convex and
+ * piecewise quadratic along the step, so that its derivative is piecewise linear and never falls
+ * (Hermans, Themelis, Patrinos, "QPALM: a proximal augmented Lagrangian method for nonconvex
+ * quadratic programs", 2022).
  *
- * A greater friction bound may lower the normal impulse from which it is computed, as where
- * friction lifts what slides. Then the bounds swing about the solution: one that turns back goes
- * half of the way. */
+ * update_bounds damps the fixed-point iteration of friction bounds. A greater friction bound may
+ * lower the normal impulse from which it is computed, for example where the friction force lifts
+ * the sliding body. The bounds then oscillate about the solution. So a bound whose change has the
+ * opposite sign of its last change goes half of the way only. */
 #include "direct/direct.h"
 
-/* A step is shortened if the function rises at its end more than this many times as steeply as it
- * falls at its beginning, to where its slope is smaller than that. Chosen. */
+/* The line search ends at a step length at which the magnitude of the derivative is at most this
+ * share of that at the beginning of the step. A whole step is taken where the function still falls
+ * at its end, or rises no more steeply than that. Chosen. */
 #define SLOPE_ENOUGH 0.1
-/* Trials of a part of the step, of which every third halves the interval. Chosen. */
+/* Maximum number of step lengths that are tried. Every third halves the interval (bisection), the
+ * others are by false position. Chosen. */
 enum { TRIALS_MAX = 30 };
 
 /* The impulse that the penalty of a row gives after a part of the Newton step. */
@@ -26,8 +31,9 @@ static double impulse_after(const td_direct_row *r, double part) {
     return td_max_double(td_min_double(impulse, most), least);
 }
 
-/* The derivative of the function along the Newton step, after a part of it. `kinetic`: that of its
- * kinetic energy at the beginning, and how much this grows in a whole step. */
+/* The derivative of the augmented Lagrangian along the Newton step dv, after a part of it.
+ * `kinetic`: that of the term 1/2 (v - v*)' M (v - v*) at the beginning, (v - v*)' M dv, and its
+ * increase over the whole step, dv' M dv. */
 static double slope_after(const td_direct *d, const double kinetic[2], double part) {
     double slope = kinetic[0] + part * kinetic[1];
     for (int i = 0; i < d->constraint_count; i++) {
@@ -39,7 +45,7 @@ static double slope_after(const td_direct *d, const double kinetic[2], double pa
     return slope;
 }
 
-/* td_direct_search.part_of_step, by false position. */
+/* td_direct_search.part_of_step: searches for the zero of slope_after, by false position. */
 static double part_of_step(const td_direct *d) {
     double kinetic[2] = {0.0, 0.0};
     for (int i = 0; i < d->body_count; i++) {

@@ -24,8 +24,8 @@
  * closed.) A weld, which also locks the rotation, passes A and g on as they are.
  *
  * Trees of the same shape (as many bodies, each with the same parent and the same kind of joint)
- * are solved side by side in the lanes of vectors. No lane depends on another, so that it does not
- * matter to a tree which others are solved with it. */
+ * are solved side by side in the lanes of vectors. No lane depends on another, so that the result
+ * of a tree is the same, whichever trees are solved beside it. */
 #ifndef TD_LOCK_TREE_H
 #define TD_LOCK_TREE_H
 
@@ -45,11 +45,14 @@ typedef struct td_lock_body {
     td_reals inertia;    /* 1 where `turns` is false */
     td_reals outside[3]; /* of the root: the velocity of the body to which it is joined */
     td_reals arm[2];     /* from the centre of mass to the anchor, at the start of the step */
-    td_reals holder[2];  /* the lever arm of the parent likewise */
+    td_reals holder[2];  /* from the parent's centre of mass to the anchor, or from that of the body
+                            outside */
     td_reals axis[2];    /* of the joint's frame, along which gaps close: joint.h */
     td_reals sweeps;     /* 1 where the body's rotation moves an anchor, else 0 */
     td_reals gap[2], turn_gap; /* at the start of the step; turn_gap of a weld, rad */
-    td_reals gain[3];          /* what forces add to the mean velocity in the step */
+    td_reals gain[3];          /* what forces, damping and known impulses of contacts add to the
+                                  mean velocity of the step: half of what they add to the velocity
+                                  by its end */
 
     /* ---- a part of the step ---- */
     td_reals velocity[3];                     /* x, y, turn */
@@ -65,21 +68,23 @@ typedef struct td_lock_body {
     td_reals arm_now[2], holder_now[2]; /* lever arms of the rows */
     td_reals turning;                   /* moment of inertia, with the geometric stiffness */
     td_reals momentum[3];               /* without the impulses of joints */
-    td_reals target[2], turn_target;    /* speeds that the joint shall have */
+    td_reals target[2], turn_target;    /* speeds that the joint has to reach: those that close its
+                                           gap */
     td_reals a[6];        /* A at the centre of mass: xx, xy, yy, xw, yw, ww; then at the anchor; 0
                              before and after a solution */
-    td_reals g[3];        /* g likewise */
+    td_reals g[3];        /* g, at the same points */
     td_reals per_turning; /* 1 / A_ww of a hinge */
 } td_lock_body;
 
-/* What the world gives the step of trees; speeds in length/s. */
+/* Settings of the world for the step of trees. Speeds are in length/s. */
 typedef struct td_lock_step {
     const struct thud_world *world;
     const struct td_island *island; /* one of the islands */
     double time;                    /* the step, s */
     double tolerance;               /* td_island_tolerance */
     double enough;                  /* residual at which Newton's method ends */
-    double end_enough;              /* speed that joints may have at the end of a part */
+    double end_enough;              /* speed along locked directions up to which the velocities at
+                                       the end of a part stay as they are: TD_END_ERROR_MAX g h */
     double speed_max;               /* of a body */
     double gravity_speed;           /* td_gravity_speed */
 } td_lock_step;

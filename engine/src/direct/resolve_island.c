@@ -1,6 +1,6 @@
-/* resolve_island.c: solves an island directly after the soft solver has already moved it, from the
- * velocities at the start of the step. These are the islands 2. and the linkages 3. of
- * joint_islands.h, which were not listed before the soft solver. */
+/* resolve_island.c: solves an island directly that was not listed before the soft solver ran: the
+ * islands 2. and the linkages 3. of joint_islands.h. The soft solver has already moved its bodies;
+ * the direct solve starts again from the velocities at the start of the step. */
 #include "direct/joint_islands.h"
 
 #include "direct/elimination_order.h"

@@ -2,11 +2,12 @@
  * L L'.
  *
  * Ordering simulates the elimination on the graph of the nodes, which are block rows of A: bodies,
- * joined where a constraint acts between them (Tinney and Walker, 1967). The node of minimum degree
- * is eliminated next, and its neighbours become neighbours of each other: these new edges are the
- * fill-in. The graph is a matrix of bits, so that an elimination is an OR of rows; of nodes of
- * equal degree, the one that reached it last is taken first, so that the order is the same on every
- * platform. */
+ * joined where a constraint acts between them (Tinney and Walker, "Direct solutions of sparse
+ * network equations by optimally ordered triangular factorization", 1967). The node of minimum
+ * degree is eliminated next, and its neighbours become neighbours of each other: these new edges
+ * are the fill-in. The graph is a matrix of bits, so that an elimination is an OR of rows; of nodes
+ * of equal degree, the one that reached it last is taken first, so that the order is the same on
+ * every platform. */
 #include "direct/sparse.h"
 
 #include <string.h>

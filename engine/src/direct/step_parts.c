@@ -3,8 +3,8 @@
 #include "direct/step_parts.h"
 
 /* Greatest rotation of a lever arm or rod in a part, rad. Newton's method converges well up to that
- * angle. Chosen. Islands that would need more than twice PARTS_MAX parts are left to the soft
- * solver. */
+ * angle. Chosen. Islands that would need PARTS_MAX to twice PARTS_MAX parts are solved with
+ * PARTS_MAX, those that would need more are left to the soft solver. */
 #define TURN_PART 0.1
 enum { PARTS_MAX = 64 };
 /* Greatest phase of a spring in a part, rad: 2 pi frequency time. The implicit midpoint rule lowers
@@ -21,8 +21,10 @@ enum { PARTS_MAX = 64 };
  * visible among its many modes. */
 enum { SUBSTEPS_OF_PART = 4, SMALL_ISLAND_BODIES = 16 };
 
-/* Upper bound of the angular speed of the line between a distance's anchors before the step, rad/s;
- * 0 for other kinds of joints. */
+/* The angular speed, rad/s, that the line between a distance's anchors has at most by the linear
+ * velocities of its bodies before the step: |v_b - v_a| / length. A body outside of the problem
+ * counts as at rest. The speeds of the anchors by the bodies' rotation are not part of it: they
+ * count through `sweeps`. 0 for other kinds of joints. */
 static double line_rate(const td_island_work *work, int i) {
     const td_direct_constraint *c = &work->problem.constraints[i];
     td_lane at = td_island_lane(work, i);
@@ -59,8 +61,8 @@ static double spring_phase(const td_island_work *work) {
 }
 
 /* An anchor nearer to the body's centre of mass than this, in length scales, counts as being at the
- * centre, so that rotation does not move it. Ten times the rounding of an anchor at one length
- * scale. */
+ * centre, so that rotation does not move it. More than a hundred times the rounding (2^-24) of a
+ * float of one length scale. */
 #define CENTRED 1e-5
 
 bool td_arm_is_centred(const thud_world *w, double x, double y) {

@@ -54,7 +54,8 @@ TD_INLINE void divide_by_factor(td_block3 *restrict a, const td_block3 *restrict
 
 /* The left-looking update of a row needs the columns that have a block in it. They are in a linked
  * list: chain[row] is the first column, next[column] the column after it, and walk[column] the
- * column's entry in that row. This function moves a column to the list of its next row. */
+ * column's entry in that row. This function moves a column to the list of its next row. map[row] is
+ * the entry of the present column in that row. */
 TD_INLINE void chain_next_row(const td_sparse_view *s, int column) {
     if (s->walk[column] < s->column[column + 1]) {
         int row = s->row[s->walk[column]];

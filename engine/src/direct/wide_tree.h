@@ -20,8 +20,8 @@ TD_INLINE const td_reals *td_tree_holder(const td_lock_body *bodies, const td_lo
     return t->parent == TD_NONE ? t->outside : bodies[t->parent].velocity;
 }
 
-/* Moves the reference point of a body's equation by (x, y): from its centre of mass to the end of a
- * lever arm, or, with (-x, -y), from there to the centre. */
+/* Moves the point to which A and g of a body refer by (x, y): from its centre of mass to the end of
+ * a lever arm, or, with (-x, -y), from there to the centre. */
 TD_INLINE void td_tree_shift(td_reals a[6], td_reals g[3], td_reals x, td_reals y) {
     /* u = v + w (-y, x), so that v = u - w (-y, x). */
     td_reals xw = a[3] + a[0] * y - a[1] * x, yw = a[4] + a[1] * y - a[2] * x;
@@ -31,7 +31,8 @@ TD_INLINE void td_tree_shift(td_reals a[6], td_reals g[3], td_reals x, td_reals 
     g[2] += g[0] * y - g[1] * x;
 }
 
-/* Eliminates the rotation that a hinge leaves free: a and g become M and m. */
+/* Eliminates the rotation that a hinge leaves free: a and g become M = A_uu - A_uw A_wu / A_ww and
+ * m = g_u - A_uw g_w / A_ww of lock_tree.h, with zeros for the rotation. */
 TD_INLINE void td_tree_release(td_lock_body *t, td_reals a[6], td_reals g[3]) {
     td_reals xw = a[3], yw = a[4], w = g[2], per = 1.0 / a[5], x = per * xw, y = per * yw;
     t->per_turning = per;
@@ -44,7 +45,8 @@ TD_INLINE void td_tree_release(td_lock_body *t, td_reals a[6], td_reals g[3]) {
     g[2] = td_reals_all(0.0);
 }
 
-/* Adds to the parent what a body and all that hangs from it are. */
+/* Adds a body and all that hangs from it to the parent's A and g: M and m - M t of a hinge, or A
+ * and g - A t of a weld, shifted from the anchor to the parent's centre of mass. */
 TD_INLINE void td_tree_pass_on(td_lock_body *t, td_lock_body *parent) {
     td_reals a[6], g[3];
     for (int k = 0; k < 6; k++) {
@@ -73,7 +75,8 @@ TD_INLINE void td_tree_pass_on(td_lock_body *t, td_lock_body *parent) {
     }
 }
 
-/* Solves the root that is joined to nothing: A v = g, by L D L'. */
+/* The velocity of a root that is joined to no body outside: solves A v = g by the factorisation A =
+ * L D L'. */
 TD_INLINE void td_tree_solve_free(const td_lock_body *t, td_reals v[3]) {
     const td_reals *a = t->a, *g = t->g;
     td_reals per = 1.0 / a[0], ly = a[1] * per, lw = a[3] * per;
@@ -84,7 +87,10 @@ TD_INLINE void td_tree_solve_free(const td_lock_body *t, td_reals v[3]) {
     v[0] = g[0] * per - ly * v[1] - lw * v[2];
 }
 
-/* Finds the velocity of a body and the impulse of its joint from the velocity of its holder. */
+/* Sets the velocity of a body, in v, and the impulse of its joint, in the trees of `which`, from
+ * the velocity of its holder: u of the anchor is that in the holder plus the joint's target speed,
+ * F = A (u, w) - g is the impulse, and w is the holder's angular velocity plus its target (weld),
+ * or the one without moment (hinge): A_ww w = g_w - A_wu u. */
 TD_INLINE void td_tree_follow_holder(td_lock_body *t, const td_reals holder[3], td_choice which,
                                      td_reals v[3]) {
     const td_reals *a = t->a, *g = t->g;
@@ -123,7 +129,7 @@ TD_INLINE void td_tree_hang(td_lock_body *bodies, td_lock_body *t) {
     }
 }
 
-/* What is collected over all bodies of the trees during a solution. */
+/* Sums and maxima over all bodies of the trees in one solution. */
 typedef struct td_tree_sums {
     td_reals sum;     /* of velocities and impulses: not finite if one of them is not */
     td_reals fastest; /* the greatest rate of turning, rad/s */
@@ -150,8 +156,9 @@ TD_INLINE void td_tree_follow(td_lock_body *bodies, td_lock_body *t, td_choice w
     sums->fastest = td_reals_max(sums->fastest, td_reals_abs(v[2]));
 }
 
-/* After all bodies: the trees of `which` where all numbers are finite and no rate of turning is
- * above THUD_ANGULAR_SPEED_MAX; the velocities of the others become 0. */
+/* Called after all bodies have their velocities. Returns the trees of `which` in which all numbers
+ * are finite and no angular velocity is above THUD_ANGULAR_SPEED_MAX; the velocities of the other
+ * trees of `which` become 0. */
 TD_INLINE td_choice td_tree_sound(td_lock_body *bodies, int count, td_choice which,
                                   const td_tree_sums *sums) {
     td_reals limit = td_reals_all((double)THUD_ANGULAR_SPEED_MAX), zero = td_reals_all(0.0);
@@ -166,7 +173,8 @@ TD_INLINE td_choice td_tree_sound(td_lock_body *bodies, int count, td_choice whi
     return which & sound;
 }
 
-/* The greatest speed by which a body's joint misses its target, and `worst`. */
+/* The greatest speed by which a direction of a body's joint misses its target speed, or `worst` if
+ * that is greater. */
 TD_INLINE td_reals td_tree_miss(const td_lock_body *bodies, const td_lock_body *t, td_reals worst) {
     if (!t->joined) {
         return worst;
