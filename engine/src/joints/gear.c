@@ -1,10 +1,10 @@
 /* gear.c: gears. A gear couples the coordinates q0, q1 of two joints, each between a static body
  * and a dynamic one, by the equality row
  *     q0 + ratio q1 - rest = 0
- * where `rest` is its value when the gear was made, or enabled again. The coordinate of a hinge or
- * wheel is its rotation, counted over any number of turns; of a slider, the displacement along; of
- * a distance, its length. The gear's sides are the dynamic bodies of both joints. Its Jacobian is
- * that of the start of a step. */
+ * where `rest` is the value of q0 + ratio q1 when the gear was made, or enabled again. The
+ * coordinate of a hinge or wheel is its rotation, counted over any number of turns; of a slider,
+ * the displacement along; of a distance, its length. The gear's sides are the dynamic bodies of
+ * both joints. Its Jacobian is that of the start of a step. */
 #include "joints/gear.h"
 
 #include "base/rotation.h"
@@ -42,7 +42,7 @@ static uint32_t angle_of(const thud_world *w, const td_joint *joint) {
 }
 
 /* The rotation of a joint since td_gear_set_rest, 2^32 a turn. Valid while the joint has turned by
- * less than half a turn since count_turns. */
+ * less than half a turn since count_turns was called. */
 static int64_t counted_rotation(const thud_world *w, const td_joint *gear, int i) {
     uint32_t since = angle_of(w, member(w, gear, i)) - gear->gear.last[i];
     return gear->gear.turned[i] + (int32_t)since;
@@ -75,8 +75,8 @@ void td_gear_set_rest(const thud_world *w, td_joint *gear) {
     g->rest = td_gear_gap(w, gear);
 }
 
-/* Adds the rotation since the last step. The count is right as long as a body turns by less than
- * half a turn in a step. */
+/* Adds the rotation since the last call to `turned`, for both joints. Called once a step: the count
+ * is right as long as a body turns by less than half a turn between two calls. */
 static void count_turns(const thud_world *w, td_joint *gear) {
     for (int i = 0; i < 2; i++) {
         gear->gear.turned[i] = counted_rotation(w, gear, i);

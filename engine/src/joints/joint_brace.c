@@ -6,12 +6,11 @@
  *
  * The soft solver begins a substep with the impulses of the one before (warm start). Each row
  * divides its correction by its own diagonal entry of K = J M^-1 J'. In mechanisms with long lever
- * arms, and in loops that cannot close, there are modes q (impulses of all rows together, scaled to
- * length 1) for which q.K q is small beside these entries. One Gauss-Seidel pass corrects little of
- * such a mode: its impulses oscillate, grow as directions turn, and add energy without bound. A
- * row's own correction removes energy; the warm
- * start can add energy, and so can the bias that closes gaps, only a part of which one relax pass
- * removes again.
+ * arms, and in loops that cannot close, there are modes q (vectors of length 1 of the impulses of
+ * all rows) for which q.K q is small beside these entries. One Gauss-Seidel pass corrects little of
+ * such a mode: its impulses oscillate, grow as directions turn, and add energy without bound. The
+ * correction of a row removes energy. The warm start can add energy, and so can the bias that
+ * closes gaps: one relax pass removes only a part of the speed that the bias adds.
  *
  * Consider a group of bodies that locks and rods connect. p are the impulses of all its locks, u
  * the relative speeds along them without these impulses, and u' = u + K p the speeds with them.
@@ -26,16 +25,16 @@
  * After the relax pass, p are all impulses that the locks applied in the substep. A group with a
  * lock that is wide open and E(1) > 0 keeps the share with E = 0; a second relax pass over all
  * rows, contacts included, then corrects the speed errors that the removed impulses leave. In
- * groups without such a lock the impulses keep the energy that they add: there a gap acts as a
- * spring, which returns the energy that opened it.
+ * groups without such a lock the impulses are not scaled down, though they add energy: there a gap
+ * acts as a spring, which returns the energy that opened it.
  *
  * Once a group has kept less than all of its impulses, its gaps close more slowly for the rest of
  * the step: at no more than TD_JOINT_CLOSING_SPEED (td_lock_rows.closing_factor is 1), and by a
  * smaller share in a substep (GAP_SHARE_BRACED, wide_joint.h). Otherwise the bias could add the
- * energy again, in modes of many rows each of which moves little.
+ * energy again, in modes of many rows that each move little.
  *
- * solve.c runs this between its passes. td_brace_applied of wide_rod.c does the work of each lane:
- * it measures p.u and p.u', removes impulses, and applies the share to keep (the passes
+ * solve.c calls these functions between its passes. td_brace_applied of wide_rod.c does the work of
+ * each lane: it measures p.u and p.u', removes impulses, and applies the share to keep (the passes
  * TD_BRACE_..., block.h). */
 #include "constraint/joint_hooks.h"
 #include "constraint/lanes.h"

@@ -11,8 +11,9 @@
 #include "constraint/joint_hooks.h"
 #include "joints/joint.h"
 
-/* The force that a lane's motor or spring would apply without a cap; the spring's has the opposite
- * sign, since the caller needs magnitudes only. With m the effective mass of the direction:
+/* The force that a lane's motor or spring would apply without a cap. That of the spring is returned
+ * with the opposite sign, since the caller uses its magnitude only. With m the effective mass of
+ * the direction:
  *     spring: m omega (omega x + 2 damping v), for its displacement x and speed v;
  *     motor: the mean force of the last substep's impulse, plus m (target speed - v) / dt, which
  *            would reach its target speed by the end of the step. */
@@ -36,7 +37,8 @@ static double uncapped_force(const thud_world *w, td_lane at, bool motor) {
             2.0 * (double)r->damping[at.lane] * speed);
 }
 
-/* The cap of a direction's motor or spring; 0 where it has none of them. */
+/* The cap of a direction's motor, or, where `motor` is false, of its spring; 0 where the direction
+ * has none. */
 static double cap_of(const td_drive *d, bool motor) {
     return (double)(motor ? d->motor_force : d->frequency > 0.0f ? d->spring_force : 0.0f);
 }

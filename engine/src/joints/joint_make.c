@@ -171,7 +171,8 @@ thud_result thud_joint_create(thud_world *w, const thud_joint_def *def, thud_joi
     for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
         const thud_drive *drive = &def->drive[i];
         td_joint_warn_of_drive(w, drive);
-        /* Not in thud_joint_set_drive, by which a program turns the limits off and on again. */
+        /* thud_joint_set_drive does not report this: a program may call it to turn limits off and
+         * on again, with the same values of lower and upper. */
         if (!drive->limited && (drive->lower != 0.0f || drive->upper != 0.0f)) {
             td_refuse(w, THUD_OK, "joint create: lower and upper without `limited` limit nothing");
         }

@@ -9,8 +9,9 @@
  * (a[1], b[1]): td_span. With h = 0 the rows are ordinary Jacobians for the poses at the end of a
  * part.
  *
- * The Jacobians J of a part are discrete gradients of the joint's coordinate q, so that locked rows
- * do no work (O. Gonzalez, "Time integration and discrete Hamiltonian systems", 1996):
+ * With the poses x[0] and x[1] of both bodies at the start and at the end of the part, the
+ * Jacobians J of a part are discrete gradients of the joint's coordinate q, so that locked rows do
+ * no work (O. Gonzalez, "Time integration and discrete Hamiltonian systems", 1996):
  *     J (x[1] - x[0]) = q(x[1]) - q(x[0])
  * This is exact for distances, for turn, and for frames that do not turn. For a frame that turns
  * with body a, J is that in the middle of the motion, and the equation holds to second order. The
@@ -49,7 +50,7 @@ static void set_direction(td_direct_row *row, double x, double y, double cross_a
     }
 }
 
-/* J (x[1] - x[0]): the displacement along a row by the motion of the part. */
+/* J (x[1] - x[0]): the displacement along a row by the motion of the part, a length or rad. */
 static double displacement_along(const td_direct_row *row, const td_span *s) {
     double sum = 0.0;
     for (int k = 0; k < 3; k++) {

@@ -7,7 +7,8 @@
 #include "islands/label.h"
 #include "joints/joint.h"
 
-/* Joins the groups of two bodies. Swapping one link of each merges two circular lists. */
+/* Joins the groups of two bodies. Swapping the next links of one element in each of two circular
+ * lists makes one circular list of both. */
 static void join_groups(thud_world *w, td_awake_slot a, td_awake_slot b) {
     if (td_join_trees(w->scratch.parents.data, a, b)) {
         td_awake_slot next = td_next_tied(w, a);

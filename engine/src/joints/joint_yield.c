@@ -1,10 +1,10 @@
 /* joint_yield.c: joints yield where they press a body into a static shape: a correction of the
  * step's motions and velocities after the solver, by projected Gauss-Seidel.
  *
- * A joint that pulls a body against a static shape (a rope that is shortened, a motor without a
- * maximum force) and the contact there are a problem without a solution. The solver's impulses of
- * joint and contact grow from substep to substep, and the overlap of the soft contact, which is
- * proportional to its impulse, grows with each step. So the result of a step is checked after the
+ * Where a joint pulls a body against a static shape (a rope that is shortened, a motor without a
+ * maximum force), no motion satisfies both the joint and the contact. The solver's impulses of both
+ * then grow from substep to substep, and with each step the overlap of the soft contact grows,
+ * which is proportional to the contact's impulse. So the result of a step is checked after the
  * solver. A group of tied bodies (constraint/tied_bodies.h; a body without locked joints is a group
  * of its own) is corrected
  * - where a contact of one of its bodies with a static shape overlaps more than before the step and
@@ -46,12 +46,12 @@
  *
  * Share that a contact may overlap once its joint has yielded. Chosen; thud_joint.h states it, and
  * floor_bears_what_is_reeled_in (test_distances.c) and
- * motor_stalls_at_a_wall_and_its_hinge_stays_closed (test_joints_held.c) hold bodies to it. */
+ * motor_stalls_at_a_wall_and_its_hinge_stays_closed (test_joints_held.c) test it. */
 #define DEPTH_SHARE_MAX 0.1f
-/* Share of overlap above which a joint yields; if its group yielded in the last step,
- * DEPTH_SHARE_MAX is used instead. This one is larger because impacts press limbs of ragdolls in
- * further than DEPTH_SHARE_MAX for a few steps, where their joints must not yield. Chosen;
- * thud_joint.h states it, and floor_bears_what_is_reeled_in fails at twice this. */
+/* Overlap, as a share of that extent, above which a joint yields; if its group yielded in the last
+ * step, DEPTH_SHARE_MAX is used instead. DEPTH_SHARE_DETECT is larger because impacts press limbs
+ * of ragdolls in further than DEPTH_SHARE_MAX for a few steps, where their joints must not yield.
+ * Chosen; thud_joint.h states it, and floor_bears_what_is_reeled_in fails at twice this. */
 #define DEPTH_SHARE_DETECT 0.4f
 /* A contact that overlaps by more than the limit as a step begins, such as that of a body created
  * inside of a shape, has to separate at this share of the world's push_speed. Measured: at half and
@@ -361,8 +361,8 @@ static void clear_impulses(const thud_world *w, const td_constraint *constraint)
     at.block->tangent_impulse[at.lane] = 0.0f;
 }
 
-/* Marks the lane of a joint's constraint as yielded. Its impulses are kept until the next step,
- * since reports of forces and joint_break.c read them. */
+/* Marks the lane of a joint's constraint as yielded (TD_LANE_LOST). Its impulses are kept until the
+ * next step, since reports of forces and joint_break.c read them. */
 static void mark_yielded(const tied_group *g, const td_constraint *constraint) {
     if (!td_is_contact(constraint)) {
         td_lane at = td_lane_of(g->w, constraint);
@@ -604,7 +604,8 @@ static bool opened_wider(float now, float before, float tolerance) {
     return td_joint_abs(now) > td_max_float(tolerance, td_joint_abs(before));
 }
 
-/* Sets the members of the group's finding that one constraint makes true. */
+/* Updates the group's finding by one of its constraints: sets the members that are true of the
+ * constraint. */
 static void inspect_constraint(const tied_group *g, const td_constraint *constraint) {
     finding *found = g->found;
     td_lane at = td_lane_of(g->w, constraint);

@@ -3,8 +3,9 @@
  *
  * The method is that of direct/island_step_joints.c, which solves any island; in a tree of locks
  * the rows need no matrix (lock_tree.h), and islands that are trees of the same shape are solved
- * side by side (wide_lock_tree_parts.c). This file turns islands into such trees and back. Whatever
- * is refused here is solved there. */
+ * side by side (wide_lock_tree_parts.c). This file turns islands into such trees, and writes the
+ * results of trees to the islands' bodies and joints. Islands that are refused here are solved by
+ * island_step_joints.c. */
 #include "direct/island_step.h"
 
 #include "constraint/joint_hooks.h"
@@ -17,10 +18,11 @@
 #include <string.h>
 
 /* What a solution costs for each body, in operations on 3 x 3 blocks: thud_quality.island_work.
- * Measured in instructions, of a tree that is solved alone. */
+ * Measured by counting the instructions of a tree that is solved alone in its vector. */
 enum { TREE_COST = 1 };
-/* Solutions that a part is expected to take: by this measure trees are left to the soft solver
- * where the budget of a step is too small. Measured on swinging chains at default. */
+/* Number of solutions that a part is expected to take. take_trees counts the expected cost of each
+ * tree; where the budget of the step does not suffice, the trees that are left over stay with the
+ * soft solver. Measured on swinging chains at default. */
 enum { SOLUTIONS_OF_PART = 3 };
 
 /* Islands that are solved side by side. */
@@ -48,10 +50,11 @@ static const td_constraint *joint_at(const thud_world *w, const td_island *islan
     return td_constraint_at(w, index);
 }
 
-/* Sets, for every body, the body with a smaller number to which a joint ties it (`before`), and
- * that joint (`link`). *held is the body that a joint ties to the outside of the island, *hold that
- * joint; TD_NONE if there is none. False where a constraint does not lock both directions of a
- * frame that does not turn, or the joints form no tree. */
+/* Sets, for every body, the body with a smaller number to which a joint connects it (`before`), and
+ * that joint's number in the island (`link`). Sets *held to the body that a joint connects to a
+ * body outside of the island, and *hold to that joint's number; TD_NONE if there is none. False
+ * where a constraint does not lock both directions of a frame that does not turn, or the joints
+ * form no tree. */
 static bool list_joints(const thud_world *w, const td_island *island, td_listed_body *list,
                         int *held, int *hold) {
     for (int i = 0; i < island->bodies; i++) {
@@ -93,8 +96,8 @@ static void place(td_listed_body *list, int number, int index, int parent, int j
 }
 
 /* Numbers the bodies so that each comes after its parent. The root is the body that is joined to
- * the outside, or else the first of the list. The chain from the first body to the root is
- * reversed: there each body hangs from the one that is listed as hanging from it. */
+ * the outside, or else the first of the list. On the path from the root to the first body the links
+ * of the list are reversed: the parent of list[n].before is n. */
 static void set_order(td_listed_body *list, int count, int held, int hold) {
     int placed = 0, joint = hold;
     for (int n = held == TD_NONE ? 0 : held; n != TD_NONE; n = list[n].before) {
@@ -110,8 +113,8 @@ static void set_order(td_listed_body *list, int count, int held, int hold) {
 }
 
 /* What forces, damping and the known impulses of contacts add to the mean velocity of a body in the
- * step. Without the last two it is half of what forces add in all substeps; td_island_free_velocity
- * gives the same, but for rounding. */
+ * step. Without damping and contacts it is half of what forces add in all substeps, which needs no
+ * loop over substeps; td_island_free_velocity would give the same, up to rounding. */
 static void take_gain(const thud_world *w, const td_island *island, const td_direct_body *known,
                       td_listed_body *t) {
     td_awake_slot slot = td_slot_in(&w->islands.slots, island->first_body + t->number);
@@ -213,7 +216,8 @@ static bool take_tree(const thud_world *w, const td_island *island, const td_dir
     return sound;
 }
 
-/* The number of parts that the velocities before the step require; 0: too many. */
+/* The number of parts that the step has to be divided into, by the angular velocities before the
+ * step; 0: too many. */
 static int parts_before(const thud_world *w, const td_island *island, const td_listed_body *list) {
     double fastest = 0.0;
     for (int i = 0; i < island->bodies; i++) {
@@ -239,7 +243,7 @@ static tree_group group_of(thud_world *w) {
                                  .speed_max = (double)(w->def.maximum_speed * w->length_scale)}};
 }
 
-/* Whether two trees have the same shape. */
+/* Whether two trees of `count` bodies have the same shape. */
 static bool are_alike(const td_listed_body *one, const td_listed_body *other, int count) {
     bool alike = true;
     for (int i = 0; i < count && alike; i++) {
@@ -331,8 +335,8 @@ static double gap_after(const td_lock_trees *trees, const td_lock_body *t, int k
                         (t->holder_now[k][tree] - t->holder[k][tree]);
 }
 
-/* Keeps the result of a body and of its joint. `of_substep`: the share of the impulses of the last
- * part that a substep has. */
+/* Stores the result of a body and of its joint. `of_substep`: the factor from the impulses of the
+ * last part to those of a substep, 1 / (share of the part in the step * substeps). */
 static void keep_result(const tree_group *g, int i, int tree, double of_substep,
                         td_lock_result *result) {
     const td_listed_body *from = &g->list[tree][i];
@@ -424,9 +428,10 @@ static td_listed_body *list_at(const thud_world *w, const td_island *island) {
     return TD_AT(td_listed_body, &w->islands.listed, island->first_body);
 }
 
-/* Takes islands as trees. Sets td_island.parts of those that are to be solved, and `tree` of the
- * others. The budget is given out by what trees are expected to take, not by what they take, so
- * that it does not matter which of them are solved side by side. */
+/* Reads all listed islands as trees, into td_islands.listed. Sets td_island.parts of those that are
+ * to be solved, and td_island.tree of the others to the reason why they are not. Trees are counted
+ * with the cost that they are expected to have, not with the cost that they turn out to have: so
+ * which trees the budget suffices for does not depend on which of them are solved side by side. */
 static void take_trees(thud_world *w) {
     int64_t left = td_island_work_left(w);
     for (int i = 0; i < w->islands.island.count; i++) {
@@ -444,8 +449,9 @@ static void take_trees(thud_world *w) {
 /* Islands after the first of a group among which the others are looked for. Chosen. */
 enum { ISLANDS_AHEAD = 64 };
 
-/* Adds to the group trees of the shape of its first one, if any, from island `first` on: those that
- * require as many parts as that island, or with `any_parts` all. */
+/* Adds islands to the group, from island `first` on, until it is full: those whose trees have the
+ * shape of the group's first tree (any shape, while the group is empty) and that require `parts`
+ * parts, or with `any_parts` any number of parts. */
 static void join_alike(tree_group *g, td_island *members[TD_TREES], int first, int parts,
                        bool any_parts) {
     thud_world *w = g->w;
@@ -463,8 +469,10 @@ static void join_alike(tree_group *g, td_island *members[TD_TREES], int first, i
     }
 }
 
-/* Trees that begin with as many parts mostly end together, so that no lane waits for another. Lanes
- * that are left over are filled with other trees, since a vector takes as long with one tree. */
+/* Groups trees of the same shape. Trees that require the same number of parts are grouped first,
+ * since they mostly end together, so that no lane waits for another. Lanes that are left over are
+ * filled with trees that require other numbers, since a vector takes as long with one tree as with
+ * TD_TREES. */
 void td_lock_trees_step(thud_world *w) {
     tree_group g = group_of(w);
     take_trees(w);
@@ -486,8 +494,8 @@ void td_lock_trees_step(thud_world *w) {
 
 /* ---- the result ---- */
 
-/* Writes the result of a joint to its lane. Returns whether its load keeps the island direct;
- * `known`: that of another joint does. */
+/* Writes the result of a joint to its lane. Returns whether its load keeps the island direct, or
+ * `known`: whether that of an earlier joint does. */
 static bool write_joint(thud_world *w, const td_lock_result *result, bool known) {
     td_lane at = {result->block, result->lane};
     for (int k = 0; k < 2; k++) {

@@ -100,9 +100,10 @@ TD_INLINE void solve_motor(td_block *block, const td_drive_rows *r, const td_sol
 }
 
 /* Chooses the limit that is nearer at the end of the substep; `ahead` is the displacement in the
- * substep at the present speed. If the limit changes, the impulse of the old limit becomes a
- * negative one of the new limit, which the solver then removes. Sets limit, limit_side,
- * start_separation and separation. */
+ * substep at the present speed. If the limit changes, the impulse changes its sign: along the
+ * direction it stays what the velocities contain, but as an impulse of the new limit it is
+ * negative, and solve_limit then removes it. Sets limit, limit_side, start_separation and
+ * separation. */
 TD_INLINE void choose_limit(td_block *block, td_drive_rows *r, const direction8 *n, f8 ahead) {
     td_point *p = &block->point[0];
     f8 one = f8_all(1.0f), value = n->value + ahead;

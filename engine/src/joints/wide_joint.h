@@ -3,14 +3,17 @@
  *
  * Soft constraints with substeps as for contacts (solver/wide_solve.h; E. Catto, "Soft
  * Constraints", 2011, and Box2D's joints): a solve pass with bias, positions, a relax pass without
- * bias. Lever arms and axes are rotated with their bodies in each substep; with those of the start
- * of the step a hinge that swings would open by the square of its rotation. The velocities already
- * contain the impulses of the last substep (motion.h), along the directions of that substep: a pass
- * removes them and applies them along the present directions (replace_impulse).
+ * bias. Lever arms and axes are rotated with their bodies in each substep. With those of the start
+ * of the step, the gap of a hinge on a swinging body would grow in proportion to the square of its
+ * rotation in the step. The velocities already contain the impulses of the last substep (motion.h),
+ * along the directions of that substep: a pass removes them and applies them along the present
+ * directions (replace_impulse).
  *
- * A row with effective mass m, gap C and speed v changes its impulse p in a solve pass by
+ * In a substep of length h, a row with effective mass m, gap C and speed v changes its impulse p in
+ * a solve pass by
  *     -mass_scale m (v + bias) - impulse_scale p,  bias = clamp(TD_JOINT_GAP_SHARE C / h),
- * and in a relax pass by -m v. */
+ * and in a relax pass by -m v. The scales follow from TD_JOINT_PHASE (IMPULSE_SCALE below). The
+ * bias is clamped to a maximum closing speed. */
 #ifndef TD_WIDE_JOINT_H
 #define TD_WIDE_JOINT_H
 

@@ -20,7 +20,7 @@ TD_INLINE softness rigid(void) {
     return (softness){zero, f8_all(1.0f), zero, zero};
 }
 
-/* The speed at which a gap is closed (the bias). */
+/* The speed at which a gap is closed (the bias): the gap times `rate` (1/s), clamped to `max`. */
 TD_INLINE f8 bias_of(f8 gap, f8 rate, f8 max) {
     return f8_clamp(gap * rate, -max, max);
 }

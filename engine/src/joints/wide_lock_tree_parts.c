@@ -5,11 +5,13 @@
  * stiffness; then the velocities at the end, 2 v - v_before. A tree that has converged, or failed,
  * keeps its velocities and impulses while the others of its vector go on.
  *
- * Each tree chooses the length of a part when it begins, by the rates at which its bodies turn then
- * (step_parts.c). A part in which a body turns too far is begun once more, shorter.
+ * The length of a part is chosen for each tree when the part begins, by the angular velocities that
+ * the tree's bodies have then (step_parts.c). A part in which a body turns too far is begun once
+ * more, shorter.
  *
- * A part goes through all bodies as seldom as it can (wide_tree.h): once where it begins, once
- * where it ends, and in each iteration of Newton's method once towards the root and once back. */
+ * Passes over all bodies are slow (wide_tree.h), so a part has few of them: one where it begins,
+ * one where it ends, and in each iteration of Newton's method one towards the root and one back.
+ * (Two more where the velocities at the end are solved for.) */
 #include "base/trig.h"
 #include "direct/joint_parts.h"
 #include "direct/step_parts.h"
@@ -27,13 +29,18 @@ typedef struct tree_step {
     /* ---- the part; of a tree that is done, its last one ---- */
     td_choice within;  /* trees that have not reached the end of the step, and have not failed */
     td_choice shorter; /* trees whose part is begun once more */
-    td_reals required; /* parts that the rates of turning require of a whole step; 0: too many */
+    td_reals required; /* number of parts into which a whole step has to be divided, by the angular
+                          velocities; 0: too many */
     td_reals share;    /* length of the part, as a share of the step */
     td_reals part;     /* the same, s; 0 of a tree that is done */
-    td_reals half_of;  /* share of the step in which twice the present impulses of joints act */
-    td_reals ended;    /* what is solved of the step, as a share of it */
+    td_reals half_of;  /* the share of a step over which twice the present impulses of joints act:
+                          `share` while they are those of the mean velocity, half of a part's; twice
+                          that once they are doubled (end_part). Their warm start in the next part
+                          is scaled by the ratio */
+    td_reals ended;    /* time since the start of the step that is solved, as a share of the step */
     td_reals elapsed;  /* the same, s */
-    td_reals sweeping; /* greatest rate at which a body turns now whose anchors it moves, rad/s */
+    td_reals sweeping; /* greatest angular velocity at present of a body whose rotation moves an
+                          anchor (td_lock_body.sweeps), rad/s */
 
     /* ---- results ---- */
     td_reals unbalanced; /* greatest moment out of balance after a part, as a speed: length/s */
@@ -106,7 +113,8 @@ TD_INLINE void turn_arms(const tree_step *s, td_lock_body *t, bool ended) {
  * this. Chosen; above rounding. */
 #define PARTS_ROUNDING 1e-9
 
-/* What the body that holds the joint has moved so far. */
+/* Component k of the motion since the start of the step of the body that holds the joint: the
+ * parent, or the body outside. */
 TD_INLINE td_reals held_motion(const tree_step *s, const td_lock_body *t, int k) {
     return t->parent == TD_NONE ? s->elapsed * t->outside[k] : s->bodies[t->parent].moved[k];
 }
@@ -132,12 +140,13 @@ static td_reals closing_of(const tree_step *s, td_reals gap, double unit) {
     return td_reals_pick(closes, td_reals_pick((td_choice)(gap > zero), -speed, speed), zero);
 }
 
-/* The greater of `fastest` and the rate at which a body turns, if that moves an anchor. */
+/* The greater of `fastest` and the magnitude of a body's angular velocity, which counts only if its
+ * rotation moves an anchor. */
 TD_INLINE td_reals sweeping_of(const td_lock_body *t, td_reals fastest) {
     return td_reals_max(td_reals_abs(t->velocity[2]) * t->sweeps, fastest);
 }
 
-/* Sets `required` of the trees of `which` by the present rates of turning. */
+/* Sets `required` of the trees of `which` by the present angular velocities. */
 static void require_parts(tree_step *s, td_choice which) {
     td_reals parts;
     for (int i = 0; i < TD_TREES; i++) {
@@ -222,7 +231,8 @@ TD_INLINE void stiffen(const tree_step *s, td_lock_body *t) {
 }
 
 /* Sets the momentum with which a body enters the solution at the end of a part: in the trees of
- * `anew` that without joints, else that of the velocity which is to be corrected. */
+ * `anew` the momentum without impulses of joints, else that of the extrapolated velocity, which is
+ * to be corrected. */
 TD_INLINE void take_end_momentum(const tree_step *s, td_lock_body *t, td_choice anew) {
     t->turning = t->inertia;
     for (int k = 0; k < 3; k++) {
@@ -232,7 +242,7 @@ TD_INLINE void take_end_momentum(const tree_step *s, td_lock_body *t, td_choice 
     }
 }
 
-/* What a solution leaves. */
+/* The errors that remain after a solution. */
 typedef struct tree_misses {
     td_reals speed;      /* greatest speed by which a joint misses its target, length/s */
     td_reals unbalanced; /* greatest speed by which geometric stiffness has kept a body from turning
@@ -311,8 +321,9 @@ TD_INLINE td_reals clamp_component(const tree_step *s, td_reals speed, int k) {
     return clamp(speed, k < 2 ? s->of->speed_max : (double)THUD_ANGULAR_SPEED_MAX);
 }
 
-/* Takes back a part in which a body has turned too far, unless it was begun once more already. Its
- * new length is chosen by `required`, here that of the mean velocities. */
+/* Rejects a part in which a body has turned too far, unless it was already begun once more: sets
+ * the velocities back to those before it. Its new length follows from `required`, computed here
+ * from the mean velocities. */
 static void refuse_long_parts(tree_step *s) {
     td_choice first = s->within & ~s->shorter;
     require_parts(s, first);
@@ -328,7 +339,8 @@ static void refuse_long_parts(tree_step *s) {
 }
 
 /* Whether gaps close at a speed that is not negligible beside the bodies' own (closes_gaps of
- * island_step_joints.c): the greatest closing speed, and the square of the greatest of a body. */
+ * island_step_joints.c). `closing`: the greatest closing speed; `squared`: the square of the
+ * greatest speed of a body. */
 TD_INLINE td_choice closes_gaps(const tree_step *s, td_reals closing, td_reals squared) {
     for (int i = 0; i < TD_TREES; i++) {
         squared[i] = __builtin_sqrt(squared[i]);
@@ -400,7 +412,7 @@ static void solve_parts(tree_step *s) {
 
 /* ---- energy ---- */
 
-/* Twice the kinetic energy of a velocity. */
+/* Twice the kinetic energy of a body at a velocity. */
 TD_INLINE td_reals energy_at(const td_lock_body *t, const td_reals v[3]) {
     td_reals energy = t->mass * (v[0] * v[0] + v[1] * v[1]);
     return t->turns ? energy + t->inertia * v[2] * v[2] : energy;
@@ -414,8 +426,8 @@ TD_INLINE td_reals energy_now(const tree_step *s) {
     return sum;
 }
 
-/* Twice the kinetic energy of the larger of two velocities, component by component: before a part,
- * and after it without joints. */
+/* Twice the kinetic energy at the larger of two velocities, component by component: that before a
+ * part, and the mean velocity of the part without joints. */
 TD_INLINE td_reals free_energy(const tree_step *s) {
     td_reals sum = td_reals_all(0.0);
     for (int i = 0; i < s->count; i++) {
@@ -441,9 +453,11 @@ TD_INLINE td_reals work_of_forces(const tree_step *s) {
     return 4.0 * work / s->of->time; /* the step adds 2 gain to a velocity */
 }
 
-/* Takes from the velocities the energy that closing gaps has added: td_share_after_closing.
- * `allowed` is twice the kinetic energy that a tree may have. Trees that are joined to a body that
- * moves are left as they are. */
+/* Scales down the velocities of trees in which gaps were closed, so that closing gaps adds no
+ * energy (td_share_after_closing). `allowed` is twice the kinetic energy that a tree may have. In
+ * trees that are joined to no body outside, only velocities relative to the centre of mass are
+ * scaled. Trees that are joined to a moving body keep their velocities, since that body may add
+ * energy. */
 TD_INLINE void pay_for_closing(const tree_step *s, td_reals allowed) {
     td_reals zero = td_reals_all(0.0), mass = zero, mean[2] = {zero, zero}, whole = zero;
     const td_lock_body *root = &s->bodies[0];
@@ -488,7 +502,7 @@ TD_INLINE td_reals energy_of_closing(const tree_step *s, td_reals closing) {
 
 /* ---- the step ---- */
 
-/* The results that are plausible. */
+/* Sets `solved` of each tree: whether it has not failed, and its energy is plausible. */
 TD_INLINE void check_energy(const td_lock_trees *trees, const tree_step *s, td_reals start,
                             td_reals free, td_reals work, bool *solved) {
     td_reals now = energy_now(s), pushed = energy_of_closing(s, trees->closing);

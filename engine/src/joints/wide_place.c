@@ -136,8 +136,8 @@ TD_INLINE i8 is_locked(i8 locked, int direction) {
     return (locked & i8_all(1 << direction)) != i8_all(0);
 }
 
-/* Sets the rows of locked directions. Where both along and across are locked, the frame is that of
- * the world, so that an impulse that carries a weight keeps its direction from step to step. */
+/* Sets the rows of locked directions. Where both along and across are locked, the frame has the
+ * world's axes, so that an impulse that carries a weight keeps its components from step to step. */
 TD_INLINE void place_lock(const thud_world *w, td_block *block) {
     td_lock_rows *rows = td_lock_rows_of(block);
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), mass = inverse_masses(w, block);
