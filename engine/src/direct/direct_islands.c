@@ -279,8 +279,9 @@ bool td_islands_find(thud_world *w) {
 
 /* ---- load ---- */
 
-/* Mass ratio of two bodies above which half the load marks them: the soft solver carries ratios of
- * up to some 30; above that the heavy body sinks in at once. */
+/* Mass ratio of two bodies above which a load of half the threshold, found in one check, marks
+ * them: under the soft solver a contact carries a ratio of up to some 30; above that it sinks in
+ * before a second check. */
 #define MASS_RATIO 30.0f
 
 enum {

@@ -19,8 +19,9 @@
 #include "direct/lock_tree.h"
 
 /* Budget of factorisations of a linkage, in place of what island_work allows; island_step_joints.c
- * takes it twice, or without contacts eight times. Measured: with a third of it, the joints of the
- * wrecking ball's chain open by over 10 mm as the ball hits the wall. */
+ * multiplies it by BUDGET_WITH_CONTACTS, or in a linkage without contacts by TD_BUDGET_OF_JOINTS.
+ * Measured: with a third of it, the joints of the wrecking ball's chain open by over 10 mm as the
+ * ball hits the wall. */
 enum { LINKAGE_FACTORINGS = 32 };
 /* A linkage that has failed n times in succession is tried in one of 2^n steps, but never more
  * seldom than in one of 2^BACKOFF_MAX (32). Chosen. */

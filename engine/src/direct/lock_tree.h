@@ -62,7 +62,8 @@ typedef struct td_lock_body {
     td_reals rotation[2];                     /* cosine and sine by which they are turned */
     td_reals turn_momentum;            /* angular momentum, without joints and their stiffness */
     td_reals impulse[2], turn_impulse; /* on the body; -impulse acts on the parent */
-    td_reals stiff; /* the geometric stiffness of the joints below, while it is summed up; else 0 */
+    td_reals stiff; /* geometric stiffness of the joints to the body's children, while it is summed
+                       up; else 0 */
 
     /* ---- one solution ---- */
     td_reals arm_now[2], holder_now[2]; /* lever arms of the rows */

@@ -6,8 +6,8 @@
 #include "constraint/constraint.h"
 #include "direct/elimination_order.h"
 
-/* Whether the island of a body was marked as direct in this step (td_direct_steps is at its full
- * value) and has not been solved yet. */
+/* Whether the island of a body was marked as direct in this step (thud_world.direct_steps is
+ * TD_DIRECT_STEPS) and has not been listed yet. */
 static bool is_newly_marked(const thud_world *w, td_awake_slot slot) {
     return *td_direct_steps_at(w, slot) == TD_DIRECT_STEPS && td_inv_mass_of(w, slot) > 0.0f &&
            *td_island_local_at(w, slot) == 0;

@@ -53,9 +53,10 @@ static void put_to_sleep(thud_world *w) {
     }
     w->rest_epoch++;
     for (int i = 0; i < bodies->count; i++) {
-        /* If the epoch of a body is older than that of the world, the body searches for new pairs
-         * when it wakes (wake.c). If the broadphase was too crowded in this step to list all pairs,
-         * the body gets such an older epoch at once. */
+        /* thud_world.rest_epoch counts changes of the set of resting shapes. If the rest_epoch of a
+         * body is older than that of the world, the broadphase searches for the body's pairs when
+         * the body wakes (wake.c). If the broadphase could not list all pairs in this step
+         * (scratch.crowded), the body gets an older epoch at once. */
         td_body_at(w, td_body_in(bodies, i))->rest_epoch =
             w->rest_epoch - (w->scratch.crowded.count > 0);
     }
@@ -79,7 +80,8 @@ static bool reserve_sleep(thud_world *w) {
     /* A body that is added or wakes in this step is not counted in drowsy_bodies; if one step is as
      * long as TD_SLEEP_TIME, it may already fall asleep at the end of this step. */
     bool long_step = (float)w->def.time_step >= TD_SLEEP_TIME;
-    /* Reserving room for sleeping lanes may move the blocks, so that they are listed again. */
+    /* Reserving memory for sleeping lanes may move the blocks in memory, so that scratch.blocks has
+     * to list them again. */
     return !is_due(w, long_step ? w->body_of.count : w->drowsy_bodies) ||
            (reserve_lists(w) && td_lanes_sequence(w));
 }
@@ -103,8 +105,8 @@ static float idle_time(const thud_world *w, td_awake_slot slot) {
 }
 
 static void sleep_islands(thud_world *w) {
-    /* Memory was reserved only if some body was expected to fall asleep. If memory is short now,
-     * bodies fall asleep in a later step. */
+    /* reserve_sleep has reserved memory only if some body was expected to fall asleep. If memory is
+     * short now, bodies fall asleep in a later step. */
     if (!is_due(w, w->idle_bodies) || !reserve_lists(w) || !td_islands_label(w, true)) {
         return;
     }

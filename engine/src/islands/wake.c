@@ -13,8 +13,8 @@ bool td_wake_reserve(thud_world *w) {
 
 /* Marks the shapes of a body that wakes, so that the broadphase searches for their pairs. The
  * broadphase makes no pairs of two resting bodies (but for sensors), so that pairs with bodies that
- * came to rest after this one are still missing. Does nothing if the set of resting shapes has not
- * changed since the body fell asleep. */
+ * fell asleep after this one may be missing. Does nothing if the set of resting shapes has not
+ * changed since the body fell asleep: then no pair is missing. */
 static void find_new_pairs(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
     if (body->rest_epoch == w->rest_epoch) {

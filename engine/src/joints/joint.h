@@ -52,7 +52,7 @@ bool td_joint_frame_valid(const thud_world *w, td_reason *why, const thud_joint_
 /* The reason why a drive is not valid for this direction of this kind, or null. */
 const char *td_joint_drive_error(const thud_world *w, thud_joint_kind kind, int direction,
                                  const thud_drive *d, td_reason *why);
-/* Logs settings that are valid but without effect: a motor's speed without force. */
+/* Logs settings that are valid but without effect: a motor's speed with a maximum force of 0. */
 void td_joint_warn_of_drive(const thud_world *w, const thud_drive *d);
 /* The reason why the def is not valid, or null. a, b: its bodies. */
 const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_body_index a,
@@ -170,7 +170,7 @@ static inline double td_gap_unit(const thud_world *w, bool is_angle) {
 /* The speed that closes a gap within `time`, at most TD_JOINT_CLOSING_SPEED units a second. `unit`:
  * td_gap_unit. */
 double td_joint_closing_speed(double gap, double unit, double time);
-/* The angle up to which td_joint_sincos takes the series. */
+/* The angle, rad, up to which td_joint_sincos evaluates the series. */
 #define TD_SERIES_ANGLE_MAX 0.125
 
 /* Square of half a rotation, rad^2, below which the chord is taken to have the length of the arc:
@@ -184,11 +184,13 @@ double td_joint_closing_speed(double gap, double unit, double time);
  * chain_swings_without_stretching (test_joint_scenes.c) fail. */
 #define TD_GAP_IGNORED 1e-6
 
-/* The share of a wider gap that closes in a whole step, and a width that closes in every part on
- * top of it, in length scales or radians, so that small gaps close completely. A chain with many
- * open gaps would be flung away if all of them closed at once. Measured on the tests of joints: all
- * pass at half and double the share, and at a width of 0; lorry_crosses_the_bridge
- * (test_joint_scenes.c) fails at a share of 1 and at ten times the width. */
+/* Of a gap wider than TD_GAP_IGNORED, this share closes in a whole step (in a part, in proportion
+ * to its length), and in every part the width TD_GAP_CLOSED_MIN in addition, in length scales or
+ * radians, so that small gaps close completely. In a chain with many open gaps the speeds at which
+ * they close add up: if all of them closed at once, its end would move far in one step. Measured on
+ * the tests of joints: all pass at half and double the share, and at a width of 0;
+ * lorry_crosses_the_bridge (test_joint_scenes.c) fails at a share of 1 and at ten times the
+ * width. */
 #define TD_GAP_SHARE_PER_STEP 0.2
 #define TD_GAP_CLOSED_MIN 1e-4
 

@@ -1,4 +1,5 @@
-/* joint_engage.c: when the constraints of joints take lanes and give them back; see joint_hooks.h.
+/* joint_engage.c: when the constraints of joints take lanes of blocks and give them back; see
+ * joint_hooks.h.
  *
  * The constraint of a joint waits until both bodies are in the world and enabled. As the next step
  * begins, it takes a lane, its bodies are woken, and contacts between them are ended, unless the
@@ -173,7 +174,8 @@ void td_joints_move_locks(thud_world *w, td_body_index index) {
     }
 }
 
-/* Walks both bodies' lists of constraints alternately, so that the shorter one bounds the time. */
+/* Visits the elements of both bodies' lists of constraints alternately, since either list contains
+ * every joint between the two bodies: so the shorter list bounds the time. */
 bool td_joints_exclude_contact(const thud_world *w, td_body_index a, td_body_index b) {
     const td_body *body_a = td_body_at(w, a), *body_b = td_body_at(w, b);
     if (!(body_a->passes & td_passing_bit(b) && body_b->passes & td_passing_bit(a))) {

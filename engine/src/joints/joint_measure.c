@@ -1,8 +1,8 @@
 /* joint_measure.c: measurements of joints: coordinates, gaps, forces, and the sums of the step's
  * error report.
  *
- * Forces are the impulses of the last substep over its length. An impulse of a part's lane acts on
- * side b along its Jacobian: J' impulse. */
+ * Forces are the impulses of the last substep over its length, s. An impulse of a part's lane acts
+ * on side b along its Jacobian: J' impulse. */
 #include "constraint/joint_hooks.h"
 #include "joints/gear.h"
 

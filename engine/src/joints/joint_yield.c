@@ -5,8 +5,8 @@
  * maximum force), no motion satisfies both the joint and the contact. The solver's impulses of both
  * then grow from substep to substep, and with each step the overlap of the soft contact grows,
  * which is proportional to the contact's impulse. So the result of a step is checked after the
- * solver. A group of tied bodies (constraint/tied_bodies.h; a body without locked joints is a group
- * of its own) is corrected
+ * solver. A group of tied bodies (bodies that joints with locked directions connect:
+ * constraint/tied_bodies.h; a body without such joints is a group of its own) is corrected
  * - where a contact of one of its bodies with a static shape overlaps more than before the step and
  *   more than DEPTH_SHARE_DETECT allows, and a joint acts on that body; or
  * - where one of its motors misses its target speed although its force is below its maximum, a
@@ -42,7 +42,7 @@
 #include "state/shape.h"
 
 /* Overlaps are limited to shares of an extent: the smallest half extent of the body, or half the
- * thickness of the static shape where that is less.
+ * thickness of the static shape where that is less (min_separation).
  *
  * Share that a contact may overlap once its joint has yielded. Chosen; thud_joint.h states it, and
  * floor_bears_what_is_reeled_in (test_distances.c) and

@@ -51,9 +51,8 @@ TD_INLINE void apply_along(td_block *block, const direction8 *n, bool a_static, 
                   n->y * change, n->cross_a * change, n->cross_b * change);
 }
 
-/* Turns the impulses of the last substep into the present direction: replaces those that the
- * velocities contain, along the direction of the last substep, by the same sum along the present
- * one. */
+/* Replaces the impulses of the last substep, which the velocities contain along the direction of
+ * that substep, by their sum along the present direction. */
 TD_INLINE void replace_along(td_block *block, const direction8 *n, bool a_static, sides *v) {
     td_drive_rows *r = td_drive_rows_of(block);
     f8 all = block->point[1].normal_impulse + block->tangent_impulse +
@@ -117,9 +116,9 @@ TD_INLINE void choose_limit(td_block *block, td_drive_rows *r, const direction8 
 }
 
 /* The maximum of a limit's bias, a speed. Angles exceed their limits by a few radians at most, so
- * that a constant is enough. A limit of length may be exceeded at the start of a step by so much
- * that its bias would be above TD_JOINT_CLOSING_SPEED, as in a rope that is much too short. The
- * limit then closes at that speed, plus the bias that its load needs (LOAD_BIAS). A higher bias
+ * that a constant maximum is enough. A limit of length may be exceeded at the start of a step by so
+ * much that its bias would be above TD_JOINT_CLOSING_SPEED, as in a rope that is much too short.
+ * The limit then closes at that speed, plus the bias that its load needs (LOAD_BIAS). A higher bias
  * would do harm: a contact in the way turns a part of the closing speed into another direction, and
  * the bodies keep that part after the gap has closed. */
 TD_INLINE f8 max_limit_bias(const td_point *p, const td_solve_context *c, f8 k, drive_kind which) {

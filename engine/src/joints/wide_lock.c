@@ -36,7 +36,7 @@ typedef struct lock_matrix {
  * where lever arms are long, that is, where mass times arm^2 is large beside the moment of inertia.
  * With the inverse moments of inertia i_a and i_b, m the sum of inverse masses, a and b the lever
  * arms, d = b - a, and d_u = d x u as arms are crossed with directions, these formulas give the
- * Schur complement without subtractions, which would suffer cancellation in single precision:
+ * Schur complement without subtractions, which would cancel digits in single precision:
  *     turn locked:  K_uu - K_ut^2 / K_tt = m + i_a i_b / (i_a + i_b) d_u^2
  *                   det = m^2 + m i_a i_b / (i_a + i_b) |d|^2
  *     turn free:    det = m^2 + m (i_a |a|^2 + i_b |b|^2) + i_a i_b (a x b)^2
@@ -69,9 +69,9 @@ TD_INLINE lock_matrix lock_matrix_of(const td_block *block, const sides *v, bool
 
 /* Solves K x = -(speeds + bias) for a block, and applies the change of the impulses:
  *     x_u, x_v by Cramer's rule, x_t = -turn / K_tt - lever_u x_u - lever_v x_v.
- * `replace`: first turns the old impulses, which the velocities contain along the directions of the
- * last substep, into the present directions. In the last relax pass the greatest speeds along u and
- * v go to the tally, with a minus sign. */
+ * `replace`: first replaces the old impulses, which the velocities contain along the directions of
+ * the last substep, by the same impulses along the present directions. In the last relax pass the
+ * greatest speeds along u and v go to the tally, with a minus sign. */
 TD_INLINE void solve_lock(td_block *block, const softness *s, const td_solve_context *c,
                           bool a_static, bool replace) {
     td_point *p = &block->point[0], *q = &block->point[1];
