@@ -60,8 +60,9 @@ typedef struct td_islands {
     td_array systems;        /* td_system, parallel to `island`: the present orders */
     td_array start_velocity; /* float[4], by awake slot, in worlds with joints: thud_world.velocity
                                 as it was before the soft solver */
-    bool adds_up;            /* the soft solver sums up the contacts' impulses of the step, for
-                                joint_subsystems.c */
+    bool adds_up;            /* the soft solver sums up the contacts' impulses over the step
+                                (td_point_history.total, td_surface.total), since
+                                joint_subsystems.c, which takes them as known, may run after it */
     int64_t
         effort; /* budget of work (td_direct.effort) left for islands with joints in this step */
     td_sparse matrix;

@@ -10,7 +10,8 @@
 
 #include <string.h>
 
-/* Maximum of an island's factorisations in a step, at any quality. Chosen. */
+/* Maximum of an island's budget of factorisations in a step, at any quality; island_step_joints.c
+ * gives islands with joints a multiple of their budget. Chosen. */
 enum { ISLAND_FACTORINGS_MAX = 200 };
 
 /* Greatest rotation of a body in the step, rad, for which its contacts' lever arms of the start of

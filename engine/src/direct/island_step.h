@@ -22,7 +22,7 @@ typedef struct td_island_work {
     bool bounces;   /* the soft solver lets a contact bounce in this step */
     double correction_speed; /* maximum speed at which a row corrects an overlap or a gap, length/s;
                                 infinite: the result's motions and impulses are not checked */
-    int joints;              /* number of constraints that are no contacts */
+    int joints;              /* number of constraints that are not contacts: parts of joints */
     bool closed;             /* set if a part of the step has closed gaps of joints (closes_gaps,
                                 island_step_joints.c) */
     double unbalanced;       /* greatest unbalanced_speed of island_step_joints.c, length/s */
@@ -36,7 +36,7 @@ void td_island_store_start(thud_world *w);
 /* Stores the warm-start impulses of constraint i in td_islands.impulses, summed over a whole step;
  * `from_soft`: they are the soft solver's, not the direct solver's. */
 void td_island_store_impulses(thud_world *w, int i, bool from_soft);
-/* What is left of the quality's island_work in this step. */
+/* The work that is left of the quality's island_work in this step; <= 0 if it is spent. */
 int64_t td_island_work_left(const thud_world *w);
 /* The number of factorisations that the quality's island_work still allows in this step, for an
  * island in which one costs this much (td_island_cost). */

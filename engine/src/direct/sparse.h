@@ -37,7 +37,9 @@ typedef struct td_sparse {
     td_system current; /* the present system, on which all functions below work */
     int words;         /* words of 64 bits in a row of `ties` */
     td_array ties; /* uint64_t: adjacency matrix of the nodes, a bit a pair; ordering destroys it */
-    td_array degree, next, prev, head; /* int: doubly linked lists of the nodes of each degree */
+    td_array degree, next, prev, head; /* int: doubly linked lists of the nodes of each degree, for
+                                          ordering; `next` is also scratch memory of a
+                                          factorisation */
     td_array place, node;              /* int: the place of each node, and the node at each place */
     td_array column;   /* int: first entry of each place's column, and the end of the last column */
     td_array row;      /* int: place of each entry's block row, rising within a column */

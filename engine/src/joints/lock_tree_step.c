@@ -156,7 +156,7 @@ static void arm_of(double x, double y, float cross_u, float cross_v, bool turns,
     arm[1] = y * v - x * u;
 }
 
-/* Sets the joint of a body. False where it welds a body that does not turn. */
+/* Sets the joint of a body. False where it is a weld and one of its bodies does not turn. */
 static bool take_joint(const thud_world *w, const td_island *island, td_listed_body *list, int i) {
     td_listed_body *t = &list[i], *parent = t->parent == TD_NONE ? NULL : &list[t->parent];
     td_lane at = td_lane_of(w, joint_at(w, island, t->joint));
