@@ -37,7 +37,8 @@
  * SLIDING_SHARE if the surfaces also slide against it, above AT_BOUND in any case. Chosen. */
 #define SLIDING_SHARE 0.9
 #define AT_BOUND 0.999
-/* As AT_BOUND, for an impulse of the last step: one that slid was at its bound up to rounding. */
+/* As AT_BOUND, for the warm start: the impulse of a row that slid in the last step equals its bound
+ * up to rounding. */
 #define AT_BOUND_BEFORE (1.0 - 1e-6)
 
 /* Conjugate gradients reduce residuals to this share of the tolerance. Chosen. */

@@ -102,7 +102,8 @@ typedef struct td_direct_row {
     double force;       /* impulse on the right-hand side of the Newton step's equations */
     double change;      /* J dv: change of the speed by the whole Newton step */
     union {
-        /* interior point: slack of the speed (unilateral), of both bounds (others) */
+        /* interior point: s of a unilateral row in slack[0]; s0 and s1 of a friction or soft row
+         * (interior_point.c) */
         double slack[2];
         double bound_change; /* active set: the last change of a friction row's bound */
     };
@@ -194,7 +195,8 @@ bool td_direct_factor(td_direct *d);
 /* Solves for the Newton step: (M + sum weight J' J) dv = M (v* - v) + sum J' force. Leaves dv in
  * d->step and J dv in the rows' `change`. False where the budget of work is too small. */
 bool td_direct_step(td_direct *d);
-/* Adds `part` of that step to velocities and speeds. False where a velocity is not finite. */
+/* Adds `part` times the step that td_direct_step has left to velocities and speeds. False where a
+ * velocity is not finite. */
 bool td_direct_advance(td_direct *d, double part);
 /* Reduces the residual of the active rows to `enough` by conjugate gradients on the multipliers,
  * with the present factor and active set. Leaves the impulses in `force`. False where numbers are

@@ -306,8 +306,8 @@ static void mark_direct(thud_world *w, uint32_t record) {
  * substeps / time_step. The number of substeps may be below the quality's own. overlap_limit is a
  * depth s at the quality's own number, max_error at the present one. Under a given force s is
  * proportional to h^2, so that the code multiplies each s by the square of its own number. Contacts
- * with static bodies have twice this frequency (solve_context, solver/solve.c), and sink in by a
- * quarter of s; the threshold does not count that. */
+ * with static bodies have twice this frequency (solve_context, solver/solve.c), and sink in by
+ * about a quarter of s; the threshold does not count that. */
 float td_islands_load_max(const thud_world *w, float size) {
     float steps = (float)w->substeps, own = td_max_float(steps, (float)w->quality.substeps);
     float depth = w->quality.overlap_limit * size * (own * own);

@@ -53,7 +53,8 @@ typedef struct td_islands {
     bool passes_over; /* islands were solved as trees before the soft solver, which skips the blocks
                          of locks in which every lane belongs to such an island (td_block.solved) */
     float trees_residual; /* residual of the islands that were solved as trees: the maximum speed
-                             along a locked direction of a joint after the step, length/s */
+                             along a locked direction of a joint after the step, length/s, or for
+                             the rotation of a weld rad/s */
     td_array topology,
         topology_before;     /* int: the graph of all islands, which determines their elimination
                                 orders, and the graph for which the present orders were found */
@@ -130,8 +131,8 @@ int64_t td_island_cost(const td_island *island);
  * after which it is 0. The values fit a byte. */
 #define TD_DIRECT_COOLDOWN 128
 #define TD_COOLDOWN_STEPS 120
-/* Steps of cooldown of islands with joints: joints under load come apart if they are left to the
- * soft solver for long. */
+/* Steps of cooldown of islands with joints: under the soft solver the gaps of joints under load
+ * widen, so that the cooldown is short. */
 #define TD_PAUSE_STEPS 8
 /* thud_world.slow_steps of a body holds two counts. Its lower part, up to TD_SLOW_STEPS, is the
  * number of steps in succession in which the direct solver took long, or, at qualities without a

@@ -37,8 +37,9 @@
  * factor. */
 #define SPEED_RATIO_MAX 4.0
 /* A result is refused where a contact's impulse is larger than IMPULSE_RATIO_MAX times the mass of
- * the whole island times that speed (impulses_too_large). Chosen; not tuned. A wedge of half angle
- * a multiplies its load by 1 / (2 sin a), which is 10 at 3 degrees. */
+ * the whole island times the greatest speed without constraints, g h and corrections of overlaps
+ * included (impulses_too_large). Chosen; not tuned. A wedge of half angle a multiplies its load by
+ * 1 / (2 sin a), which is 10 at 3 degrees. */
 #define IMPULSE_RATIO_MAX 10.0
 /* Tolerance of residuals: TOLERANCE_SHARE times g h, the speed that gravity gives in a step, and at
  * least TOLERANCE_MIN length scales a second, for worlds without gravity. Chosen. */
@@ -173,9 +174,10 @@ static bool moves_too_far(const td_island_work *work) {
     return furthest > SPEED_RATIO_MAX * work->time * (fastest + corrected);
 }
 
-/* Whether a unilateral impulse is larger than IMPULSE_RATIO_MAX times the momentum that the island
- * could have. In a wedge, impulses of any size can give the same motion. Large ones are refused,
- * since they would be the soft solver's warm start when the wedge opens. */
+/* Whether a unilateral impulse is larger than IMPULSE_RATIO_MAX times the greatest momentum that
+ * the island could have: its mass times that speed. In a wedge, impulses of any size can give the
+ * same motion. Large ones are refused, since they would be the soft solver's warm start when the
+ * wedge opens. */
 static bool impulses_too_large(const td_island_work *work) {
     const td_direct *d = &work->problem;
     double fastest = d->unit_speed + work->correction_speed * work->island->bodies, mass = 0.0;
@@ -343,7 +345,7 @@ static bool is_slow(const td_island_work *work) {
 
 /* An island with joints is jammed when its result was refused in JAMMED_STEPS steps in succession:
  * its bodies are entangled, and no velocities satisfy all rows. Chosen. Without this, 61 ragdolls
- * in a pit took 2983 ms in 300 steps instead of 1164, at exact. */
+ * in a pit took 2983 ms in 300 steps instead of 1164, at the quality `exact`. */
 enum { JAMMED_STEPS = 8 };
 
 /* Counts a step without a usable result, at qualities whose island_slow_steps is 0, so that is_slow

@@ -57,8 +57,9 @@ static bool find(thud_world *w) {
  * EFFORT_BODIES_MIN bodies if there are fewer, which is some 30 ms. Loops of joints that are
  * stretched may take any number of Newton steps, and a body that is joined to many others makes a
  * factorisation take the cube of their number: without a budget a hub with 900 rods took up to a
- * second in one step at exact. Both numbers are chosen; with half of them, islands are left to the
- * soft solver once they have taken 15 ms in a step; with twice as much a step may take 60 ms. */
+ * second in one step at the quality `exact`. Both numbers are chosen; with half of them, islands
+ * are left to the soft solver once they have taken 15 ms in a step; with twice as much a step may
+ * take 60 ms. */
 enum { EFFORT_OF_BODY = 4000, EFFORT_BODIES_MIN = 1000 };
 
 /* The sum of the shares of the budget of all listed islands that are not solved yet: EFFORT_OF_BODY

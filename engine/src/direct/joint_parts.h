@@ -31,9 +31,9 @@ enum { TD_NEWTON_ITERATIONS_MAX = 12 };
 /* Newton's method ends when the residual is below this share of the tolerance of speeds, at
  * qualities that solve every island directly. At other qualities, and in islands with contacts,
  * whose active set may change in every iteration, it ends below the tolerance itself; gaps then
- * stay open by some micrometres. Chosen; measured on twenty chains of 50 links that swing at
- * default: with a share of 0.05 in place of 1 a step takes a third more iterations, and gaps are no
- * smaller, since the budget ends sooner. */
+ * stay open by some micrometres. Chosen; measured on twenty chains of 50 links that swing at the
+ * quality `default`: with a share of 0.05 in place of 1 a step takes a third more iterations, and
+ * gaps are no smaller, since the budget ends sooner. */
 #define TD_RESIDUAL_EXACT 1e-3
 /* Rules on unbalanced moments, measured as a speed (unbalanced_speed, island_step_joints.c).
  * Newton's iteration goes on while that speed is above TD_BALANCE_ENOUGH times the tolerance. A
@@ -43,7 +43,7 @@ enum { TD_NEWTON_ITERATIONS_MAX = 12 };
  * their magnitudes. Measured on 800 random mechanisms (test_joints_random.c) without gaps or
  * overlaps at the start. Without these rules 10 gained more than 5 % of energy, up to 16 times
  * their own; with them 4 do, up to 0.9 times. TD_BALANCE_ENOUGH 1 would leave 3 of these, but takes
- * half as many factorisations again in ragdolls at default. */
+ * half as many factorisations again in ragdolls at the quality `default`. */
 #define TD_BALANCE_ENOUGH 100.0
 #define TD_BALANCE_MAX 1000.0
 #define TD_GAIN_MAX 0.1

@@ -32,10 +32,10 @@ enum { OVERLOADED_MAX = 64 };
 /* A linkage is solved if at least one in OVERLOADED_PART of its joints is overloaded: the soft
  * solver corrects a few overloaded joints by itself. In a linkage of hinges and welds alone, such
  * as a chain, one in OVERLOADED_PART_OF_LOCKS is enough. Chosen. Measured on the wrecking ball with
- * 30 to 100 bricks, at default: with 4 the widest gap of its chain is three quarters of that with 2
- * (geometric mean). Machines with limits and motors need the higher share: while such a machine is
- * solved directly, the friction of its contacts is taken as known, and its feet slide (seen in the
- * walker, on rock). */
+ * 30 to 100 bricks, at the quality `default`: with 4 the widest gap of its chain is three quarters
+ * of that with 2 (geometric mean). Machines with limits and motors need the higher share: while
+ * such a machine is solved directly, the friction of its contacts is taken as known, and its feet
+ * slide (seen in the walker, on rock). */
 enum { OVERLOADED_PART = 2, OVERLOADED_PART_OF_LOCKS = 4 };
 /* The value of td_islands.local of bodies whose linkage cannot be solved in this step. */
 enum { UNFIT = -5 };

@@ -41,7 +41,7 @@ typedef struct td_lock_body {
     bool joined;         /* it has a joint: false for a root that is joined to nothing outside */
     bool weld;           /* the joint locks rotation as well */
     bool turns;          /* false: rotation is locked by the caller; its lever arms are 0 */
-    td_reals mass;       /* without what hangs from it */
+    td_reals mass;       /* of the body alone, without the bodies that hang from it */
     td_reals inertia;    /* 1 where `turns` is false */
     td_reals outside[3]; /* of the root: the velocity of the body to which it is joined */
     td_reals arm[2];     /* from the centre of mass to the anchor, at the start of the step */
@@ -59,8 +59,12 @@ typedef struct td_lock_body {
     td_reals before[3];                       /* velocity at the start of the part */
     td_reals moved[3];                        /* motion since the start of the step */
     td_reals arm_before[2], holder_before[2]; /* lever arms at the start of the part */
-    td_reals rotation[2];                     /* cosine and sine by which they are turned */
-    td_reals turn_momentum;            /* angular momentum, without joints and their stiffness */
+    td_reals rotation[2];                     /* cosine and sine of the rotation by which the lever
+                                                 arms of the rows are turned: to the end of the
+                                                 part, or averaged over it (rotation_of,
+                                                 wide_lock_tree_parts.c) */
+    td_reals turn_momentum;            /* angular momentum without the impulses of joints, and
+                                          without their stiffness */
     td_reals impulse[2], turn_impulse; /* on the body; -impulse acts on the parent */
     td_reals stiff; /* geometric stiffness of the joints to the body's children, while it is summed
                        up; else 0 */
@@ -70,7 +74,7 @@ typedef struct td_lock_body {
     td_reals turning;                   /* moment of inertia, with the geometric stiffness */
     td_reals momentum[3];               /* without the impulses of joints */
     td_reals target[2], turn_target;    /* speeds that the joint has to reach: those that close its
-                                           gap */
+                                           gap, or 0 at the end of a part */
     td_reals a[6];        /* A at the centre of mass: xx, xy, yy, xw, yw, ww; then at the anchor; 0
                              before and after a solution */
     td_reals g[3];        /* g, at the same points */
@@ -99,12 +103,14 @@ typedef struct td_lock_trees {
     bool used[TD_TREES];      /* in: false for lanes without a tree */
     td_reals closing;         /* in: greatest speed at which a gap may be closed */
     td_reals share;           /* out: length of the last part, as a share of the step */
-    td_reals residual;        /* out: greatest speed that a joint has at the end of the step */
+    td_reals residual;        /* out: greatest speed along a locked direction of a joint at the end
+                                 of the step */
 } td_lock_trees;
 
-/* What a solved step writes to the world for one body, and for the joint by which the body hangs
- * from its parent. `velocity` and `moved`: x, y and rotation. `impulse`: of one substep, along the
- * x and the y axis of the joint's frame, and the angular impulse. */
+/* The result of a step for one body, which td_lock_tree_write writes to the world, and for the
+ * joint by which the body hangs from its parent. `velocity` and `moved`: x, y and rotation.
+ * `impulse`: of one substep, along the x and the y axis of the joint's frame, and the angular
+ * impulse. */
 typedef struct td_lock_result {
     float velocity[3], moved[3];
     float impulse[3];

@@ -15,10 +15,10 @@ enum { PARTS_MAX = 64 };
 #define PHASE_MAX TD_PI
 /* In islands without contacts, a part is no longer than SUBSTEPS_OF_PART substeps, and the parts
  * that springs need are multiplied likewise, so that the error falls as the number of substeps
- * rises. Quality default has four substeps, so that its steps have one part. This holds for islands
- * of up to SMALL_ISLAND_BODIES bodies (a pendulum, a vehicle, a ragdoll); finer parts for all
- * islands made a chain of 100 links 2.2 times as expensive at exact, where a phase error is not
- * visible among its many modes. */
+ * rises. The quality `default` has four substeps, so that its steps have one part where neither
+ * rotation nor springs need more. This holds for islands of up to SMALL_ISLAND_BODIES bodies (a
+ * pendulum, a vehicle, a ragdoll); finer parts for all islands made a chain of 100 links 2.2 times
+ * as expensive at the quality `exact`, and a phase error is not visible among its many modes. */
 enum { SUBSTEPS_OF_PART = 4, SMALL_ISLAND_BODIES = 16 };
 
 /* The angular speed, rad/s, that the line between a distance's anchors has at most by the linear

@@ -112,8 +112,8 @@ TD_INLINE void td_tree_follow_holder(td_lock_body *t, const td_reals holder[3], 
     v[2] = w;
 }
 
-/* On the way to the root: adds a body's own mass and momentum to those of what hangs from it, and
- * both to its parent. */
+/* On the way to the root: adds the body's own mass and momentum to A and g, which hold the sums of
+ * the bodies that hang from it, shifts them to its anchor, and adds them to its parent. */
 TD_INLINE void td_tree_hang(td_lock_body *bodies, td_lock_body *t) {
     t->a[0] += t->mass;
     t->a[2] += t->mass;
@@ -132,7 +132,7 @@ TD_INLINE void td_tree_hang(td_lock_body *bodies, td_lock_body *t) {
 /* Sums and maxima over all bodies of the trees in one solution. */
 typedef struct td_tree_sums {
     td_reals sum;     /* of velocities and impulses: not finite if one of them is not */
-    td_reals fastest; /* the greatest rate of turning, rad/s */
+    td_reals fastest; /* the greatest angular velocity, rad/s */
 } td_tree_sums;
 
 /* On the way from the root: sets a body's velocity and the impulse of its joint, in the trees of
@@ -173,8 +173,8 @@ TD_INLINE td_choice td_tree_sound(td_lock_body *bodies, int count, td_choice whi
     return which & sound;
 }
 
-/* The greatest speed by which a direction of a body's joint misses its target speed, or `worst` if
- * that is greater. */
+/* The greatest speed by which a direction of a body's joint misses its target speed, length/s, or
+ * for the rotation of a weld rad/s; `worst` if that is greater. */
 TD_INLINE td_reals td_tree_miss(const td_lock_body *bodies, const td_lock_body *t, td_reals worst) {
     if (!t->joined) {
         return worst;

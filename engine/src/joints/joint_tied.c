@@ -17,8 +17,8 @@ static void join_groups(thud_world *w, td_awake_slot a, td_awake_slot b) {
     }
 }
 
-/* Whether a joint to a static or kinematic body locks so many directions that it would come apart
- * if detection stopped the dynamic body within the step. Rods do not count, since they lock one
+/* Whether a joint to a static or kinematic body locks so many directions that its gap would open if
+ * detection stopped the dynamic body within the step. Rods do not count, since they lock one
  * direction, nor do the joints by which edits/locks.c locks single axes. */
 static bool fixes_body(const thud_world *w, const td_joint *joint) {
     return joint->kind != THUD_JOINT_DISTANCE && !td_joint_is_lock(w, joint, joint->body[1]);

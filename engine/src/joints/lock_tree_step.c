@@ -22,7 +22,7 @@
 enum { TREE_COST = 1 };
 /* Number of solutions that a part is expected to take. take_trees counts the expected cost of each
  * tree; where the budget of the step does not suffice, the trees that are left over stay with the
- * soft solver. Measured on swinging chains at default. */
+ * soft solver. Measured on swinging chains at the quality `default`. */
 enum { SOLUTIONS_OF_PART = 3 };
 
 /* Islands that are solved side by side. */
@@ -254,8 +254,8 @@ static bool are_alike(const td_listed_body *one, const td_listed_body *other, in
     return alike;
 }
 
-/* Sets the shape of the trees from the list of one of them, and clears what set_lane does not set.
- */
+/* Sets the shape of the trees from the list of one of them, and clears the fields that set_body
+ * does not set. */
 static void set_shape(tree_group *g, const td_listed_body *list) {
     td_reals zero = {0.0};
     memset(g->trees.used, 0, sizeof g->trees.used);

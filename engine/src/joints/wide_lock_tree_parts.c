@@ -44,7 +44,8 @@ typedef struct tree_step {
 
     /* ---- results ---- */
     td_reals unbalanced; /* greatest moment out of balance after a part, as a speed: length/s */
-    td_reals residual;   /* greatest speed that a joint has at the end of a part, length/s */
+    td_reals residual;   /* greatest speed along a locked direction of a joint at the end of a part,
+                            length/s */
     int *factorings;     /* solutions, by tree */
 } tree_step;
 
@@ -106,8 +107,9 @@ TD_INLINE void turn_arms(const tree_step *s, td_lock_body *t, bool ended) {
 /* ---- a part ---- */
 
 /* A part is begun once more if a body turns more than this many times as far in it as it should
- * (TURN_PART, step_parts.c). Measured on twenty chains of 50 links that swing at default: at 1.0 a
- * step takes 4 % more solutions than at 1.25, at 1.5 it takes 1 % fewer, and gaps are the same. */
+ * (TURN_PART, step_parts.c). Measured on twenty chains of 50 links that swing at the quality
+ * `default`: at 1.0 a step takes 4 % more solutions than at 1.25, at 1.5 it takes 1 % fewer, and
+ * gaps are the same. */
 #define TURN_EXCEEDED_MAX 1.25
 /* The number of parts that are left is rounded up, unless it exceeds a whole number by less than
  * this. Chosen; above rounding. */
