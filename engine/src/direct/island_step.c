@@ -175,9 +175,9 @@ static bool moves_too_far(const td_island_work *work) {
 }
 
 /* Whether a unilateral impulse is larger than IMPULSE_RATIO_MAX times the greatest momentum that
- * the island could have: its mass times that speed. In a wedge, impulses of any size can give the
- * same motion. Large ones are refused, since they would be the soft solver's warm start when the
- * wedge opens. */
+ * the island could have: its mass times the greatest speed of a body without constraints. In a
+ * wedge, impulses of any size can give the same motion. Large ones are refused, since they would be
+ * the soft solver's warm start when the wedge opens. */
 static bool impulses_too_large(const td_island_work *work) {
     const td_direct *d = &work->problem;
     double fastest = d->unit_speed + work->correction_speed * work->island->bodies, mass = 0.0;

@@ -9,8 +9,8 @@
  *   3. of islands that are left to the soft solver, the linkages (bodies that joints connect) whose
  *      joints are overloaded; the contacts act on them by the impulses that the soft solver found
  *      (joint_subsystems.c).
- * The soft solver's result stays in the world until a direct result is accepted, so that nothing
- * has to be restored if the direct result is refused. */
+ * The velocities, motions and impulses of the soft solver stay in the world until a direct result
+ * is accepted, so that they need not be restored if the direct result is refused. */
 #ifndef TD_JOINT_ISLANDS_H
 #define TD_JOINT_ISLANDS_H
 
