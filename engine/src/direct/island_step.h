@@ -46,8 +46,8 @@ int td_island_factoring_budget(const thud_world *w, int64_t cost);
 void td_island_free_velocity(const thud_world *w, const td_island *island, int i, double before[3],
                              double free[3]);
 /* The problem of direct.h for the island, from the stored velocities and impulses. In the lanes of
- * drives it also sets the limit for which the step is solved (choose_limit, joint_rows.c); the
- * world does not change otherwise. */
+ * drives it also sets the limit for which the step is solved (choose_limit, joint_rows.c); lanes
+ * and bodies of the world do not change otherwise. */
 td_island_work td_island_set_up(thud_world *w, const td_island *island);
 
 /* island_step.c: solves an island directly and writes the result. False if the soft solver's result
