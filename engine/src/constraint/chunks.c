@@ -98,7 +98,8 @@ static int share_begins(const thud_world *w, const td_run *run, int worker, int 
         return 2 * bound < slots ? 0 : count;
     }
     int begin = (int)((int64_t)count * bound / slots);
-    return bound == slots ? count : (begin + TD_CHUNK_UNIT / 2) / TD_CHUNK_UNIT * TD_CHUNK_UNIT;
+    int rounded = (begin + TD_CHUNK_UNIT / 2) / TD_CHUNK_UNIT * TD_CHUNK_UNIT;
+    return bound == slots ? count : td_min_int(rounded, count);
 }
 
 /* Appends the blocks of a run from `first` to the one before `end` as chunks of a worker's share,

@@ -87,6 +87,7 @@ static int check_chunks(const thud_world *w, int index, int chunk, int blocks_of
         assert_int_equal(c->run, index);
         assert_int_equal(c->first, run->first + blocks);
         assert_int_equal(blocks % TD_CHUNK_UNIT, 0);
+        assert_in_range(c->count, 1, run->count - blocks);
         assert_in_range(c->count, 1, TD_CHUNK_BLOCKS);
         assert_in_range(c->worker, worker, w->def.job_system.workers - 1);
         worker = c->worker;
@@ -112,6 +113,23 @@ static void blocks_are_divided_evenly_among_workers(void **state) {
             assert_in_range(blocks_of[i], share * 4 / 5, share * 6 / 5);
         }
         thud_world_destroy(w);
+    }
+}
+
+/* Small worlds, of 300 to 780 bodies: the ranges of many workers end within the last place, near
+ * its end, where rounding a share to whole units must not lead past the run's last block. */
+static void chunks_of_many_workers_cover_their_runs(void **state) {
+    (void)state;
+    for (int size = 24; size < 40; size++) {
+        for (int workers = 8; workers <= THUD_WORKERS_MAX; workers += 4) {
+            thud_world *w = world_of("pyramid", size, 2, workers);
+            int chunk = 0, blocks_of[THUD_WORKERS_MAX] = {0};
+            for (int r = 0; r < w->scratch.runs.count; r++) {
+                chunk += check_chunks(w, r, chunk, blocks_of);
+            }
+            assert_int_equal(chunk, w->scratch.chunks.count);
+            thud_world_destroy(w);
+        }
     }
 }
 
@@ -247,6 +265,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pairs_of_kinematic_bodies_keep_no_other_runs_from_workers),
         cmocka_unit_test(blocks_are_divided_evenly_among_workers),
+        cmocka_unit_test(chunks_of_many_workers_cover_their_runs),
         cmocka_unit_test(small_colours_that_follow_each_other_are_one_phase),
         cmocka_unit_test(small_chunks_of_a_worker_are_one_part),
         cmocka_unit_test(a_phase_hands_out_each_chunk_once_and_first_to_its_worker),
