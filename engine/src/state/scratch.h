@@ -47,7 +47,7 @@ typedef struct td_scratch {
     td_array shares;       /* td_share: state/shared_stages.h */
     td_array next_tied;    /* td_awake_slot, by awake slot: constraint/tied_bodies.h */
     td_array before;       /* float[4], by awake slot: velocities, joints/joint_yield.c */
-    td_array brace_groups; /* double[3], by group of tied bodies: joints/joint_brace.c */
+    td_array brace_groups; /* double[5], by group of tied bodies: joints/joint_brace.c */
     td_array held_at;      /* double, by awake slot: see td_held_count */
     td_array legs;         /* td_leg, parts of paths in the order of time: sensing.c */
     td_array first_legs;   /* int, by awake slot: the first of its legs, or TD_NONE */
