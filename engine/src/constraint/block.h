@@ -69,8 +69,11 @@ typedef struct td_brace_rows {
         f8 work_without; /* work at the speeds without the impulses: p.u */
         f8 kept_share;   /* afterwards: the share of the impulses that is kept */
     };
-    f8 same_group; /* element 0: 1 where all lanes have the same group, else 0; others not used */
-    f8 work_with;  /* work at the speeds with the impulses: p.u' */
+    float same_group; /* 1 where all lanes have the same group, else 0 */
+    float torn;       /* 1 where the group of a lane has a torn joint, else 0: bracing passes over
+                         the block. Valid after the first bracing of a step */
+    float unused[TD_LANES - 2];
+    f8 work_with; /* work at the speeds with the impulses: p.u' */
 } td_brace_rows;
 
 static_assert(sizeof(td_brace_rows) == 2 * sizeof(td_point_history), "they share their place");

@@ -1,8 +1,8 @@
 /* joint_brace.c: bracing: an energy bound on the impulses that locks and rods apply in a substep,
- * in steps that begin with a torn joint. A joint is torn if its gap is so wide that its bias would
- * close it faster than TD_JOINT_CLOSING_SPEED (flag_torn, wide_joint.h). Steps without a torn joint
- * do no bracing. A lock is wide open if its gap is so wide that its bias is at its maximum
- * (is_wide_open).
+ * in groups of bodies with a torn joint. A joint is torn if its gap, at the start of the step, is
+ * so wide that its bias would close it faster than TD_JOINT_CLOSING_SPEED (flag_torn,
+ * wide_joint.h). Steps without a torn joint do no bracing. A lock is wide open if its gap is so
+ * wide that its bias is at its maximum (opening_of).
  *
  * The soft solver begins a substep with the impulses of the one before (warm start). Each row
  * divides its correction by its own diagonal entry of K = J M^-1 J'. In mechanisms with long lever
@@ -45,9 +45,9 @@
 
 /* The numbers of a group in scratch.brace_groups: p.u and p.u', its work at the speeds without and
  * with its impulses (energies, mass length^2 / s^2); the energy that its locks exchange, which is
- * the sum of |p.u'| of its lanes; the number of its lanes; and 1 where one of its locks is wide
- * open, else 0. td_joints_engage has reserved room for one group for each body. */
-enum { WORK_WITHOUT, WORK_WITH, EXCHANGED, LANES, WIDE_OPEN, GROUP_NUMBERS };
+ * the sum of |p.u'| of its lanes; the number of its lanes; and the widest gap (opening_of).
+ * td_joints_engage has reserved room for one group for each body. */
+enum { WORK_WITHOUT, WORK_WITH, EXCHANGED, LANES, OPENING, GROUP_NUMBERS };
 
 /* The numbers of a group; `group` is its index, stored as a float in lanes. */
 static double *group_sums(const thud_world *w, float group) {
@@ -57,6 +57,10 @@ static double *group_sums(const thud_world *w, float group) {
 /* Visits a block of locks or rods; `which`: an argument of the visitor's own. */
 typedef void visit_fn(thud_world *w, td_block *block, int which);
 
+/* Blocks lie anywhere in memory; the data of bracing are prefetched so many blocks ahead. Chosen.
+ */
+enum { FETCH_AHEAD = 6 };
+
 /* Calls `visit` for each block of locks and rods. */
 static void for_each_lock_block(thud_world *w, visit_fn *visit, int which) {
     for (int i = 0; i < w->scratch.runs.count; i++) {
@@ -64,6 +68,11 @@ static void for_each_lock_block(thud_world *w, visit_fn *visit, int which) {
         td_block *const *blocks = (td_block **)w->scratch.blocks.data + run->first;
         bool locks = run->kind == TD_CONSTRAINT_ROD || run->kind == TD_CONSTRAINT_LOCK;
         for (int k = 0; k < run->count && locks; k++) {
+            if (TD_HAS_PREFETCH && k + FETCH_AHEAD < run->count) {
+                td_brace_rows *ahead = td_brace_rows_of(blocks[k + FETCH_AHEAD]);
+                __builtin_prefetch(&ahead->group, 1);
+                __builtin_prefetch(&ahead->work_with, 1);
+            }
             visit(w, blocks[k], which);
         }
     }
@@ -72,11 +81,6 @@ static void for_each_lock_block(thud_world *w, visit_fn *visit, int which) {
 /* The index of each lane's group. */
 static float *lane_groups(td_block *block) {
     return (float *)&td_brace_rows_of(block)->group;
-}
-
-/* 1 where all lanes of the block belong to the same group, else 0. */
-static float *same_group(td_block *block) {
-    return (float *)&td_brace_rows_of(block)->same_group;
 }
 
 /* Joins the union-find trees (islands/label.h) of the dynamic bodies that the lanes of a block
@@ -100,45 +104,62 @@ static float group_index(thud_world *w, td_awake_slot slot) {
     if (mark->at >= 0) {
         mark->at = -1 - w->scratch.brace_groups.count++;
         double *sums = group_sums(w, (float)(-1 - mark->at));
-        sums[LANES] = sums[WIDE_OPEN] = 0.0;
+        sums[LANES] = sums[OPENING] = 0.0;
     }
     return (float)(-1 - mark->at);
 }
 
-/* Whether a lane's gap, at the start of the step, is so wide that its bias is at its limit: with h
- * the duration of a substep, TD_JOINT_GAP_SHARE / h times the gap reaches TD_JOINT_CLOSING_FACTOR
- * times TD_JOINT_CLOSING_SPEED, length scales or radians a second. Beyond that the closing speed no
- * longer grows with the gap. Along u start_separation is read, which is set even if that direction
- * is free: the travel of a slider or wheel then counts as well, since it is the lever arm of the
- * impulses across. Measured: if it did not count, mechanisms with sliders would gain more than 5 %
- * of energy (test_joints_random). Along v separation is read, which is 0 where across is free. */
-static bool is_wide_open(const thud_world *w, td_block *block, int lane) {
-    float limit = TD_JOINT_CLOSING_FACTOR * TD_JOINT_CLOSING_SPEED / TD_JOINT_GAP_SHARE *
-                  (float)(w->def.time_step / w->substeps);
+/* The widest gap of a lane at the start of the step, as a multiple of that of a joint that is just
+ * torn. With h the duration of a substep, its bias TD_JOINT_GAP_SHARE / h times the gap is
+ * TD_JOINT_CLOSING_SPEED, length scales or radians a second. At TD_JOINT_CLOSING_FACTOR times that
+ * gap the lock is wide open: beyond it the closing speed no longer grows with the gap. Along u
+ * start_separation is read, which is set even if that direction is free: the travel of a slider or
+ * wheel then counts as well, since it is the lever arm of the impulses across. Measured: if it did
+ * not count, mechanisms with sliders would gain more than 5 % of energy (test_joints_random). Along
+ * v separation is read, which is 0 where across is free. */
+static float opening_of(const thud_world *w, td_block *block, int lane) {
+    float torn =
+        TD_JOINT_CLOSING_SPEED / TD_JOINT_GAP_SHARE * (float)(w->def.time_step / w->substeps);
     bool rod = td_constraint_at(w, block->constraint[0])->kind == TD_CONSTRAINT_ROD;
     bool turns = !rod && block->tangent_mass[lane] > 0.0f;
     float gap = td_max_float(td_joint_abs(block->point[0].start_separation[lane]),
                              rod ? 0.0f : td_joint_abs(block->point[1].separation[lane]));
     float turn = turns ? td_joint_abs(td_lock_rows_of(block)->start_turn_gap[lane]) : 0.0f;
-    return gap > limit * w->length_scale || turn > limit;
+    return td_max_float(gap / w->length_scale, turn) / torn;
 }
 
-/* Sets the groups of a block's lanes, each by its dynamic side, and flags groups that are wide
- * open. */
+/* Sets the groups of a block's lanes, each by its dynamic side, counts the lanes of each group, and
+ * finds its widest gap. */
 static void number_lanes(thud_world *w, td_block *block, int unused) {
     (void)unused;
     float *group = lane_groups(block);
-    *same_group(block) = 1.0f;
     for (int lane = 0; lane < block->used; lane++) {
         td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
         group[lane] = group_index(w, td_inv_mass_of(w, b) > 0.0f ? b : a);
-        *same_group(block) = group[lane] == group[0] ? *same_group(block) : 0.0f;
         double *sums = group_sums(w, group[lane]);
         sums[LANES] += 1.0;
-        if (is_wide_open(w, block, lane)) {
-            sums[WIDE_OPEN] = 1.0;
-        }
+        sums[OPENING] = td_max_double(sums[OPENING], (double)opening_of(w, block, lane));
     }
+}
+
+/* Whether a group has a torn joint, or, if `relaxed`, a lock that is wide open: only there bracing
+ * acts. */
+static bool is_torn(const double *group, bool relaxed) {
+    return group[OPENING] > (relaxed ? (double)TD_JOINT_CLOSING_FACTOR : 1.0);
+}
+
+/* Marks blocks with a lane whose group is torn, and those whose lanes have all the same group. */
+static void mark_block(thud_world *w, td_block *block, int unused) {
+    (void)unused;
+    const float *group = lane_groups(block);
+    td_brace_rows *rows = td_brace_rows_of(block);
+    bool torn = false, same = true;
+    for (int lane = 0; lane < block->used; lane++) {
+        torn |= is_torn(group_sums(w, group[lane]), false);
+        same &= group[lane] == group[0];
+    }
+    rows->torn = torn ? 1.0f : 0.0f;
+    rows->same_group = same ? 1.0f : 0.0f;
 }
 
 /* Numbers the groups once in a step: in the first substep, where the gaps are those at the start of
@@ -156,6 +177,7 @@ static void number_groups(thud_world *w) {
         parents[slot.at] = td_root_of(parents, slot);
     }
     for_each_lock_block(w, number_lanes, 0);
+    for_each_lock_block(w, mark_block, 0);
 }
 
 /* Adds the work p.u (`which` WORK_WITHOUT) or p.u' (WORK_WITH) of a block's lanes to the sums of
@@ -165,9 +187,9 @@ static void add_work(thud_world *w, td_block *block, int which) {
     td_brace_rows *rows = td_brace_rows_of(block);
     const float *work =
         (const float *)(which == WORK_WITH ? &rows->work_with : &rows->work_without);
-    for (int lane = 0; lane < block->used;) {
+    for (int lane = 0; lane < block->used && rows->torn > 0.0f;) {
         double *sums = group_sums(w, group[lane]), sum = 0.0, exchanged = 0.0;
-        int end = *same_group(block) > 0.0f ? block->used : lane + 1;
+        int end = rows->same_group > 0.0f ? block->used : lane + 1;
         for (; lane < end; lane++) {
             sum += (double)work[lane];
             exchanged += (double)td_joint_abs(work[lane]);
@@ -198,13 +220,19 @@ static double tolerated_gain(const double *group) {
                                 : 0.0;
 }
 
-/* The share of a group's impulses to keep, 0 .. 1; 1 where they add no more energy than is
- * `tolerated`. `multiple`: MIN_ENERGY or ZERO_ENERGY. */
-static float share_to_keep(const double *group, double multiple, double tolerated) {
-    double share = -multiple * group[WORK_WITHOUT] / (group[WORK_WITH] - group[WORK_WITHOUT]);
-    bool adds = group[WORK_WITHOUT] + group[WORK_WITH] > 2.0 * tolerated &&
-                group[WORK_WITH] > group[WORK_WITHOUT];
-    return !adds || share > 1.0 ? 1.0f : share > 0.0 ? (float)share : 0.0f;
+/* Whether a group is braced if its impulses add this much energy. */
+static bool is_braced(const double *group, bool relaxed, double energy) {
+    return is_torn(group, relaxed) && energy > (relaxed ? 0.0 : tolerated_gain(group));
+}
+
+/* The share of a group's impulses to keep, 0 .. 1; 1 where it is not braced. */
+static float share_to_keep(const double *group, bool relaxed) {
+    double energy = 0.5 * (group[WORK_WITHOUT] + group[WORK_WITH]);
+    double share = -(relaxed ? ZERO_ENERGY : MIN_ENERGY) * group[WORK_WITHOUT] /
+                   (group[WORK_WITH] - group[WORK_WITHOUT]);
+    bool scaled =
+        is_braced(group, relaxed, energy) && group[WORK_WITH] > group[WORK_WITHOUT] && share < 1.0;
+    return !scaled ? 1.0f : share > 0.0 ? (float)share : 0.0f;
 }
 
 /* Writes the shares to keep into a block's lanes, and limits the closing speed of lanes whose share
@@ -213,11 +241,9 @@ static void set_shares(thud_world *w, td_block *block, int relaxed) {
     const float *group = lane_groups(block);
     float *share = (float *)&td_brace_rows_of(block)->kept_share;
     float *closing_factor = (float *)&td_lock_rows_of(block)->closing_factor;
-    for (int lane = 0; lane < block->used; lane++) {
-        const double *sums = group_sums(w, group[lane]);
-        share[lane] = !relaxed ? share_to_keep(sums, MIN_ENERGY, tolerated_gain(sums))
-                      : sums[WIDE_OPEN] > 0.0 ? share_to_keep(sums, ZERO_ENERGY, 0.0)
-                                              : 1.0f;
+    bool torn = td_brace_rows_of(block)->torn > 0.0f;
+    for (int lane = 0; lane < block->used && torn; lane++) {
+        share[lane] = share_to_keep(group_sums(w, group[lane]), relaxed);
         closing_factor[lane] = share[lane] < 1.0f ? 1.0f : closing_factor[lane];
     }
 }
@@ -237,8 +263,7 @@ bool td_joints_may_add_energy(thud_world *w, bool relaxed) {
     for_each_lock_block(w, add_work, WORK_WITH);
     for (int group = 0; group < w->scratch.brace_groups.count && !any; group++) {
         const double *sums = group_sums(w, (float)group);
-        any = relaxed ? sums[WORK_WITH] > 0.0 && sums[WIDE_OPEN] > 0.0
-                      : sums[WORK_WITH] > tolerated_gain(sums);
+        any = is_braced(sums, relaxed, sums[WORK_WITH]);
     }
     return any;
 }
@@ -254,7 +279,7 @@ void td_joints_set_shares(thud_world *w, bool relaxed) {
 bool td_joints_wide_open(const thud_world *w) {
     bool any = false;
     for (int group = 0; group < w->scratch.brace_groups.count; group++) {
-        any |= group_sums(w, (float)group)[WIDE_OPEN] > 0.0;
+        any |= is_torn(group_sums(w, (float)group), true);
     }
     return any;
 }

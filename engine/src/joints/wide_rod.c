@@ -114,6 +114,9 @@ void TD_WIDE(td_brace_applied)(td_block *block, const td_solve_context *c, bool 
 TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool a_static) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
+        if (!is_braced(block, c)) {
+            continue;
+        }
         if (c->brace != TD_BRACE_WARM_START) {
             TD_WIDE(td_brace_applied)(block, c, a_static);
             continue;
