@@ -69,10 +69,9 @@ typedef struct td_brace_rows {
         f8 work_without; /* work at the speeds without the impulses: p.u */
         f8 kept_share;   /* afterwards: the share of the impulses that is kept */
     };
-    float same_group; /* 1 where all lanes have the same group, else 0 */
-    float torn;       /* 1 where the group of a lane has a torn joint, else 0: bracing passes over
-                         the block. Valid after the first bracing of a step */
-    float unused[TD_LANES - 2];
+    float torn; /* 1 where the group of a lane has a torn joint, else 0: bracing passes over
+                   the block. Valid after the first bracing of a step */
+    float unused[TD_LANES - 1];
     f8 work_with; /* work at the speeds with the impulses: p.u' */
 } td_brace_rows;
 

@@ -148,20 +148,6 @@ static bool is_torn(const double *group, bool relaxed) {
     return group[OPENING] > (relaxed ? (double)TD_JOINT_CLOSING_FACTOR : 1.0);
 }
 
-/* Marks blocks with a lane whose group is torn, and those whose lanes have all the same group. */
-static void mark_block(thud_world *w, td_block *block, int unused) {
-    (void)unused;
-    const float *group = lane_groups(block);
-    td_brace_rows *rows = td_brace_rows_of(block);
-    bool torn = false, same = true;
-    for (int lane = 0; lane < block->used; lane++) {
-        torn |= is_torn(group_sums(w, group[lane]), false);
-        same &= group[lane] == group[0];
-    }
-    rows->torn = torn ? 1.0f : 0.0f;
-    rows->same_group = same ? 1.0f : 0.0f;
-}
-
 /* Numbers the groups once in a step: in the first substep, where the gaps are those at the start of
  * the step. Later calls do nothing. */
 static void number_groups(thud_world *w) {
@@ -177,25 +163,27 @@ static void number_groups(thud_world *w) {
         parents[slot.at] = td_root_of(parents, slot);
     }
     for_each_lock_block(w, number_lanes, 0);
-    for_each_lock_block(w, mark_block, 0);
 }
 
 /* Adds the work p.u (`which` WORK_WITHOUT) or p.u' (WORK_WITH) of a block's lanes to the sums of
- * their groups, and with p.u' the energy that they exchange. */
+ * their groups, and with p.u' the energy that they exchange. Marks blocks with a lane whose group
+ * is torn; the others have no part in bracing, and their work is that of an earlier pass. */
 static void add_work(thud_world *w, td_block *block, int which) {
     const float *group = lane_groups(block);
     td_brace_rows *rows = td_brace_rows_of(block);
     const float *work =
         (const float *)(which == WORK_WITH ? &rows->work_with : &rows->work_without);
-    for (int lane = 0; lane < block->used && rows->torn > 0.0f;) {
+    rows->torn = 0.0f;
+    for (int lane = 0; lane < block->used;) {
         double *sums = group_sums(w, group[lane]), sum = 0.0, exchanged = 0.0;
-        int end = rows->same_group > 0.0f ? block->used : lane + 1;
-        for (; lane < end; lane++) {
+        int first = lane;
+        for (; lane < block->used && group[lane] == group[first]; lane++) {
             sum += (double)work[lane];
             exchanged += (double)td_joint_abs(work[lane]);
         }
         sums[which] += sum;
         sums[EXCHANGED] += which == WORK_WITH ? exchanged : 0.0;
+        rows->torn = is_torn(sums, false) ? 1.0f : rows->torn;
     }
 }
 
@@ -215,9 +203,8 @@ static void add_work(thud_world *w, td_block *block, int which) {
 #define STRICT_LANES 64.0
 
 static double tolerated_gain(const double *group) {
-    double lanes = group[LANES];
-    return lanes > STRICT_LANES ? EXCHANGED_SHARE * (1.0 - STRICT_LANES / lanes) * group[EXCHANGED]
-                                : 0.0;
+    return EXCHANGED_SHARE * td_max_double(0.0, 1.0 - STRICT_LANES / group[LANES]) *
+           group[EXCHANGED];
 }
 
 /* Whether a group is braced if its impulses add this much energy. */
@@ -227,12 +214,11 @@ static bool is_braced(const double *group, bool relaxed, double energy) {
 
 /* The share of a group's impulses to keep, 0 .. 1; 1 where it is not braced. */
 static float share_to_keep(const double *group, bool relaxed) {
+    double growth = group[WORK_WITH] - group[WORK_WITHOUT];
     double energy = 0.5 * (group[WORK_WITHOUT] + group[WORK_WITH]);
-    double share = -(relaxed ? ZERO_ENERGY : MIN_ENERGY) * group[WORK_WITHOUT] /
-                   (group[WORK_WITH] - group[WORK_WITHOUT]);
-    bool scaled =
-        is_braced(group, relaxed, energy) && group[WORK_WITH] > group[WORK_WITHOUT] && share < 1.0;
-    return !scaled ? 1.0f : share > 0.0 ? (float)share : 0.0f;
+    double share = -(relaxed ? ZERO_ENERGY : MIN_ENERGY) * group[WORK_WITHOUT] / growth;
+    bool scaled = growth > 0.0 && is_braced(group, relaxed, energy);
+    return scaled ? (float)td_min_double(td_max_double(0.0, share), 1.0) : 1.0f;
 }
 
 /* Writes the shares to keep into a block's lanes, and limits the closing speed of lanes whose share
@@ -241,8 +227,7 @@ static void set_shares(thud_world *w, td_block *block, int relaxed) {
     const float *group = lane_groups(block);
     float *share = (float *)&td_brace_rows_of(block)->kept_share;
     float *closing_factor = (float *)&td_lock_rows_of(block)->closing_factor;
-    bool torn = td_brace_rows_of(block)->torn > 0.0f;
-    for (int lane = 0; lane < block->used && torn; lane++) {
+    for (int lane = 0; lane < block->used; lane++) {
         share[lane] = share_to_keep(group_sums(w, group[lane]), relaxed);
         closing_factor[lane] = share[lane] < 1.0f ? 1.0f : closing_factor[lane];
     }

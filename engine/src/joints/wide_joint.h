@@ -197,12 +197,6 @@ TD_INLINE void clear_applied(td_applied_impulse *applied) {
 typedef void td_brace_fn(td_block *block, const td_solve_context *c, bool a_static);
 td_brace_fn TD_WIDE(td_brace_applied);
 
-/* Whether the present pass of bracing works on a block: those of torn groups, and all blocks in the
- * pass that comes before the groups are found, the first one of the step. */
-TD_INLINE bool is_braced(td_block *block, const td_solve_context *c) {
-    return (c->first && c->brace == TD_BRACE_WORK_WITH) || td_brace_rows_of(block)->torn > 0.0f;
-}
-
 /* Sets c->torn, so that the step braces its joints (joint_brace.c), if a gap (`gap`, a length, or
  * `turn`, rad) at the start of the step is so wide that its bias would close it faster than
  * TD_JOINT_CLOSING_SPEED. */

@@ -185,11 +185,11 @@ TD_INLINE void relax(td_block *const *blocks, int count, const td_solve_context 
 TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool a_static) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
-        if (!is_braced(block, c)) {
-            continue;
-        }
         if (c->brace != TD_BRACE_WARM_START) {
             TD_WIDE(td_brace_applied)(block, c, a_static);
+            continue;
+        }
+        if (td_brace_rows_of(block)->torn == 0.0f) {
             continue;
         }
         td_point *p = &block->point[0], *q = &block->point[1];

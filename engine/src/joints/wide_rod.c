@@ -84,6 +84,9 @@ void TD_WIDE(td_brace_applied)(td_block *block, const td_solve_context *c, bool 
     td_applied_impulse *applied = &td_lock_rows_of(block)->applied;
     td_brace_rows *rows = td_brace_rows_of(block);
     sides v = read_sides(c->velocity, block, a_static);
+    if (rows->torn == 0.0f && !(c->first && c->brace == TD_BRACE_WORK_WITH)) {
+        return;
+    }
     if (c->brace == TD_BRACE_WORK_WITHOUT || c->brace == TD_BRACE_WORK_WITH) {
         f8 work = applied->x * v.b.x + applied->y * v.b.y + applied->moment_b * v.b.z;
         if (!a_static) {
@@ -114,11 +117,11 @@ void TD_WIDE(td_brace_applied)(td_block *block, const td_solve_context *c, bool 
 TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool a_static) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
-        if (!is_braced(block, c)) {
-            continue;
-        }
         if (c->brace != TD_BRACE_WARM_START) {
             TD_WIDE(td_brace_applied)(block, c, a_static);
+            continue;
+        }
+        if (td_brace_rows_of(block)->torn == 0.0f) {
             continue;
         }
         td_lock_rows *rows = td_lock_rows_of(block);
