@@ -1,6 +1,6 @@
 /* contact_check.h: checks that a direct solution of joints does not press contacts together. */
-#ifndef TD_ISLAND_CONTACTS_H
-#define TD_ISLAND_CONTACTS_H
+#ifndef TD_CONTACT_CHECK_H
+#define TD_CONTACT_CHECK_H
 
 #include "direct/island_step.h"
 

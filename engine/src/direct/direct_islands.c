@@ -69,15 +69,6 @@ static bool reserve_lists(thud_world *w) {
 
 /* ---- which islands are direct ---- */
 
-/* Values of td_islands.local of bodies that are in no listed island; further ones are
- * TD_ISLAND_COOLING, TD_ISLAND_REFUSED, and UNFIT of joint_subsystems.c. */
-enum {
-    TOO_MANY = -1, /* its island has more bodies than quality.island_limit */
-    ALONE = -2,    /* it has no constraint that acts */
-    SOFT = -4 /* its island has joints, and none of its bodies is marked; forget_soft removes it
-                 before -4 means TD_ISLAND_REFUSED */
-};
-
 /* Whether every island without joints is direct: so under `bisect` and `swept`, whose contacts must
  * not give way under a load (take_island_solver, solver/quality.c). */
 static bool contact_islands_are_direct(const thud_world *w) {
@@ -144,9 +135,9 @@ void td_islands_count_down(thud_world *w) {
             *td_slow_steps_at(w, slot) = (uint16_t)(times * TD_SLOW_ONCE);
         }
         direct_steps[slot.at] = (uint8_t)after;
-        if (*td_island_local_at(w, slot) == TOO_MANY) {
+        if (*td_island_local_at(w, slot) == TD_ISLAND_TOO_MANY) {
             cool_down(w, slot, TD_COOLDOWN_STEPS, 1);
-        } else if (*td_island_local_at(w, slot) == ALONE) {
+        } else if (*td_island_local_at(w, slot) == TD_ISLAND_ALONE) {
             direct_steps[slot.at] = 0;
         }
     }
@@ -163,7 +154,7 @@ static bool add_constraints_of(thud_world *w, td_island *island, td_awake_slot s
         }
         td_awake_slot other = td_island_neighbour(w, constraint, td_edge_side(e));
         bool is_new = other.at && *td_island_local_at(w, other) == 0;
-        if (other.at && (*td_island_local_at(w, other) == TOO_MANY ||
+        if (other.at && (*td_island_local_at(w, other) == TD_ISLAND_TOO_MANY ||
                          (is_new && island->bodies == w->quality.island_limit))) {
             return false;
         }
@@ -235,10 +226,10 @@ void td_islands_list_from(thud_world *w, td_awake_slot seed) {
         return;
     }
     for (int i = island.first_body; i < s->slots.count; i++) {
-        *td_island_local_at(w, td_slot_in(&s->slots, i)) = !whole    ? TOO_MANY
+        *td_island_local_at(w, td_slot_in(&s->slots, i)) = !whole    ? TD_ISLAND_TOO_MANY
                                                            : cooling ? TD_ISLAND_COOLING
-                                                           : wanted  ? ALONE
-                                                                     : SOFT;
+                                                           : wanted  ? TD_ISLAND_ALONE
+                                                                     : TD_ISLAND_SOFT;
     }
     s->slots.count = island.first_body;
     s->constraints.count = island.first_constraint;
@@ -250,7 +241,7 @@ static void forget_soft(thud_world *w) {
     for (td_awake_slot slot = {1};
          slot.at < w->islands.local.count && contact_islands_are_direct(w); slot.at++) {
         int *local = td_island_local_at(w, slot);
-        *local = *local == SOFT ? 0 : *local;
+        *local = *local == TD_ISLAND_SOFT ? 0 : *local;
     }
 }
 

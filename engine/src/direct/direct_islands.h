@@ -6,8 +6,8 @@
  * island is solved directly if a contact would sink in by more than the quality's overlap_limit (a
  * share of the smaller body's size) or the world's max_error (a length). With overlap_limit 0 every
  * island is solved directly. */
-#ifndef TD_ISLANDS_H
-#define TD_ISLANDS_H
+#ifndef TD_DIRECT_ISLANDS_H
+#define TD_DIRECT_ISLANDS_H
 
 #include "base/indices.h"
 #include "direct/direct.h"
@@ -36,7 +36,7 @@ typedef struct td_islands {
     td_array slots;       /* td_awake_slot: bodies, island by island */
     td_array constraints; /* int: constraints, island by island */
     td_array local;       /* int, by awake slot: 1 + the body's number in its island; 0: in no
-                             island; negative: the reason why it is in none (direct_islands.c) */
+                             island; negative: the reason why it is in none, see below */
     td_array island_start_velocity; /* float[4], parallel to `slots`: rows of thud_world.velocity
                                        as they were before the soft solver */
     td_array impulses; /* float[4], parallel to `constraints`: warm-start impulses of two points and
@@ -81,10 +81,18 @@ struct thud_island_solver {
     void (*end)(struct thud_world *w);
 };
 
-/* The value of td_islands.local of the bodies of an island that is in its cooldown. A few of its
- * bodies may still be marked as direct, as those of a machine that has just touched a heap in
- * cooldown. */
-enum { TD_ISLAND_COOLING = -3 };
+/* Values of td_islands.local of bodies that are in no listed island. */
+enum {
+    TD_ISLAND_TOO_MANY = -1, /* its island has more bodies than quality.island_limit */
+    TD_ISLAND_ALONE = -2,    /* it has no constraint that acts */
+    TD_ISLAND_COOLING = -3,  /* its island is in its cooldown. A few of the bodies may still be
+                                marked as direct, as those of a machine that has just touched a heap
+                                in cooldown */
+    TD_ISLAND_REFUSED = -4,  /* its island was listed, and the soft solver's result was kept */
+    TD_ISLAND_UNFIT = -5,    /* its linkage cannot be solved in this step (joint_subsystems.c) */
+    TD_ISLAND_SOFT = -6      /* its island has joints, and none of its bodies is marked; forget_soft
+                                removes it (direct_islands.c) */
+};
 
 void td_islands_init(td_islands *islands, bool wide);
 void td_islands_free(td_memory *memory, td_islands *islands);

@@ -1,7 +1,7 @@
 /* elimination_order.h: bodies of islands by number, and the order in which a factorisation
  * eliminates them. */
-#ifndef TD_ISLAND_ORDER_H
-#define TD_ISLAND_ORDER_H
+#ifndef TD_ELIMINATION_ORDER_H
+#define TD_ELIMINATION_ORDER_H
 
 #include "state/world.h"
 

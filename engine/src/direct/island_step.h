@@ -1,8 +1,8 @@
 /* island_step.h: the data of one island while the direct solver works on it, and the functions that
  * solve one step of it: set up (island_problem.c), solve and write (island_step.c), and the
  * solution for islands with joints (island_step_joints.c). */
-#ifndef TD_ISLAND_DIRECT_H
-#define TD_ISLAND_DIRECT_H
+#ifndef TD_ISLAND_STEP_H
+#define TD_ISLAND_STEP_H
 
 #include "constraint/joint_hooks.h"
 #include "direct/rows.h"

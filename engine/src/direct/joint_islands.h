@@ -39,12 +39,8 @@ bool td_joint_island_begin(thud_world *w, td_island *island);
 /* Solves an island of 1., or one that td_joint_island_begin has prepared (td_island_solve), and
  * writes the result to the world. The soft solver's result is kept if the direct solve does not
  * converge, exceeds its budget, fails its checks, or a contact bounces; td_islands.local of the
- * bodies then becomes TD_ISLAND_REFUSED. */
+ * bodies then becomes TD_ISLAND_REFUSED, and 3. may still solve their linkages. */
 void td_joint_island_solve(thud_world *w, const td_island *island);
-/* The value of td_islands.local of a body whose island was tried in this step without success; 3.
- * may still solve its linkages. Other negative values stand in direct_islands.c and
- * joint_subsystems.c. */
-enum { TD_ISLAND_REFUSED = -4 };
 
 /* overloaded_joints.c: 2. above. `last` is the last system of the islands of 1.: systems for 2. are
  * appended after it, and removed before the function returns. */

@@ -37,8 +37,6 @@ enum { OVERLOADED_MAX = 64 };
  * such a machine is solved directly, the friction of its contacts is taken as known, and its feet
  * slide (seen in the walker, on rock). */
 enum { OVERLOADED_PART = 2, OVERLOADED_PART_OF_LOCKS = 4 };
-/* The value of td_islands.local of bodies whose linkage cannot be solved in this step. */
-enum { UNFIT = -5 };
 
 bool td_joint_subsystems_expected(const thud_world *w) {
     const uint8_t *direct_steps = w->direct_steps.data;
@@ -79,7 +77,7 @@ static void note_outcome(thud_world *w, const td_island *linkage, bool solved) {
  * was refused. */
 static bool is_soft(const thud_world *w, td_awake_slot slot) {
     int local = *td_island_local_at(w, slot);
-    bool left = *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN && local != UNFIT;
+    bool left = *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN && local != TD_ISLAND_UNFIT;
     bool tried = local == TD_ISLAND_REFUSED || local == TD_ISLAND_COOLING;
     return td_inv_mass_of(w, slot) > 0.0f && local <= 0 && (left || tried);
 }
@@ -113,7 +111,7 @@ static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot,
             counts->contacts += other.at > 0;
             continue;
         }
-        if (other.at && *td_island_local_at(w, other) == UNFIT) {
+        if (other.at && *td_island_local_at(w, other) == TD_ISLAND_UNFIT) {
             return false;
         }
         if (other.at && *td_island_local_at(w, other) <= 0) {
@@ -148,7 +146,7 @@ static bool collect(thud_world *w, td_awake_slot seed, td_island *linkage) {
     whole = whole && counts.contacts <= linkage->bodies &&
             part * counts.overloaded >= linkage->constraints;
     for (int i = 0; !whole && i < s->slots.count; i++) {
-        *td_island_local_at(w, td_slot_in(&s->slots, i)) = UNFIT;
+        *td_island_local_at(w, td_slot_in(&s->slots, i)) = TD_ISLAND_UNFIT;
     }
     return whole;
 }

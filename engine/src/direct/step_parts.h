@@ -1,6 +1,6 @@
 /* step_parts.h: the number of parts into which a step of an island with joints is divided. */
-#ifndef TD_ISLAND_PARTS_H
-#define TD_ISLAND_PARTS_H
+#ifndef TD_STEP_PARTS_H
+#define TD_STEP_PARTS_H
 
 #include "direct/island_step.h"
 
