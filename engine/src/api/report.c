@@ -104,6 +104,7 @@ thud_result thud_world_get_stats(const thud_world *w, thud_stats *out) {
 }
 
 thud_result thud_world_get_step_error(const thud_world *w, thud_step_error *out) {
+    TD_IN_OWN_FLOAT_MODE;
     if (!w || !out) {
         return THUD_ERROR_NULL;
     }

@@ -45,6 +45,7 @@ thud_result thud_shape_set_restitution(thud_world *w, thud_shape_id id, float re
 }
 
 thud_result thud_shape_set_surface_speed(thud_world *w, thud_shape_id id, float surface_speed) {
+    TD_IN_OWN_FLOAT_MODE;
     float max = w ? THUD_SURFACE_SPEED_MAX * w->length_scale : 0.0f;
     return set(w, id, offsetof(td_shape, surface_speed), surface_speed, -max, max,
                "set surface speed: surface_speed");

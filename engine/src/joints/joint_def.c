@@ -189,6 +189,7 @@ static void read_drives(const td_joint *joint, thud_joint_def *def) {
 }
 
 thud_result thud_joint_get_def(const thud_world *w, thud_joint_id id, thud_joint_def *out) {
+    TD_IN_OWN_FLOAT_MODE;
     int index = 0;
     thud_result result = td_find_joint(w, id, false, &index);
     if (result != THUD_OK || !out) {

@@ -4,6 +4,7 @@
 
 thud_result thud_joint_set_drive(thud_world *w, thud_joint_id id, thud_direction direction,
                                  const thud_drive *drive) {
+    TD_IN_OWN_FLOAT_MODE;
     int index = 0;
     thud_result result = td_find_joint(w, id, true, &index);
     if (result != THUD_OK) {
@@ -34,6 +35,7 @@ thud_result thud_joint_set_drive(thud_world *w, thud_joint_id id, thud_direction
 }
 
 thud_result thud_joint_set_length(thud_world *w, thud_joint_id id, float length) {
+    TD_IN_OWN_FLOAT_MODE;
     int index = 0;
     thud_result result = td_find_joint(w, id, true, &index);
     if (result != THUD_OK) {
@@ -54,6 +56,7 @@ thud_result thud_joint_set_length(thud_world *w, thud_joint_id id, float length)
 }
 
 thud_result thud_joint_set_enabled(thud_world *w, thud_joint_id id, bool enabled) {
+    TD_IN_OWN_FLOAT_MODE;
     int index = 0;
     thud_result result = td_find_joint(w, id, true, &index);
     if (result != THUD_OK) {
@@ -80,6 +83,7 @@ thud_result thud_joint_set_enabled(thud_world *w, thud_joint_id id, bool enabled
 
 thud_result thud_joint_set_frame(thud_world *w, thud_joint_id id, int side,
                                  thud_joint_frame frame) {
+    TD_IN_OWN_FLOAT_MODE;
     int index = 0;
     thud_result result = td_find_joint(w, id, true, &index);
     if (result != THUD_OK) {

@@ -264,6 +264,7 @@ bool td_is_packed(const void *bytes, size_t count) {
 
 thud_result thud_world_pack(const thud_world *w, thud_bytes base, thud_bytes snapshot, void *buffer,
                             size_t capacity, size_t *out_bytes) {
+    TD_IN_OWN_FLOAT_MODE;
     thud_result result = check(w, base, snapshot, buffer, capacity, out_bytes);
     if (result != THUD_OK) {
         return result;
@@ -345,6 +346,7 @@ static bool unpack(thud_world *w, passage *p, uint8_t *buffer, size_t bytes) {
 
 thud_result thud_world_unpack(const thud_world *w, thud_bytes base, thud_bytes packed, void *buffer,
                               size_t capacity, size_t *out_bytes) {
+    TD_IN_OWN_FLOAT_MODE;
     thud_result result = check(w, base, packed, buffer, capacity, out_bytes);
     if (result != THUD_OK) {
         return result;

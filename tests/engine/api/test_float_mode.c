@@ -1,9 +1,11 @@
 /* test_float_mode.c: results have the same bits in whichever floating-point mode (rounding,
  * denormals) the calling thread is, and the thread has its own mode afterwards. On a processor
  * without such a mode only the calls are made. */
-#include "engine_support.h"
+#include "joint_support.h"
 
 #include <thud/thud_mover.h>
+#include <thud/thud_packed.h>
+#include <thud/thud_snapshot.h>
 
 #include "build_thud.h"
 #include "some_threads.h"
@@ -267,6 +269,91 @@ static void every_call_does_the_same_in_any_mode(void **state) {
     }
 }
 
+/* ---- joints ---- */
+
+/* A body with half extents 0.3, joined to the wall by `kind` with an anchor at (x, 0) of it. */
+static thud_joint_id join(deeds *d, thud_body_id wall, thud_joint_kind kind, float x) {
+    thud_body_id body = add_box(d->world, (double)x, 1, 0.3f, 1);
+    return make(d->world, between(kind, wall, body, (thud_vec2){x, 0}, (thud_vec2){0.1f, 0.7f}));
+}
+
+/* Makes every call that changes or reads a joint, in the caller's mode. */
+static uint64_t do_joints(void) {
+    deeds d = {.world = world_at(&thud_quality_default), .seen = 1};
+    thud_body_id wall = add_body(d.world, THUD_BODY_STATIC, 0, 0, 0);
+    thud_joint_id axle[2], weld = join(&d, wall, THUD_JOINT_WELD, 7.3f);
+    thud_joint_def def = thud_default_joint_def(THUD_JOINT_GEAR);
+    for (int i = 0; i < 2; i++) {
+        axle[i] = def.gear[i] = join(&d, wall, THUD_JOINT_HINGE, 2.1f * (float)i);
+    }
+    def.ratio = 0.37f;
+    thud_joint_id gear = make(d.world, def);
+    for (int i = 0; i < 40; i++) {
+        thud_step_error error;
+        thud_joint_frame frame = {{7.3f, 0.01f * (float)i}, 0.013 * i};
+        IN_MODE(thud_joint_set_frame(d.world, weld, 0, frame));
+        IN_MODE(thud_joint_set_enabled(d.world, gear, i % 3 == 0));
+        IN_MODE(thud_joint_get_def(d.world, weld, &def));
+        see(&d, &def.frame_a, sizeof def.frame_a);
+        OK(thud_world_step(d.world));
+        IN_MODE(thud_world_get_step_error(d.world, &error));
+        see(&d, &error.joint_gap_mean, sizeof error.joint_gap_mean);
+    }
+    IN_MODE(thud_joint_set_length(d.world, join(&d, wall, THUD_JOINT_DISTANCE, 1), 0.7f));
+    IN_MODE(thud_joint_set_drive(d.world, axle[1], THUD_DIRECTION_TURN,
+                                 &(thud_drive){.motor_speed = 0.3f, .motor_force = 1}));
+    OK(thud_world_step(d.world));
+    uint64_t hash = thud_hash_of(d.world);
+    see(&d, &hash, sizeof hash);
+    thud_world_destroy(d.world);
+    return d.seen;
+}
+
+static void joints_are_set_and_read_the_same_in_any_mode(void **state) {
+    (void)state;
+    uint64_t seen[MODE_COUNT];
+    for (int m = 0; m < MODE_COUNT; m++) {
+        callers = MODES[m].mode;
+        seen[m] = do_joints();
+        if (seen[m] != seen[0]) {
+            fail_msg("joints differ where the caller has %s", MODES[m].name);
+        }
+    }
+}
+
+/* ---- packed snapshots ---- */
+
+enum { PACKED_MAX = 1 << 20 };
+
+/* What was packed in one mode is unpacked in another. */
+static void packed_snapshots_are_the_same_bytes_in_any_mode(void **state) {
+    (void)state;
+    static char base[PACKED_MAX], now[PACKED_MAX], packed[2][PACKED_MAX], unpacked[PACKED_MAX];
+    size_t base_bytes, bytes, packed_bytes[2], unpacked_bytes;
+    scene s;
+    thud_world *world;
+    assert_true(scenes_fill(scenes_find("platformer"), 200, &s));
+    OK(scene_build_thud(&s, NULL, &world, NULL, NULL));
+    run(world, 30);
+    OK(thud_world_snapshot(world, base, sizeof base, &base_bytes));
+    run(world, 1);
+    OK(thud_world_snapshot(world, now, sizeof now, &bytes));
+    thud_bytes from = {base, base_bytes}, to = {now, bytes};
+    OK(thud_world_pack(world, from, to, packed[0], PACKED_MAX, &packed_bytes[0]));
+    for (int m = 0; m < MODE_COUNT; m++) {
+        callers = MODES[m].mode;
+        IN_MODE(thud_world_pack(world, from, to, packed[1], PACKED_MAX, &packed_bytes[1]));
+        assert_int_equal(packed_bytes[1], packed_bytes[0]);
+        assert_memory_equal(packed[1], packed[0], packed_bytes[0]);
+        IN_MODE(thud_world_unpack(world, from, (thud_bytes){packed[0], packed_bytes[0]}, unpacked,
+                                  PACKED_MAX, &unpacked_bytes));
+        assert_int_equal(unpacked_bytes, bytes);
+        assert_memory_equal(unpacked, now, bytes);
+    }
+    thud_world_destroy(world);
+    scene_free(&s);
+}
+
 /* ---- callbacks ---- */
 
 /* A prologue: *context is whether it is called in the world's own mode. */
@@ -299,6 +386,8 @@ int main(void) {
         cmocka_unit_test(qualities_end_with_the_same_bits_in_any_mode),
         cmocka_unit_test(workers_in_any_mode_give_the_same_bits),
         cmocka_unit_test(every_call_does_the_same_in_any_mode),
+        cmocka_unit_test(joints_are_set_and_read_the_same_in_any_mode),
+        cmocka_unit_test(packed_snapshots_are_the_same_bytes_in_any_mode),
         cmocka_unit_test(callbacks_are_called_in_the_worlds_own_mode),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
