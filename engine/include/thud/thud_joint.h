@@ -157,10 +157,11 @@ typedef struct thud_joint_def {
      * static body and a dynamic one. The dynamic bodies, which must be different, are the gear's
      * bodies; body_a, body_b and the frames of its def are not used. The gear keeps the sum q0 +
      * ratio * q1 of the joints' coordinates (turn of a hinge or a wheel, along of the others) at
-     * its value when the gear was created, over any number of turns. While either joint is disabled
-     * the gear does nothing; when both are enabled again, it keeps the value that the sum has then.
-     * It is destroyed with either joint. Its directions are those at the start of a step: a gear of
-     * distances has an error proportional to the square of their rotation in a step. */
+     * its value when the gear was created, over any number of turns. While the gear, either joint
+     * or either of its bodies is disabled, the gear does nothing; when all are enabled again, it
+     * keeps the value that the sum has then. It is destroyed with either joint. Its directions are
+     * those at the start of a step: a gear of distances has an error proportional to the square of
+     * their rotation in a step. */
     thud_joint_id gear[2];
     float ratio;            /* of a gear, |ratio| in [THUD_GEAR_RATIO_MIN, THUD_GEAR_RATIO_MAX];
                                default 1: they turn in opposite directions, as two wheels that

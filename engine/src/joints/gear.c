@@ -1,10 +1,11 @@
 /* gear.c: gears. A gear couples the coordinates q0, q1 of two joints, each between a static body
  * and a dynamic one, by the equality row
  *     q0 + ratio q1 - rest = 0
- * where `rest` is the value of q0 + ratio q1 when the gear was made, or enabled again. The
- * coordinate of a hinge or wheel is its rotation, counted over any number of turns; of a slider,
- * the displacement along; of a distance, its length. The gear's sides are the dynamic bodies of
- * both joints. Its Jacobian is that of the start of a step. */
+ * where `rest` is the value of q0 + ratio q1 when the gear was made, or when it acts again after
+ * it, one of the joints or of their bodies was disabled: then turns are not counted. The coordinate
+ * of a hinge or wheel is its rotation, counted over any number of turns; of a slider, the
+ * displacement along; of a distance, its length. The gear's sides are the dynamic bodies of both
+ * joints. Its Jacobian is that of the start of a step. */
 #include "joints/gear.h"
 
 #include "base/rotation.h"
@@ -23,13 +24,12 @@ bool td_gear_by_angle(const td_joint *joint) {
 }
 
 bool td_gear_has_joints(const thud_world *w, const td_joint *joint) {
+    bool has = true;
     for (int i = 0; i < 2; i++) {
         const td_joint *of = member(w, joint, i);
-        if (!of->live || of->generation != joint->gear.generation[i]) {
-            return false;
-        }
+        has &= of->live && of->generation == joint->gear.generation[i];
     }
-    return true;
+    return has;
 }
 
 /* ---- coordinates ---- */
@@ -106,8 +106,8 @@ static void coordinate_gradient(const thud_world *w, const td_joint *joint, floa
 }
 
 /* Sets and returns td_gear.apart: whether one of the gear's joints is disabled, so that the gear
- * does not act. When both are enabled again, sets `rest` from their present coordinates, so that
- * the gear does not jump back to the old ones. */
+ * does not act. When the gear acts again, sets `rest` from the present coordinates, so that it does
+ * not jump back to the old ones. */
 static bool update_apart(const thud_world *w, td_joint *gear) {
     bool apart = member(w, gear, 0)->disabled || member(w, gear, 1)->disabled;
     if (!apart && gear->gear.apart) {
@@ -149,12 +149,17 @@ float td_gear_inverse_mass(const thud_world *w, const td_block *block, int lane)
            b * (u * u + v * v) + block->inv_inertia_b[lane] * p->cross_b[lane] * p->cross_b[lane];
 }
 
+/* Whether the gap of a lane's gear, which is in units of the first coordinate, is an angle. */
+static bool turns(const thud_world *w, const td_block *block, int lane) {
+    const td_joint *gear = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));
+    return td_gear_by_angle(member(w, gear, 0));
+}
+
 /* td_lane_ops.load: the impulse of a substep over the effective mass, a speed. *off: the gap, a
  * length. Angles are multiplied by `size` to become lengths. */
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = &block->point[0];
-    const td_joint *gear = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));
-    float length = td_gear_by_angle(member(w, gear, 0)) ? size : 1.0f;
+    float length = turns(w, block, lane) ? size : 1.0f;
     *off = td_joint_abs(p->separation[lane]) * length;
     return td_joint_abs(p->normal_impulse[lane]) * td_gear_inverse_mass(w, block, lane) * length;
 }
@@ -175,12 +180,6 @@ static void count(thud_world *w, const td_block *block) {
 
 /* ---- for the direct solver ---- */
 
-/* td_gap_unit of a gear: its gap is in units of the first coordinate. */
-static double gap_unit(const thud_world *w, const td_block *block, int lane) {
-    const td_joint *gear = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));
-    return td_gap_unit(w, td_gear_by_angle(member(w, gear, 0)));
-}
-
 /* td_take_rows_fn: one equality row. */
 static bool take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
                       td_direct_constraint *c) {
@@ -191,8 +190,9 @@ static bool take_rows(const thud_world *w, td_block *block, int lane, const floa
         .a = {(double)rows->a_x[lane], (double)rows->a_y[lane], (double)p->cross_a[lane]},
         .b = {(double)block->nx[lane], (double)block->ny[lane], (double)p->cross_b[lane]},
         .impulse = 0.5 * (double)impulses[0],
-        .target_speed = td_joint_closing_speed((double)p->start_separation[lane],
-                                               gap_unit(w, block, lane), w->def.time_step),
+        .target_speed =
+            td_joint_closing_speed((double)p->start_separation[lane],
+                                   td_gap_unit(w, turns(w, block, lane)), w->def.time_step),
         .used = p->normal_mass[lane] > 0.0f};
     return false;
 }
@@ -206,7 +206,8 @@ static void update_rows(const thud_world *w, const td_block *block, int lane, co
         gap += row->a[k] * s->a[0][k] + row->b[k] * s->b[0][k];
     }
     row->target_speed =
-        s->time > 0.0 ? td_joint_closing_speed(gap, gap_unit(w, block, lane), s->time) : 0.0;
+        s->time > 0.0 ? td_joint_closing_speed(gap, td_gap_unit(w, turns(w, block, lane)), s->time)
+                      : 0.0;
     row->closing = s->time > 0.0 ? td_abs(row->target_speed) : row->closing;
 }
 

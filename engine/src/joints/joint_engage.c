@@ -144,6 +144,9 @@ bool td_joints_engage(thud_world *w) {
 void td_joints_suspend(thud_world *w, td_body_index body) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
+        if (constraint->kind == TD_CONSTRAINT_GEAR) {
+            td_joint_of(w, constraint)->gear.apart = 1;
+        }
         if (!td_is_contact(constraint) && constraint->state == TD_TOUCHING) {
             td_lane_remove(w, td_edge_constraint(e));
             td_constraint_wait(w, td_edge_constraint(e));

@@ -1,5 +1,5 @@
 /* joint_set.c: the calls that change joints; see thud_joint.h. */
-#include "joints/gear.h"
+#include "joints/joint.h"
 #include "state/handles.h"
 
 thud_result thud_joint_set_drive(thud_world *w, thud_joint_id id, thud_direction direction,
@@ -56,7 +56,6 @@ thud_result thud_joint_set_length(thud_world *w, thud_joint_id id, float length)
 }
 
 thud_result thud_joint_set_enabled(thud_world *w, thud_joint_id id, bool enabled) {
-    TD_IN_OWN_FLOAT_MODE;
     int index = 0;
     thud_result result = td_find_joint(w, id, true, &index);
     if (result != THUD_OK) {
@@ -67,8 +66,8 @@ thud_result thud_joint_set_enabled(thud_world *w, thud_joint_id id, bool enabled
         return THUD_OK;
     }
     joint->disabled = !enabled;
-    if (enabled && joint->kind == THUD_JOINT_GEAR && td_gear_has_joints(w, joint)) {
-        td_gear_set_rest(w, joint);
+    if (joint->kind == THUD_JOINT_GEAR) {
+        joint->gear.apart = 1;
     }
     for (int i = 0; i < TD_JOINT_PARTS; i++) {
         int part = joint->part[i];

@@ -198,7 +198,8 @@ typedef struct td_gear {
     uint32_t generation[2]; /* generations of both joints when the gear was made */
     uint32_t last[2];       /* angles in the last step, to count full turns by */
     float ratio;
-    int32_t apart;     /* 1: one of the joints is disabled, and the gear does nothing */
+    int32_t apart;     /* 1: the gear does nothing, since it, one of the joints or of its bodies is
+                          or was disabled; as it acts again it takes a new `rest` */
     int64_t turned[2]; /* rotations counted, 2^32 is a full turn */
     double rest;
 } td_gear;

@@ -111,6 +111,37 @@ static void gear_lets_go_with_a_joint_and_goes_with_it(void **state) {
     thud_world_destroy(t.world);
 }
 
+/* A wheel turns by several turns while the other one, or the gear, is disabled. The gear then holds
+ * both where they are: whole turns that it has not counted do not make it jump. */
+static void gear_holds_both_wheels_where_they_are_when_it_acts_again(void **state) {
+    (void)state;
+    for (int q = 0; q < QUALITIES; q++) {
+        for (int k = 0; k < 2; k++) {
+            train t = make_train(qualities[q], 1);
+            run(t.world, 5);
+            OK(k ? thud_joint_set_enabled(t.world, t.gear, false)
+                 : thud_body_set_enabled(t.world, t.wheel[1], false));
+            OK(thud_body_set_velocity(t.world, t.wheel[0], middle, 20));
+            run(t.world, 50); /* 2.65 turns */
+            near_to(state_of(t.world, t.wheel[0]).angular_velocity, 20, 1e-3);
+            OK(thud_body_set_velocity(t.world, t.wheel[0], middle, 0));
+            OK(k ? thud_joint_set_enabled(t.world, t.gear, true)
+                 : thud_body_set_enabled(t.world, t.wheel[1], true));
+            for (int i = 0; i < 30; i++) {
+                run(t.world, 1);
+                near_to(state_of(t.world, t.wheel[0]).angular_velocity, 0, 1e-3);
+                near_to(joint_of(t.world, t.gear).angle_gap, 0, 1e-3);
+            }
+            OK(thud_body_set_velocity(t.world, t.wheel[0], middle, 5));
+            run(t.world, 30);
+            thud_body_state a = state_of(t.world, t.wheel[0]), b = state_of(t.world, t.wheel[1]);
+            near_to(a.angular_velocity, -b.angular_velocity, 1e-2);
+            assert_true(b.angular_velocity < -1);
+            thud_world_destroy(t.world);
+        }
+    }
+}
+
 /* The def of a gear is read back, and lists contain it until one of its joints is destroyed. */
 static void gear_is_read_as_it_was_made_and_listed_while_it_is_there(void **state) {
     (void)state;
@@ -295,6 +326,7 @@ int main(void) {
         cmocka_unit_test(gears_turn_together_over_many_turns),
         cmocka_unit_test(gear_of_distances_is_a_pulley),
         cmocka_unit_test(gear_lets_go_with_a_joint_and_goes_with_it),
+        cmocka_unit_test(gear_holds_both_wheels_where_they_are_when_it_acts_again),
         cmocka_unit_test(gear_is_read_as_it_was_made_and_listed_while_it_is_there),
         cmocka_unit_test(gears_of_what_they_cannot_tie_are_refused),
         cmocka_unit_test(gears_go_on_from_snapshots),
