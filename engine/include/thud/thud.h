@@ -420,8 +420,9 @@ THUD_NODISCARD THUD_API thud_result thud_shape_create_circle(thud_world *world, 
                                                              const thud_shape_def *def,
                                                              thud_vec2 offset, float radius,
                                                              thud_shape_id *out);
-/* A box that stays parallel to the axes: the rotation of its body is fixed from then on, and the
- * body's angle must be 0. */
+/* A box that stays parallel to the axes: the rotation of its body is fixed while it has one, and
+ * the body's angle must be 0. Once its last AABB was destroyed, the body takes an angle again, and
+ * turns from the next step on. */
 THUD_NODISCARD THUD_API thud_result thud_shape_create_aabb(thud_world *world, thud_body_id body,
                                                            const thud_shape_def *def,
                                                            thud_vec2 offset, thud_vec2 half_extents,

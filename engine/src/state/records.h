@@ -48,7 +48,7 @@ enum {
 typedef struct td_body {
     int32_t next_free; /* must be the first member: td_slots */
     uint32_t generation;
-    uint8_t kind, flags, changes, aabbs; /* aabbs: 1 from the body's first AABB on, which fixes its
+    uint8_t kind, flags, changes, aabbs; /* aabbs: 1 while the body has an AABB, which fixes its
                                             rotation; else 0 */
     td_awake_slot awake;                 /* TD_NONE: static, asleep, or waits for the next step */
     int32_t first_shape, shape_count;

@@ -326,12 +326,28 @@ thud_result thud_shape_get_terrain(const thud_world *w, thud_shape_id id, thud_t
 
 /* ---- the rest of a shape's life ---- */
 
+/* Frees the rotation of a body whose last AABB was destroyed. Its inertia follows in the next step,
+ * as its mass does; one that the caller set (TD_BODY_MASS_GIVEN) acts at once. */
+static void free_rotation(const thud_world *w, td_body *body) {
+    body->aabbs = 0;
+    for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        const td_shape *shape = td_shape_at(w, i);
+        body->aabbs |= (shape->flags & TD_SHAPE_LIVE) && td_kind_fixes_rotation(shape->kind);
+    }
+    bool given = (body->flags & (TD_BODY_MASS_GIVEN | TD_BODY_FIXED)) == TD_BODY_MASS_GIVEN;
+    if (given && !body->aabbs && body->inertia > 0.0f) {
+        body->inv_inertia = 1.0f / body->inertia;
+    }
+}
+
 thud_result thud_shape_destroy(thud_world *w, thud_shape_id id) {
+    TD_IN_OWN_FLOAT_MODE;
     int index;
     thud_result result = td_find_shape(w, id, &index);
     if (result == THUD_OK) {
         td_shape *shape = td_shape_at(w, index);
         shape->flags &= (uint8_t)~TD_SHAPE_LIVE;
+        free_rotation(w, td_body_at(w, shape->body));
         td_body_mark(w, shape->body, TD_CHANGE_SHAPES);
     }
     return result;

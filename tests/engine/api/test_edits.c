@@ -222,6 +222,41 @@ static void given_mass_outlasts_shapes_and_fixing(void **state) {
     thud_world_destroy(s.world);
 }
 
+/* An AABB fixes the rotation of its body, also of one whose mass was set, until the last one is
+ * destroyed. Then the body turns and takes an angle, as one that never had an AABB. */
+static void body_turns_again_without_its_aabbs(void **state) {
+    (void)state;
+    for (int k = 0; k < 3; k++) {
+        thud_body_kind kind = k == 2 ? THUD_BODY_KINEMATIC : THUD_BODY_DYNAMIC;
+        thud_world *w = make_world(thud_default_world_def());
+        thud_shape_def def = thud_default_shape_def();
+        thud_body_id body = add_body(w, kind, 0, 20, 0);
+        thud_shape_id box[2];
+        for (int i = 0; i < 2; i++) {
+            OK(thud_shape_create_aabb(w, body, &def, (thud_vec2){(float)i, 0},
+                                      (thud_vec2){0.5f, 0.5f}, &box[i]));
+        }
+        if (k == 1) {
+            OK(thud_body_set_mass(w, body, &(thud_mass){3, 0.5f, {0, 0}}));
+        }
+        OK(thud_shape_destroy(w, box[0]));
+        steps(w, 1);
+        thud_pos place = {0, 20};
+        assert_int_equal(thud_body_set_transform(w, body, place, 0.5), THUD_ERROR_INVALID);
+        assert_true(state_of(w, body).inertia == 0);
+        OK(thud_shape_destroy(w, box[1]));
+        OK(thud_shape_create_circle(w, body, &def, (thud_vec2){0, 0}, 0.5f, NULL));
+        OK(thud_body_set_transform(w, body, place, 0.25));
+        steps(w, 1);
+        assert_true(k != 1 || state_of(w, body).inertia == 0.5f);
+        OK(thud_body_set_transform(w, body, place, 0.5));
+        OK(thud_body_set_velocity(w, body, (thud_vec2){0, 0}, 3));
+        steps(w, 1);
+        near_to(state_of(w, body).angle, 0.5 + 3.0 / 60, 1e-5);
+        thud_world_destroy(w);
+    }
+}
+
 static void what_is_out_of_range_changes_nothing(void **state) {
     (void)state;
     scene s = make_scene(&thud_quality_default, NULL, true);
@@ -286,6 +321,7 @@ int main(void) {
         cmocka_unit_test(each_change_has_its_effect),
         cmocka_unit_test(filters_begin_and_end_contacts),
         cmocka_unit_test(given_mass_outlasts_shapes_and_fixing),
+        cmocka_unit_test(body_turns_again_without_its_aabbs),
         cmocka_unit_test(what_is_out_of_range_changes_nothing),
         cmocka_unit_test(joints_follow_the_kind),
     };
