@@ -290,18 +290,11 @@ static void write_constraint(const td_island_work *work, int i) {
 }
 
 bool td_island_load_stays(const thud_world *w, td_lane at, double impulse) {
-    const td_awake_slot sides[2] = {td_slot_of_side(at.block->a[at.lane]),
-                                    td_slot_of_side(at.block->b[at.lane])};
-    float inverse = 0.0f, size = 3e38f;
-    for (int side = 0; side < 2; side++) {
-        float inverse_mass = td_inv_mass_of(w, sides[side]);
-        if (inverse_mass > 0.0f) {
-            inverse = td_max_float(inverse, inverse_mass);
-            size = td_min_float(size, 2.0f * td_row(&w->reach, sides[side])[0]);
-        }
-    }
+    td_awake_slot a = td_slot_of_side(at.block->a[at.lane]);
+    td_awake_slot b = td_slot_of_side(at.block->b[at.lane]);
+    float inverse = td_max_float(td_inv_mass_of(w, a), td_inv_mass_of(w, b));
     return impulse / w->substeps * (double)inverse >
-           TD_DIRECT_LEAVE * (double)td_islands_load_max(w, size);
+           TD_DIRECT_LEAVE * (double)td_islands_load_max(w, td_islands_size(w, a, b));
 }
 
 /* td_island_load_stays for constraint i of the problem, with the impulses of its unilateral and

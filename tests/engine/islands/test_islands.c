@@ -39,6 +39,30 @@ static void islands_turn_soft_a_second_after_their_load_is_gone(void **state) {
     thud_world_destroy(world);
 }
 
+/* A column on a thin kinematic platform turns direct under the load of three boxes, which the
+ * platform's thickness makes high, and stays so with two, which would not turn it direct. */
+static void islands_on_a_thin_platform_stay_direct_while_loaded(void **state) {
+    (void)state;
+    thud_world_def def = def_of(&thud_quality_default);
+    def.sleeping = false;
+    for (int boxes = 2; boxes < 4; boxes++) {
+        thud_world *world = make_world(def);
+        thud_body_id box[3], platform = add_body(world, THUD_BODY_KINEMATIC, 0, -0.02, 0);
+        add_shape(world, platform, 5, 0.02f, false, NULL);
+        add_column(world, 0, boxes, box);
+        run(world, 60);
+        assert_int_equal(thud_stats_of(world).direct_bodies, boxes == 2 ? 0 : 3);
+        if (boxes == 3) {
+            OK(thud_body_destroy(world, box[2]));
+        }
+        for (int i = 0; i < 200; i++) {
+            run(world, 1);
+            assert_int_equal(thud_stats_of(world).direct_bodies, boxes == 2 ? 0 : 2);
+        }
+        thud_world_destroy(world);
+    }
+}
+
 static void islands_of_equal_boxes_stay_soft_at_default(void **state) {
     (void)state;
     thud_world *world = world_of(&thud_quality_default);
@@ -299,6 +323,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(islands_heavy_on_light_turns_hard_by_itself),
         cmocka_unit_test(islands_turn_soft_a_second_after_their_load_is_gone),
+        cmocka_unit_test(islands_on_a_thin_platform_stay_direct_while_loaded),
         cmocka_unit_test(islands_of_equal_boxes_stay_soft_at_default),
         cmocka_unit_test(islands_pyramid_at_rest_takes_one_matrix_a_step),
         cmocka_unit_test(islands_are_all_hard_where_the_limit_is_zero),
