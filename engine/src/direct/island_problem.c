@@ -88,28 +88,34 @@ static void take_body(td_island_work *work, int i) {
     }
 }
 
-/* The number in the island of a lane's body, or TD_NONE if it is outside of the problem. `known` is
- * then set to its velocity: the present one of a static or kinematic body, and the mean velocity of
- * the soft solver's result for a body of another island. */
-static int side_of(const td_island_work *work, uint32_t record, double known[3]) {
+/* The number in the island of a lane's body, or TD_NONE if it is outside of the problem. */
+static int side_of(const td_island_work *work, uint32_t record) {
+    td_awake_slot slot = td_slot_of_side(record);
+    return td_inv_mass_of(work->w, slot) > 0.0f ? td_island_number(work->w, work->island, slot)
+                                                : TD_NONE;
+}
+
+/* The speed that a lane's body gives a row with Jacobian j, if it is outside of the problem
+ * (`body` is TD_NONE): at the present velocity of a static or kinematic body, and the mean velocity
+ * of the soft solver's result for a body of another island. */
+static double known_of(const td_island_work *work, int body, uint32_t record, const double j[3]) {
     const thud_world *w = work->w;
     td_awake_slot slot = td_slot_of_side(record);
     const float *v = td_row(&w->velocity, slot), *delta = td_row(&w->delta, slot);
     bool moves = td_inv_mass_of(w, slot) > 0.0f;
-    for (int k = 0; k < 3; k++) {
-        known[k] = moves ? (double)delta[k] / work->time : (double)v[k];
+    double speed = 0.0;
+    for (int k = 0; k < 3 && body == TD_NONE; k++) {
+        speed += j[k] * (moves ? (double)delta[k] / work->time : (double)v[k]);
     }
-    return moves ? td_island_number(w, work->island, slot) : TD_NONE;
+    return speed;
 }
 
-static double dot(const double *j, const double *v) {
-    return j[0] * v[0] + j[1] * v[1] + j[2] * v[2];
-}
-
-/* Sets the speed that bodies outside of the problem give a row. */
-static void set_known(const td_direct_constraint *c, td_direct_row *r, double known[2][3]) {
-    r->known_speed = (c->a == TD_NONE ? dot(r->a, known[0]) : 0.0) +
-                     (c->b == TD_NONE ? dot(r->b, known[1]) : 0.0);
+void td_island_set_known(const td_island_work *work, td_direct_constraint *c) {
+    for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+        td_direct_row *r = &c->row[k];
+        r->known_speed = known_of(work, c->a, c->block->a[c->lane], r->a) +
+                         known_of(work, c->b, c->block->b[c->lane], r->b);
+    }
 }
 
 /* Sets up the rows of constraint i. */
@@ -119,25 +125,21 @@ static void take_constraint(td_island_work *work, int i) {
     td_lane at = td_lane_of(w, constraint);
     const float *impulses = td_at(&w->islands.impulses, work->island->first_constraint + i);
     td_direct_constraint *c = &work->problem.constraints[i];
-    double known[2][3];
     *c = (td_direct_constraint){.block = at.block,
                                 .lane = at.lane,
                                 .kind = constraint->kind,
-                                .a = side_of(work, at.block->a[at.lane], known[0]),
-                                .b = side_of(work, at.block->b[at.lane], known[1])};
+                                .a = side_of(work, at.block->a[at.lane]),
+                                .b = side_of(work, at.block->b[at.lane])};
     if (c->a != TD_NONE && c->b != TD_NONE) {
         c->entry = td_sparse_find(work->problem.matrix, c->a, c->b);
         c->b_later = td_sparse_is_later(work->problem.matrix, c->b, c->a);
     }
     work->joints += !td_is_contact(constraint);
     work->bounces |= td_take_rows_of(w, constraint->kind)(w, at.block, at.lane, impulses, c);
+    td_island_set_known(work, c);
     for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-        td_direct_row *r = &c->row[k];
-        if (!r->used) {
-            continue;
-        }
-        set_known(c, r, known);
-        if (r->kind < TD_ROW_FRICTION) {
+        const td_direct_row *r = &c->row[k];
+        if (r->used && r->kind < TD_ROW_FRICTION) {
             double speed = r->kind == TD_ROW_EQUALITY ? td_abs(r->target_speed) : r->target_speed;
             work->correction_speed = td_max_double(work->correction_speed, speed);
         }

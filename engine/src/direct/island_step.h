@@ -45,6 +45,9 @@ int td_island_factoring_budget(const thud_world *w, int64_t cost);
  * constraints (x, y, turn). */
 void td_island_free_velocity(const thud_world *w, const td_island *island, int i, double before[3],
                              double free[3]);
+/* Sets the speeds that bodies outside of the problem give the rows of a constraint, by the rows'
+ * present Jacobians. */
+void td_island_set_known(const td_island_work *work, td_direct_constraint *c);
 /* The problem of direct.h for the island, from the stored velocities and impulses. In the lanes of
  * drives it also sets the limit for which the step is solved (choose_limit, joint_rows.c); lanes
  * and bodies of the world do not change otherwise. */

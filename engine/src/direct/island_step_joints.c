@@ -70,6 +70,7 @@ static void update_joint_rows(td_island_work *work, double start, bool ended) {
         }
         work->w->kinds[c->kind]->lanes->update_rows(work->w, at.block, at.lane, &span, c);
         clear_arms(&work->problem, c);
+        td_island_set_known(work, c);
     }
     td_direct_update_speeds(&work->problem);
     work->problem.measured = true;

@@ -108,6 +108,37 @@ static void chain_with_a_weight_a_thousand_times_heavier_is_held_directly(void *
     assert_int_equal(direct, 11);
 }
 
+/* A platform that moves at this velocity, and a bob that hangs from it by a rod of length 0.1 and
+ * moves likewise: as the rod does not turn, no quality may move the bob against the platform. */
+static void hang_from_a_platform(const thud_quality *quality, float velocity, bool takes_one_part) {
+    thud_world *world = world_at(quality);
+    thud_body_id platform = add_body(world, THUD_BODY_KINEMATIC, 0, 0, 0);
+    thud_body_id bob = add_body(world, THUD_BODY_DYNAMIC, 0, -0.1, 0);
+    add_shape(world, bob, 0.02f, 0, false, NULL);
+    tie(world, platform, bob, middle, middle, 0.1f);
+    OK(thud_body_set_velocity(world, platform, (thud_vec2){velocity, 0}, 0));
+    OK(thud_body_set_velocity(world, bob, (thud_vec2){velocity, 0}, 0));
+    for (int i = 0; i < 60; i++) {
+        run(world, 1);
+        thud_pos at = state_of(world, bob).position;
+        near_to(at.x - state_of(world, platform).position.x, 0, 1e-4);
+        near_to(at.y, -0.1, 1e-3);
+        if (takes_one_part) {
+            assert_int_equal(thud_stats_of(world).soft_islands, 0);
+            assert_in_range(thud_stats_of(world).factorings, 1, 4);
+        }
+    }
+    thud_world_destroy(world);
+}
+
+static void rod_hangs_straight_from_a_platform_that_moves(void **state) {
+    (void)state;
+    for (int q = 0; q < QUALITIES; q++) {
+        hang_from_a_platform(qualities[q], 1, false);
+        hang_from_a_platform(qualities[q], 10, false);
+    }
+}
+
 /* A rod that is attached off a body's centre turns the body: its row uses the lever arm. */
 static void rod_at_the_end_of_a_plank_turns_it(void **state) {
     (void)state;
@@ -487,6 +518,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pendulum_keeps_its_length_and_passes_its_lowest_place),
         cmocka_unit_test(chain_with_a_weight_a_thousand_times_heavier_is_held_directly),
+        cmocka_unit_test(rod_hangs_straight_from_a_platform_that_moves),
         cmocka_unit_test(rod_at_the_end_of_a_plank_turns_it),
         cmocka_unit_test(rods_and_contacts_share_an_island_in_the_direct_solver),
         cmocka_unit_test(net_ends_in_the_same_bits_with_any_workers_and_width),
