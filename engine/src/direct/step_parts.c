@@ -21,10 +21,16 @@ enum { PARTS_MAX = 64 };
  * as expensive at the quality `exact`, and a phase error is not visible among its many modes. */
 enum { SUBSTEPS_OF_PART = 4, SMALL_ISLAND_BODIES = 16 };
 
+/* Component k of the linear velocity before the step of a constraint's side, length/s. `body`: its
+ * number in the island, or TD_NONE: it is static or kinematic. */
+static double side_speed(const td_island_work *work, int body, uint32_t record, int k) {
+    return body == TD_NONE ? (double)td_row(&work->w->velocity, td_slot_of_side(record))[k]
+                           : work->problem.bodies[body].before[k];
+}
+
 /* The angular speed, rad/s, that the line between a distance's anchors has at most by the linear
- * velocities of its bodies before the step: |v_b - v_a| / length. A body outside of the problem
- * counts as at rest. The speeds of the anchors by the bodies' rotation are not part of it: they
- * count through `sweeps`. 0 for other kinds of joints. */
+ * velocities of its bodies before the step: |v_b - v_a| / length. The speeds of the anchors by the
+ * bodies' rotation are not part of it: they count through `sweeps`. 0 for other kinds of joints. */
 static double line_rate(const td_island_work *work, int i) {
     const td_direct_constraint *c = &work->problem.constraints[i];
     td_lane at = td_island_lane(work, i);
@@ -35,9 +41,9 @@ static double line_rate(const td_island_work *work, int i) {
         length = (double)td_drive_rows_at(at.block)->start_value[at.lane];
     }
     for (int k = 0; k < 2 && length > 0.0; k++) {
-        double a = c->a == TD_NONE ? 0.0 : work->problem.bodies[c->a].before[k];
-        double b = c->b == TD_NONE ? 0.0 : work->problem.bodies[c->b].before[k];
-        speed += (b - a) * (b - a);
+        double gained = side_speed(work, c->b, at.block->b[at.lane], k) -
+                        side_speed(work, c->a, at.block->a[at.lane], k);
+        speed += gained * gained;
     }
     return length > 0.0 ? __builtin_sqrt(speed) / length : 0.0;
 }

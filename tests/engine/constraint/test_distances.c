@@ -139,6 +139,12 @@ static void rod_hangs_straight_from_a_platform_that_moves(void **state) {
     }
 }
 
+static void short_rod_on_a_fast_platform_takes_one_part(void **state) {
+    (void)state;
+    hang_from_a_platform(&thud_quality_high, 1, true);
+    hang_from_a_platform(&thud_quality_high, 100, true);
+}
+
 /* A rod that is attached off a body's centre turns the body: its row uses the lever arm. */
 static void rod_at_the_end_of_a_plank_turns_it(void **state) {
     (void)state;
@@ -519,6 +525,7 @@ int main(void) {
         cmocka_unit_test(pendulum_keeps_its_length_and_passes_its_lowest_place),
         cmocka_unit_test(chain_with_a_weight_a_thousand_times_heavier_is_held_directly),
         cmocka_unit_test(rod_hangs_straight_from_a_platform_that_moves),
+        cmocka_unit_test(short_rod_on_a_fast_platform_takes_one_part),
         cmocka_unit_test(rod_at_the_end_of_a_plank_turns_it),
         cmocka_unit_test(rods_and_contacts_share_an_island_in_the_direct_solver),
         cmocka_unit_test(net_ends_in_the_same_bits_with_any_workers_and_width),
