@@ -52,9 +52,9 @@ typedef struct td_islands {
     td_array results;    /* td_lock_result of direct/lock_tree.h, parallel to `slots` */
     bool passes_over; /* islands were solved as trees before the soft solver, which skips the blocks
                          of locks in which every lane belongs to such an island (td_block.solved) */
-    float trees_residual; /* residual of the islands that were solved as trees: the maximum speed
-                             along a locked direction of a joint after the step, length/s, or for
-                             the rotation of a weld rad/s */
+    float trees_residual; /* residual of the islands that td_lock_trees_step solved: the maximum
+                             speed along a locked direction of a joint after the step, length/s, or
+                             for the rotation of a weld rad/s */
     td_array topology,
         topology_before;     /* int: the graph of all islands, which determines their elimination
                                 orders, and the graph for which the present orders were found */

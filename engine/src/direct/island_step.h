@@ -99,7 +99,8 @@ double td_island_solve_joints(td_island_work *work, double tolerance);
  * are hinges and welds that form a tree, before the soft solver or after it. `known`: null, or the
  * island's bodies with free velocities that already include the impulses of contacts; these
  * contacts are not among the constraints of the island (joint_subsystems.c). Writes only
- * td_islands.results, .trees_residual and the statistics. */
+ * td_islands.results and the statistics: the caller may still refuse the result, so that it does
+ * not count in td_islands.trees_residual. */
 td_tree_outcome td_lock_tree_step(thud_world *w, const td_island *island,
                                   const td_direct_body *known);
 /* Calls td_lock_tree_step's solver for all listed islands. Islands whose trees have the same graph

@@ -398,10 +398,6 @@ static void solve_group(tree_group *g) {
         g->w->stats.factorings += solutions;
         g->w->stats.island_work += (int64_t)solutions * TREE_COST * g->trees.count;
         g->kept[tree] = g->trees.solved[tree];
-        if (g->kept[tree]) {
-            float *worst = &g->w->islands.trees_residual;
-            *worst = td_max_float((float)g->trees.residual[tree], *worst);
-        }
     }
 }
 
@@ -488,6 +484,10 @@ void td_lock_trees_step(thud_world *w) {
         solve_group(&g);
         for (int tree = 0; tree < g.used; tree++) {
             members[tree]->tree = g.kept[tree] ? TD_TREE_SOLVED : TD_TREE_REFUSED;
+            if (g.kept[tree]) {
+                float *worst = &w->islands.trees_residual;
+                *worst = td_max_float((float)g.trees.residual[tree], *worst);
+            }
         }
     }
 }

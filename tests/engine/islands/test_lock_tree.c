@@ -2,7 +2,9 @@
  * and move as they do where the general method solves them; each tree chooses its own parts. */
 #include "joint_support.h"
 
+#include "direct/island_step.h"
 #include "direct/wide_tree.h"
+#include "state/world.h"
 
 #include <thud/thud_detection.h>
 
@@ -264,6 +266,21 @@ static double parts_of(const thud_world *world, const thud_body_id *bars) {
     return ceil(fastest / 60 / 0.1);
 }
 
+/* A tree that is solved after the soft solver may still be refused, so that it does not count in
+ * the step's residual. */
+static void tree_that_may_be_refused_is_not_counted(void **state) {
+    (void)state;
+    thud_world *world = swing(&thud_quality_high, false);
+    run(world, 10);
+    td_islands *s = &world->islands;
+    assert_true(s->trees_residual > 0);
+    s->trees_residual = 0;
+    const td_island *island = s->island.data;
+    assert_int_equal(td_lock_tree_step(world, island, NULL), TD_TREE_SOLVED);
+    assert_true(s->trees_residual == 0);
+    thud_world_destroy(world);
+}
+
 /* The end of a rope that swings cracks like a whip: within a step it turns faster and faster. What
  * is solved of the step is kept then, and what is left of it is divided into more parts, each of
  * which takes three solutions, some a few more. */
@@ -317,6 +334,7 @@ int main(void) {
         cmocka_unit_test(trees_side_by_side_do_not_depend_on_each_other),
         cmocka_unit_test(what_has_no_finite_solution_is_refused),
         cmocka_unit_test(tree_moves_as_by_the_general_method),
+        cmocka_unit_test(tree_that_may_be_refused_is_not_counted),
         cmocka_unit_test(step_of_a_whip_is_solved_once),
         cmocka_unit_test(ropes_side_by_side_do_not_depend_on_each_other),
     };
