@@ -275,9 +275,11 @@ bool td_lock_take_rows(const thud_world *w, td_block *block, int lane, const flo
 
 /* Chooses the limit (lower or upper) for which a step is solved: the one that is nearer at the
  * start of the step, or the other one if the soft solver has chosen that, and ended nearer to it
- * than the coordinate was to the nearer limit at the start. Sets limit_side (1 lower, -1 upper, 0
- * no limits), limit, and start_separation, the separation from it at the start of the step. Returns
- * whether the nearer one was chosen: only then the impulse of the last step is a warm start. */
+ * than the coordinate was to the nearer limit at the start, or with an impulse. So the lane keeps
+ * the side of the soft solver's impulse, which stays in it if the direct result is refused. Sets
+ * limit_side (1 lower, -1 upper, 0 no limits), limit, and start_separation, the separation from it
+ * at the start of the step. Returns whether the nearer one was chosen: only then the impulse of the
+ * last step is a warm start. */
 static bool choose_limit(td_block *block, int lane) {
     td_drive_rows *r = td_drive_rows_of(block);
     td_point *p = &block->point[0];
@@ -285,7 +287,8 @@ static bool choose_limit(td_block *block, int lane) {
     float above_lower = value - r->lower[lane], below_upper = r->upper[lane] - value;
     float nearer_side = above_lower <= below_upper ? 1.0f : -1.0f;
     float nearer_gap = td_min_float(above_lower, below_upper);
-    bool other = r->limit_side[lane] != nearer_side && p->separation[lane] < nearer_gap;
+    bool other = r->limit_side[lane] != nearer_side &&
+                 (p->separation[lane] < nearer_gap || p->normal_impulse[lane] != 0.0f);
     float side = r->limited[lane] == 0 ? 0.0f : other ? -nearer_side : nearer_side;
     r->limit_side[lane] = side;
     r->limit[lane] = side > 0.0f ? r->lower[lane] : r->upper[lane];

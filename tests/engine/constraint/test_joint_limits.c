@@ -3,6 +3,10 @@
 #include "every_choice.h"
 #include "joint_support.h"
 
+#include "constraint/lanes.h"
+#include "direct/rows.h"
+#include "joints/joint.h"
+
 static const thud_vec2 middle = {0, 0};
 
 /* A world of one of the 4 qualities times 4 detections. */
@@ -48,6 +52,31 @@ static void slider_stops_at_a_limit_that_it_reaches_within_a_step(void **state) 
         assert_true(beyond(world, slider, THUD_DIRECTION_ALONG, 1, 30) < 1e-5);
         thud_world_destroy(world);
     }
+}
+
+/* A body crosses the range within a step and pushes against the upper limit at its end, further
+ * from it than it was from the lower one. A direct solution may be refused after its rows were
+ * made: the force of the limit must not change its sign by that. */
+static void rows_of_a_limit_leave_its_force_as_it_is(void **state) {
+    (void)state;
+    thud_world *world = world_at(&thud_quality_draft);
+    thud_body_id rail = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
+    thud_body_id box = add_box(world, -0.9999, 0, 0.25f, 0.25f);
+    thud_joint_def def = between(THUD_JOINT_SLIDER, rail, box, middle, middle);
+    thud_joint_id slider = limited(world, def, THUD_DIRECTION_ALONG, 1);
+    OK(thud_body_set_velocity(world, box, (thud_vec2){112, 0}, 0));
+    run(world, 1);
+    float force = joint_of(world, slider).drive[THUD_DIRECTION_ALONG].limit;
+    assert_true(force < 0);
+    const td_joint *joint = td_joint_at(world, (int)slider.index1 - 1);
+    const td_constraint *part = td_constraint_at(world, joint->part[THUD_DIRECTION_ALONG]);
+    td_lane at = td_lane_of(world, part);
+    td_direct_constraint made = {.block = at.block, .lane = at.lane, .kind = part->kind};
+    float impulses[TD_DIRECT_ROWS + 1] = {0};
+    td_take_rows_of(world, part->kind)(world, at.block, at.lane, impulses, &made);
+    assert_true(joint_of(world, slider).drive[THUD_DIRECTION_ALONG].limit == force);
+    assert_true(made.row[0].b[0] < 0);
+    thud_world_destroy(world);
 }
 
 static void hinge_stops_at_its_limit(void **state) {
@@ -119,6 +148,7 @@ static void limit_bears_a_heavy_load(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(slider_stops_at_a_limit_that_it_reaches_within_a_step),
+        cmocka_unit_test(rows_of_a_limit_leave_its_force_as_it_is),
         cmocka_unit_test(hinge_stops_at_its_limit),
         cmocka_unit_test(suspension_takes_a_landing),
         cmocka_unit_test(limit_bears_a_heavy_load),
