@@ -249,11 +249,10 @@ static bool reserve(thud_world *w, const td_snapshot_head *head, const char *fro
 
 /* Empties caches and lists that the steps so far have left for later ones. */
 static void clear_scratch(thud_world *w) {
-    w->scratch.sequenced = w->paired = false;
+    w->scratch.sequenced = false;
     w->scratch.bin_end[0] = TD_COLOURS;
     w->scratch.bin_end[1] = 2 * TD_COLOURS;
     w->scratch.placed_end = TD_BINS_A_KIND + w->placed_bins.count;
-    w->narrowed = w->scratch.begins.count = 0;
     w->scratch.blocks.count = w->scratch.runs.count = w->scratch.impacts.count = 0;
     w->islands.island.count = w->islands.slots.count = w->islands.constraints.count = 0;
     w->islands.local.count = 0;

@@ -22,7 +22,7 @@
 
 #define TD_SNAPSHOT_MAGIC "thudsnap"
 
-enum { TD_SNAPSHOT_VERSION = 12 }; /* to be raised whenever the meaning of the bytes changes */
+enum { TD_SNAPSHOT_VERSION = 13 }; /* to be raised whenever the meaning of the bytes changes */
 
 /* Indices of td_snapshot_head.slots: arrays with free lists. */
 enum {
@@ -74,6 +74,8 @@ enum {
     TD_SNAPSHOT_GATHERED_IMPULSES,
     TD_SNAPSHOT_FORCE_RECORDS,
     TD_SNAPSHOT_PLACED_BINS,
+    TD_SNAPSHOT_BEGINS, /* this and ENDS: empty but after a step that ran out of memory */
+    TD_SNAPSHOT_ENDS,
     TD_SNAPSHOT_PROXY_SETS,
     TD_SNAPSHOT_PARTS = TD_SNAPSHOT_PROXY_SETS + 2 * TD_SNAPSHOT_PROXY_SET_PARTS
 };

@@ -103,6 +103,9 @@ void td_snapshot_list_parts(thud_world *w, const td_snapshot_head *head,
     parts[TD_SNAPSHOT_GATHERED_IMPULSES] = list_of(&w->gathered.impulses, 0);
     parts[TD_SNAPSHOT_FORCE_RECORDS] = list_of(&w->force_records, 0);
     parts[TD_SNAPSHOT_PLACED_BINS] = list_of(&w->placed_bins, 0);
+    parts[TD_SNAPSHOT_BEGINS] = list_of(&w->scratch.begins, 0);
+    /* Part 3 of the narrowphase adds to it without reserving (narrowphase.c). */
+    parts[TD_SNAPSHOT_ENDS] = list_of(&w->scratch.ends, head->slots[TD_SNAPSHOT_CONSTRAINTS].live);
     list_proxy_set(w, &w->awake_shapes, parts + TD_SNAPSHOT_PROXY_SETS);
     list_proxy_set(w, &w->rest_shapes,
                    parts + TD_SNAPSHOT_PROXY_SETS + TD_SNAPSHOT_PROXY_SET_PARTS);

@@ -44,6 +44,8 @@ static const struct {
     FIELD(spare_time),
     FIELD(begun),
     FIELD(gathers),
+    FIELD(paired),
+    FIELD(narrowed),
     FIELD(rest_epoch),
     FIELD(touching),
     FIELD(bouncy),

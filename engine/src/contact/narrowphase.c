@@ -4,7 +4,10 @@
  * touch take a lane. Then the manifolds of all lanes are computed in place, in the blocks that the
  * solver works on; a contact that no longer touches gives its lane back and waits. The stage has
  * five parts, and a step that is made again after it ran out of memory goes on with the part that
- * failed. */
+ * failed, also in a world that was restored from a snapshot in between: manifolds that were
+ * computed twice would differ, since the impulses of the step before are assigned to their points.
+ * What one part leaves for a later one is therefore in snapshots: scratch.begins, scratch.ends and
+ * thud_world.narrowed. */
 #include "contact/contact.h"
 #include "state/jobs.h"
 #include "state/handles.h"
@@ -152,8 +155,8 @@ static void collide_lanes(thud_world *w) {
     }
 }
 
-/* Part 5: contacts that no longer touch give their lanes back and wait. */
-static bool part_contacts(thud_world *w) {
+/* Sets scratch.ends to the contacts that no longer touch. Part 1 has made room for them. */
+static void list_separated(thud_world *w) {
     td_array *ends = &w->scratch.ends;
     ends->count = 0;
     for (int i = 0; i < w->scratch.separated.count; i++) {
@@ -163,10 +166,12 @@ static bool part_contacts(thud_world *w) {
             td_push_int(ends, block->constraint[__builtin_ctz(separated)]);
         }
     }
-    if (ends->count == 0) {
-        return true;
-    }
-    if (!td_contact_end_reserve(w, ends->count)) {
+}
+
+/* Part 5: contacts that no longer touch give their lanes back and wait. */
+static bool part_contacts(thud_world *w) {
+    td_array *ends = &w->scratch.ends;
+    if (ends->count > 0 && !td_contact_end_reserve(w, ends->count)) {
         return false;
     }
     for (int i = 0; i < ends->count; i++) {
@@ -179,7 +184,8 @@ static bool part_contacts(thud_world *w) {
             td_contact_destroy(w, contact);
         }
     }
-    return td_lanes_sequence(w);
+    ends->count = 0;
+    return true;
 }
 
 /* Part 3: destroys contacts whose bounds have parted, those of sensors too, whose end event is
@@ -211,6 +217,7 @@ static bool collide_all(thud_world *w) {
     if (w->internal_edges) {
         w->internal_edges->amend_all(w);
     }
+    list_separated(w);
     return true;
 }
 
@@ -221,5 +228,6 @@ bool td_narrowphase(thud_world *w) {
     while (w->narrowed < PARTS && parts[w->narrowed](w)) {
         w->narrowed++;
     }
-    return w->narrowed == PARTS;
+    /* Part 5 leaves another sequence of blocks, and a restore none. */
+    return w->narrowed == PARTS && td_lanes_sequence(w);
 }

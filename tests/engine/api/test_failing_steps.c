@@ -1,13 +1,15 @@
 /* test_failing_steps.c: random worlds of every setting, each with a twin whose allocations never
  * fail. In each step the first allocation fails, then the second, and so on, until the step
  * succeeds. Until then nothing has moved and events are those of the step before; then hash, events
- * and awake bodies are the twin's. */
+ * and awake bodies are the twin's. Some of the worlds are restored from a snapshot of themselves
+ * between one attempt and the next. */
 #include "engine_support.h"
 
 #include "hostile_memory.h"
 #include "share.h"
 
 #include <thud/thud_joint.h>
+#include <thud/thud_snapshot.h>
 
 #include <stdio.h>
 
@@ -28,6 +30,7 @@ typedef struct setting {
     int quality, detection, broadphase;
     bool sleeping, terrain, sensors, callbacks, tiles, queries, joints;
     uint64_t seed;
+    bool restores;
 } setting;
 
 static const thud_detection *const detections[] = {NULL, &thud_detection_overlap,
@@ -207,6 +210,17 @@ static void ask(side *s) {
     thud_world_cast_ray(s->world, &(thud_ray){(thud_pos){-10, 1}, 20, 0, NULL}, NULL, NULL);
 }
 
+/* Restores the world from a snapshot of its present state. */
+static void restore(side *s) {
+    size_t bytes;
+    OK(thud_world_get_snapshot_size(s->world, &bytes));
+    void *snapshot = malloc(bytes);
+    assert_non_null(snapshot);
+    OK(thud_world_snapshot(s->world, snapshot, bytes, NULL));
+    OK(thud_world_restore(s->world, snapshot, bytes));
+    free(snapshot);
+}
+
 /* ---- comparison ---- */
 
 /* Appends events to the text. */
@@ -278,6 +292,9 @@ static long step_with_failures(side *s, const setting *set) {
         if (set->queries) {
             ask(s);
         }
+        if (set->restores) {
+            restore(s);
+        }
     }
 }
 
@@ -331,7 +348,8 @@ static void steps_that_ran_out_of_memory_end_as_if_they_had_not(void **state) {
                        random_in(&seed, 0, 1) < 0.5,
                        random_in(&seed, 0, 1) < 0.3,
                        random_in(&seed, 0, 1) < 0.5,
-                       (uint64_t)i + 1};
+                       (uint64_t)i + 1,
+                       i % 3 == 0};
         failures += compare(&set);
     }
     print_message("%ld allocations failed in %d worlds\n", failures, worlds);
