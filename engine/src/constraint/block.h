@@ -434,8 +434,6 @@ typedef struct td_solve_context {
     td_bounce bounce;    /* the present bounce pass */
     atomic_bool *bounced;   /* a flag that the present bounce pass sets if a pair bounces */
     td_brace brace;         /* the present pass of bracing */
-    atomic_bool *adds;      /* flag of the present bracing: impulses of torn joints may have added
-                               energy. The flags of the next bracings follow it */
     atomic_bool *torn;      /* set by the warm start if a joint's gap is so large that the bias of
                                one substep exceeds TD_JOINT_CLOSING_SPEED */
     struct td_tally *tally; /* error statistics of this worker */

@@ -3,6 +3,8 @@
 #ifndef TD_JOINT_HOOKS_H
 #define TD_JOINT_HOOKS_H
 
+#include "constraint/block.h"
+#include "state/jobs.h"
 #include "state/world.h"
 
 struct td_island_work;
@@ -13,6 +15,21 @@ struct td_drawing;
 typedef struct td_joint_gaps {
     double worst, mean, angle;
 } td_joint_gaps;
+
+/* What bracing (joints/joint_brace.c) needs of the solver. Each worker has one of its own. */
+typedef struct td_bracing {
+    thud_world *w;
+    td_worker *worker;
+    /* Runs a pass of bracing over all blocks of locks and rods; `solver` is its argument. */
+    void (*pass)(void *solver, td_brace stage);
+    void *solver;
+    atomic_bool *adds; /* flag of the next bracing, for all workers: impulses may have added energy.
+                          Those of the bracings after it follow. A worker that is late may still
+                          read the flag of the one before, so that each bracing has its own */
+    bool first;        /* the present substep is the first one of the step */
+    bool relaxed;      /* the present bracing is the one after the substep's relax pass, not the one
+                          before its solve pass */
+} td_bracing;
 
 typedef struct td_joint_hooks {
     /* ---- joint_engage.c ---- */
@@ -37,16 +54,10 @@ typedef struct td_joint_hooks {
      * its group at the same time. */
     void (*hold_back)(thud_world *w, td_awake_slot slot, double time);
 
-    /* ---- joint_brace.c, between passes of the solver ---- */
-    /* Whether the impulses of locks may have added energy: those of the warm start, or, if
-     * `relaxed`, all up to the end of the relax pass. */
-    bool (*may_add_energy)(thud_world *w, bool relaxed);
-    /* Computes the share of its impulses that each group keeps. */
-    void (*set_shares)(thud_world *w, bool relaxed);
-    /* Whether any joint has a locked direction that is wide open: its gap is so wide that its bias
-     * is at its maximum (is_wide_open, joint_brace.c). Valid after the first call of may_add_energy
-     * in a step. */
-    bool (*wide_open)(const thud_world *w);
+    /* joint_brace.c, between passes of the solver, in steps with a torn joint (flag_torn,
+     * joints/wide_joint.h): scales down the impulses of locks and rods to the share that adds no
+     * energy. All workers call it. Returns whether it may have changed impulses. */
+    bool (*brace)(td_bracing *bracing);
 
     /* ---- joint_caps.c, before the solver ---- */
     /* Sets the force bounds of springs and motors that act both along and across, so that the
@@ -93,9 +104,7 @@ void td_joints_suspend(thud_world *w, td_body_index body);
 void td_joints_move_locks(thud_world *w, td_body_index body);
 void td_joints_tie(thud_world *w);
 void td_joints_hold_back(thud_world *w, td_awake_slot slot, double time);
-bool td_joints_may_add_energy(thud_world *w, bool relaxed);
-void td_joints_set_shares(thud_world *w, bool relaxed);
-bool td_joints_wide_open(const thud_world *w);
+bool td_joints_brace(td_bracing *bracing);
 void td_joints_share_caps(thud_world *w);
 void td_joints_clear_yielded(thud_world *w);
 void td_joints_yield(thud_world *w);

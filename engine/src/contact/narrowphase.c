@@ -171,7 +171,7 @@ static void list_separated(thud_world *w) {
 /* Part 5: contacts that no longer touch give their lanes back and wait. */
 static bool part_contacts(thud_world *w) {
     td_array *ends = &w->scratch.ends;
-    if (ends->count > 0 && !td_contact_end_reserve(w, ends->count)) {
+    if (!td_contact_end_reserve(w, ends->count)) {
         return false;
     }
     for (int i = 0; i < ends->count; i++) {
@@ -192,7 +192,7 @@ static bool part_contacts(thud_world *w) {
  * added. */
 static bool part_waiting(thud_world *w) {
     const td_array *sensed = &w->waiting[TD_PAIR_SENSOR];
-    if (sensed->count > 0 && !td_contact_end_reserve(w, sensed->count)) {
+    if (!td_contact_end_reserve(w, sensed->count)) {
         return false;
     }
     for (int i = 0; i < sensed->count; i++) {

@@ -35,7 +35,7 @@
  * smaller share in a substep (GAP_SHARE_BRACED, wide_joint.h). Otherwise the bias could add the
  * energy again, in modes of many rows that each move little.
  *
- * solve.c calls these functions between its passes. td_brace_applied of wide_rod.c does the work of
+ * solve.c calls td_joints_brace between its passes. td_brace_applied of wide_rod.c does the work of
  * each lane: it measures p.u and p.u', removes impulses, and applies the share to keep (the passes
  * TD_BRACE_..., block.h). */
 #include "constraint/joint_hooks.h"
@@ -43,11 +43,14 @@
 #include "islands/label.h"
 #include "joints/joint.h"
 
+#include <string.h>
+
 /* The numbers of a group in scratch.brace_groups: p.u and p.u', its work at the speeds without and
  * with its impulses (energies, mass length^2 / s^2); the energy that its locks exchange, which is
- * the sum of |p.u'| of its lanes; the number of its lanes; and the widest gap (opening_of).
- * td_joints_engage has reserved room for one group for each body. */
-enum { WORK_WITHOUT, WORK_WITH, EXCHANGED, LANES, OPENING, GROUP_NUMBERS };
+ * the sum of |p.u| and |p.u'| of its lanes; the number of its lanes; and its widest gap
+ * (opening_of). Each bracing sums up the first three (SUMS) anew. td_joints_engage has reserved
+ * room for one group for each body. */
+enum { WORK_WITHOUT, WORK_WITH, EXCHANGED, SUMS, LANES = SUMS, OPENING, GROUP_NUMBERS };
 
 /* The numbers of a group; `group` is its index, stored as a float in lanes. */
 static double *group_sums(const thud_world *w, float group) {
@@ -116,15 +119,15 @@ static float group_index(thud_world *w, td_awake_slot slot) {
  * start_separation is read, which is set even if that direction is free: the travel of a slider or
  * wheel then counts as well, since it is the lever arm of the impulses across. Measured: if it did
  * not count, mechanisms with sliders would gain more than 5 % of energy (test_joints_random). Along
- * v separation is read, which is 0 where across is free. */
+ * v separation is read, which is 0 where across is free, and in rods, as tangent_mass is. */
 static float opening_of(const thud_world *w, td_block *block, int lane) {
     float torn =
         TD_JOINT_CLOSING_SPEED / TD_JOINT_GAP_SHARE * (float)(w->def.time_step / w->substeps);
-    bool rod = td_constraint_at(w, block->constraint[0])->kind == TD_CONSTRAINT_ROD;
-    bool turns = !rod && block->tangent_mass[lane] > 0.0f;
     float gap = td_max_float(td_joint_abs(block->point[0].start_separation[lane]),
-                             rod ? 0.0f : td_joint_abs(block->point[1].separation[lane]));
-    float turn = turns ? td_joint_abs(td_lock_rows_of(block)->start_turn_gap[lane]) : 0.0f;
+                             td_joint_abs(block->point[1].separation[lane]));
+    float turn = block->tangent_mass[lane] > 0.0f
+                     ? td_joint_abs(td_lock_rows_of(block)->start_turn_gap[lane])
+                     : 0.0f;
     return td_max_float(gap / w->length_scale, turn) / torn;
 }
 
@@ -166,8 +169,9 @@ static void number_groups(thud_world *w) {
 }
 
 /* Adds the work p.u (`which` WORK_WITHOUT) or p.u' (WORK_WITH) of a block's lanes to the sums of
- * their groups, and with p.u' the energy that they exchange. Marks blocks with a lane whose group
- * is torn; the others have no part in bracing, and their work is that of an earlier pass. */
+ * their groups, and their magnitudes to the energy that they exchange. Marks blocks with a lane
+ * whose group is torn; the others have no part in bracing, and their work is that of an earlier
+ * pass. */
 static void add_work(thud_world *w, td_block *block, int which) {
     const float *group = lane_groups(block);
     td_brace_rows *rows = td_brace_rows_of(block);
@@ -182,7 +186,7 @@ static void add_work(thud_world *w, td_block *block, int which) {
             exchanged += (double)td_joint_abs(work[lane]);
         }
         sums[which] += sum;
-        sums[EXCHANGED] += which == WORK_WITH ? exchanged : 0.0;
+        sums[EXCHANGED] += exchanged;
         rows->torn = is_torn(sums, false) ? 1.0f : rows->torn;
     }
 }
@@ -191,20 +195,20 @@ static void add_work(thud_world *w, td_block *block, int which) {
 #define MIN_ENERGY 1.0
 #define ZERO_ENERGY 2.0
 
-/* The energy that the warm start of a group may add: none in groups of up to STRICT_LANES lanes,
- * in larger ones a share of the energy that their locks exchange, which approaches EXCHANGED_SHARE.
- * Where an unstable mode grows, most locks add energy, and E(1) is 0.2 to 0.8 times the energy
- * exchanged (measured: half of the bracings of random mechanisms, test_joints_random); in a plate
- * of 20,000 hinges that hangs, where about as many locks add energy as take it, 0.003 to 0.08
- * times. Without this tolerance the uppermost hinges of that plate come apart by 19 lengths in ten
- * seconds, with it by one (plate_of_hinges_hangs_together, test_joint_scenes). Chosen: twice the
- * share passes the same tests. */
-#define EXCHANGED_SHARE 0.1
+/* The energy that the warm start of a group may add: none in groups of up to STRICT_LANES lanes, in
+ * larger ones EXCHANGED_SHARE of the energy that their locks exchange. Where an unstable mode
+ * grows, most locks add energy: E(1) is 0.2 to 0.8 times the sum of |p.u'| (measured: half of the
+ * bracings of random mechanisms, test_joints_random). In a plate of 20,000 hinges that hangs, about
+ * as many locks add energy as take it: 0.003 to 0.08 times. Without this tolerance the uppermost
+ * hinges of that plate come apart by 19 lengths in ten seconds, with it by one (a plate half as
+ * heavy: plate_of_hinges_hangs_together, test_joint_scenes). Chosen: twice the share passes the
+ * same tests.
+ */
+#define EXCHANGED_SHARE 0.05
 #define STRICT_LANES 64.0
 
 static double tolerated_gain(const double *group) {
-    return EXCHANGED_SHARE * td_max_double(0.0, 1.0 - STRICT_LANES / group[LANES]) *
-           group[EXCHANGED];
+    return group[LANES] > STRICT_LANES ? EXCHANGED_SHARE * group[EXCHANGED] : 0.0;
 }
 
 /* Whether a group is braced if its impulses add this much energy. */
@@ -233,38 +237,60 @@ static void set_shares(thud_world *w, td_block *block, int relaxed) {
     }
 }
 
-/* Whether the impulses may add more energy than is tolerated, once TD_BRACE_WORK_WITH has measured
- * p.u' of the lanes. This is cheaper than E(1), since it needs no speeds without the impulses: K is
- * positive semidefinite, thus p.u <= p.u' and E(1) <= p.u'. `relaxed`: after the relax pass, where
- * only groups that are wide open count. Finds the groups if this step has not done so yet. The sums
- * of p.u' are kept for td_joints_set_shares. */
-bool td_joints_may_add_energy(thud_world *w, bool relaxed) {
+/* Measures whether the impulses of a group may add so much energy that it is braced, and sets the
+ * flag of this bracing. TD_BRACE_WORK_WITH has measured p.u' of the lanes, which bounds E(1) and
+ * needs no speeds without the impulses: K is positive semidefinite, thus p.u <= p.u' and
+ * E(1) <= p.u'. Finds the groups if this step has not done so yet. This function and set_all_shares
+ * are given to the workers as one chunk, so that exactly one of them runs it. */
+static void judge_energy(void *argument, int chunk) {
+    const td_bracing *b = argument;
+    thud_world *w = b->w;
     bool any = false;
+    (void)chunk;
     number_groups(w);
     for (int group = 0; group < w->scratch.brace_groups.count; group++) {
-        double *sums = group_sums(w, (float)group);
-        sums[WORK_WITHOUT] = sums[WORK_WITH] = sums[EXCHANGED] = 0.0;
+        memset(group_sums(w, (float)group), 0, SUMS * sizeof(double));
     }
     for_each_lock_block(w, add_work, WORK_WITH);
     for (int group = 0; group < w->scratch.brace_groups.count && !any; group++) {
         const double *sums = group_sums(w, (float)group);
-        any = is_braced(sums, relaxed, sums[WORK_WITH]);
+        any = is_braced(sums, b->relaxed, sums[WORK_WITH]);
     }
-    return any;
+    atomic_store_explicit(b->adds, any, memory_order_relaxed);
 }
 
-/* Sets the shares to keep, after td_joints_may_add_energy, and once TD_BRACE_WORK_WITHOUT has
- * measured p.u of the lanes. */
-void td_joints_set_shares(thud_world *w, bool relaxed) {
-    for_each_lock_block(w, add_work, WORK_WITHOUT);
-    for_each_lock_block(w, set_shares, relaxed);
+/* Sets the shares to keep, once TD_BRACE_WORK_WITHOUT has measured p.u of the lanes. */
+static void set_all_shares(void *argument, int chunk) {
+    const td_bracing *b = argument;
+    (void)chunk;
+    for_each_lock_block(b->w, add_work, WORK_WITHOUT);
+    for_each_lock_block(b->w, set_shares, b->relaxed);
 }
 
-/* Whether any group is wide open. Known once td_joints_may_add_energy has found the groups. */
-bool td_joints_wide_open(const thud_world *w) {
+/* Whether a lock is wide open, once the groups have been found. */
+static bool is_any_wide_open(const thud_world *w) {
     bool any = false;
     for (int group = 0; group < w->scratch.brace_groups.count; group++) {
         any |= is_torn(group_sums(w, (float)group), true);
     }
     return any;
+}
+
+bool td_joints_brace(td_bracing *b) {
+    if (b->relaxed && !is_any_wide_open(b->w)) {
+        return false;
+    }
+    if (!b->relaxed && !b->first) {
+        b->pass(b->solver, TD_BRACE_WARM_START);
+    }
+    b->pass(b->solver, TD_BRACE_WORK_WITH);
+    td_worker_walk(b->worker, 1, judge_energy, b);
+    bool adds = atomic_load_explicit(b->adds++, memory_order_relaxed);
+    if (adds) {
+        b->pass(b->solver, TD_BRACE_REMOVE);
+        b->pass(b->solver, TD_BRACE_WORK_WITHOUT);
+        td_worker_walk(b->worker, 1, set_all_shares, b);
+        b->pass(b->solver, TD_BRACE_APPLY_SHARE);
+    }
+    return adds;
 }

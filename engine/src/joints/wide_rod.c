@@ -95,18 +95,16 @@ void TD_WIDE(td_brace_applied)(td_block *block, const td_solve_context *c, bool 
         *(c->brace == TD_BRACE_WORK_WITH ? &rows->work_with : &rows->work_without) = work;
         return;
     }
+    bool removes = c->brace == TD_BRACE_REMOVE; /* else TD_BRACE_APPLY_SHARE */
+    f8 factor = removes ? f8_all(-1.0f) : rows->kept_share;
     td_applied_impulse change; /* what this pass applies */
     clear_applied(&change);
-    if (c->brace == TD_BRACE_REMOVE) {
-        apply_impulse(block, a_static, &v, &change, -applied->x, -applied->y, -applied->moment_a,
-                      -applied->moment_b);
-    } else { /* TD_BRACE_APPLY_SHARE */
-        f8 share = rows->kept_share;
-        block->point[0].normal_impulse *= share;
-        block->point[1].normal_impulse *= share;
-        block->tangent_impulse *= share;
-        apply_impulse(block, a_static, &v, &change, share * applied->x, share * applied->y,
-                      share * applied->moment_a, share * applied->moment_b);
+    apply_impulse(block, a_static, &v, &change, factor * applied->x, factor * applied->y,
+                  factor * applied->moment_a, factor * applied->moment_b);
+    if (!removes) {
+        block->point[0].normal_impulse *= factor;
+        block->point[1].normal_impulse *= factor;
+        block->tangent_impulse *= factor;
         *applied = change;
     }
     write_sides(c, block, a_static, &v);

@@ -138,8 +138,7 @@ typedef struct solving {
     td_worker worker;
     pass which;            /* the present pass */
     const td_phase *phase; /* the present phase */
-    bool relaxed; /* the present bracing is the one after the substep's relax pass; false: it is
-                     the one before its solve pass */
+    td_bracing bracing;
 } solving;
 
 /* Solves the last blocks of a run. The last one may have empty lanes, which read the record of slot
@@ -298,51 +297,20 @@ static bool bounce(solving *s) {
     return passes > 1;
 }
 
-/* Adds up the work of the impulses of locks and rods, and sets the flag at td_solve_context.adds if
- * they may have added energy. This function is given to the workers as one chunk, so that exactly
- * one of them runs it. */
-static void judge_energy(void *work, int chunk) {
-    const solving *s = work;
-    (void)chunk;
-    bool adds = s->w->joint_hooks->may_add_energy(s->w, s->relaxed);
-    atomic_store_explicit(s->contacts.adds, adds, memory_order_relaxed);
-}
-
-/* Computes the share of their impulses that torn joints keep; run by one worker, as judge_energy
- * is. */
-static void set_kept_shares(void *work, int chunk) {
-    const solving *s = work;
-    (void)chunk;
-    s->w->joint_hooks->set_shares(s->w, s->relaxed);
-}
-
-static void brace_pass(solving *s, td_brace stage) {
+/* Runs a pass of bracing (td_bracing.pass). */
+static void brace_pass(void *solver, td_brace stage) {
+    solving *s = solver;
     s->contacts.brace = stage;
     walk(s, BRACE);
 }
 
-/* Bracing (joints/joint_brace.c): scales down the impulses of locks and rods in this substep to the
- * share that adds no energy. Runs only in steps with a torn joint: one whose gap is so wide that
- * its bias would close it faster than TD_JOINT_CLOSING_SPEED (flag_torn). Returns whether it may
- * have changed impulses. */
-static bool brace(solving *s) {
-    brace_pass(s, TD_BRACE_WORK_WITH);
-    td_worker_walk(&s->worker, 1, judge_energy, s);
-    /* A worker that is late may still read this flag, so that each bracing has its own. */
-    bool adds = atomic_load_explicit(s->contacts.adds, memory_order_relaxed);
-    s->contacts.adds++;
-    if (adds) {
-        brace_pass(s, TD_BRACE_REMOVE);
-        brace_pass(s, TD_BRACE_WORK_WITHOUT);
-        td_worker_walk(&s->worker, 1, set_kept_shares, s);
-        brace_pass(s, TD_BRACE_APPLY_SHARE);
-    }
-    return adds;
-}
-
-/* Whether the warm start of this step found a torn joint (flag_torn, joints/wide_joint.h). */
-static bool has_torn_joint(const solving *s) {
-    return atomic_load_explicit(s->contacts.torn, memory_order_relaxed);
+/* Bracing (joints/joint_brace.c), in steps whose warm start found a torn joint (flag_torn). Returns
+ * whether it may have changed impulses. */
+static bool brace(solving *s, bool relaxed) {
+    s->bracing.first = s->contacts.first;
+    s->bracing.relaxed = relaxed;
+    return atomic_load_explicit(s->contacts.torn, memory_order_relaxed) &&
+           s->w->joint_hooks->brace(&s->bracing);
 }
 
 /* A second relax pass of the substep, after bracing: corrects the errors in the rows' speeds that
@@ -358,6 +326,8 @@ static void relax_again(solving *s) {
 static void run_passes(void *argument) {
     solving own = *(const solving *)argument, *s = &own;
     s->worker = td_worker_arrive(s->job);
+    s->bracing.worker = &s->worker;
+    s->bracing.solver = s;
     int last = s->w->substeps - 1;
     s->contacts.tally = &s->tallies[s->worker.index];
     bool bounced = bounce(s);
@@ -367,21 +337,14 @@ static void run_passes(void *argument) {
         if (i == 0) {
             walk(s, WARM_START);
         }
-        if (has_torn_joint(s)) {
-            if (i > 0) {
-                brace_pass(s, TD_BRACE_WARM_START);
-            }
-            brace(s);
-        }
+        brace(s, false);
         walk(s, SOLVE);
         s->contacts.last = i == last;
         walk_bodies(s, positions);
         walk(s, RELAX);
-        s->relaxed = true;
-        if (has_torn_joint(s) && s->w->joint_hooks->wide_open(s->w) && brace(s)) {
+        if (brace(s, true)) {
             relax_again(s);
         }
-        s->relaxed = false;
     }
     if (bounced) {
         s->contacts.bounce = TD_BOUNCE_LAST;
@@ -416,13 +379,13 @@ void td_solve(thud_world *w) {
                    .h = h,
                    .max_speed = w->def.maximum_speed * w->length_scale},
         .tally = {.skin = w->skin, .overlap = td_overlap_depth_min(w), .to_fixed = w->to_fixed},
+        .bracing = {.w = w, .pass = brace_pass, .adds = adds},
         .tallies = tallies,
         .job = &job,
         .bounced = bounced,
         .dummy = &dummy,
     };
     s.contacts.torn = &torn;
-    s.contacts.adds = adds;
     if (td_job_is_shared(&job)) {
         td_share_bodies(w, job.workers, body_shares);
         s.body_shares = body_shares;

@@ -178,7 +178,7 @@ static void weigh_shapes(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     double mass = 0.0, mx = 0.0, my = 0.0, inertia = 0.0;
     bool dynamic = body->kind == THUD_BODY_DYNAMIC;
-    for (int i = body->first_shape; dynamic && i != TD_NONE; i = td_shape_at(w, i)->next) {
+    for (int i = dynamic ? body->first_shape : TD_NONE; i != TD_NONE; i = td_shape_at(w, i)->next) {
         const td_shape *shape = td_shape_at(w, i);
         double area, moment;
         double density = shape->flags & TD_SHAPE_WAITS ? 0.0 : (double)shape->density;
@@ -199,9 +199,9 @@ static void weigh_shapes(thud_world *w, td_body_index index) {
     double share = td_clamp(weight, WEIGHT_MIN, WEIGHT_MAX) / weight;
     mass *= share;
     inertia *= share;
-    body->mass = dynamic ? (float)mass : 0.0f;
+    body->mass = (float)(dynamic * mass);
     body->inertia = rotates ? (float)inertia : 0.0f;
-    body->inv_mass = dynamic ? (float)(1.0 / mass) : 0.0f;
+    body->inv_mass = (float)(dynamic / mass);
     body->inv_inertia = rotates ? (float)(1.0 / inertia) : 0.0f;
     set_center(w, index, cx, cy);
 }
