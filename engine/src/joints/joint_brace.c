@@ -45,11 +45,11 @@
 
 #include <string.h>
 
-/* The numbers of a group in scratch.brace_groups: p.u and p.u', its work at the speeds without and
- * with its impulses (energies, mass length^2 / s^2); the energy that its locks exchange, which is
- * the sum of |p.u'| of its lanes; the number of its lanes; and its widest gap
- * (opening_of). Each bracing sums up the first three (SUMS) anew. td_joints_engage has reserved
- * room for one group for each body. */
+/* The numbers of a group in scratch.brace_groups. WORK_WITHOUT and WORK_WITH: p.u and p.u', its
+ * work at the speeds without and with its impulses (energies, mass length^2 / s^2). EXCHANGED: the
+ * energy that its locks exchange, the sum of |p_i u'_i| over its lanes i. Each bracing computes
+ * these SUMS anew. LANES: the number of its lanes. OPENING: its widest gap (opening_of).
+ * td_joints_engage has reserved room for one group for each body. */
 enum { WORK_WITHOUT, WORK_WITH, EXCHANGED, SUMS, LANES = SUMS, OPENING, GROUP_NUMBERS };
 
 /* The numbers of a group; `group` is its index, stored as a float in lanes. */
@@ -60,8 +60,8 @@ static double *group_sums(const thud_world *w, float group) {
 /* Visits a block of locks or rods; `which`: an argument of the visitor's own. */
 typedef void visit_fn(thud_world *w, td_block *block, int which);
 
-/* Blocks lie anywhere in memory; the data of bracing are prefetched so many blocks ahead. Chosen.
- */
+/* Blocks lie anywhere in memory: their data of bracing are prefetched so many blocks ahead.
+ * Chosen. */
 enum { FETCH_AHEAD = 6 };
 
 /* Calls `visit` for each block of locks and rods. */
@@ -169,9 +169,9 @@ static void number_groups(thud_world *w) {
 }
 
 /* Adds the work p.u (`which` WORK_WITHOUT) or p.u' (WORK_WITH) of a block's lanes to the sums of
- * their groups, and with p.u' the energy that they exchange. Marks blocks with a lane
- * whose group is torn; the others have no part in bracing, and their work is that of an earlier
- * pass. */
+ * their groups, and with p.u' the energy that they exchange. Marks blocks with a lane whose group
+ * is torn (td_brace_rows.torn). The passes of bracing leave the others out, whose work is then that
+ * of an earlier pass; it goes to groups that are not braced. */
 static void add_work(thud_world *w, td_block *block, int which) {
     const float *group = lane_groups(block);
     td_brace_rows *rows = td_brace_rows_of(block);
@@ -201,8 +201,8 @@ static void add_work(thud_world *w, td_block *block, int which) {
  * quarters of the bracings of random mechanisms, test_joints_random). In a plate of 20,000 hinges
  * that hangs, about as many locks add energy as take it: 0.003 to 0.08 times. Without this
  * tolerance the uppermost hinges of that plate come apart by 19 lengths in ten seconds, with it by
- * one (a smaller plate: plate_of_hinges_hangs_together, test_joint_scenes). Chosen: the tests pass
- * at half and at 1.5 times the share. */
+ * one (a smaller plate: plate_of_hinges_hangs_together, test_joint_scenes). Both values are chosen;
+ * the tests pass at half and at 1.5 times the share. */
 #define EXCHANGED_SHARE 0.2
 #define STRICT_LANES 64.0
 
