@@ -190,8 +190,12 @@ THUD_API void thud_world_destroy(thud_world *world);
  * path of its acceleration and damping, at every quality, to the rounding of its velocity to a
  * float. On THUD_ERROR_MEMORY no body has moved and no event is reported, but edits have taken
  * effect, and bodies that the step was going to wake may be awake. If the step is run again, it has
- * the same results, bit for bit, and the same events. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a
- * callback. */
+ * the same results, bit for bit, and the same events. One shortage ends otherwise: under bisect and
+ * swept, a step needs more memory while bodies move if the pairs on their ways that the broadphase
+ * did not foresee are over 256, plus one for each body and one for each body and line of ground, as
+ * where bodies cross thousands of length scales in a step. Without that memory the step succeeds,
+ * stops these bodies on their ways (thud_stats.held_bodies), and so has other results than with it.
+ * THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback. */
 THUD_API thud_result thud_world_step(thud_world *world);
 
 /* Advances the world by `elapsed` seconds, in [0, THUD_ADVANCE_MAX]: runs the whole steps that fit
@@ -572,9 +576,10 @@ typedef struct thud_step_error {
     /* Length, at the end of the step, over the points of touching pairs; rotations are linearised.
      */
     double penetration_max, penetration_mean;
-    double residual; /* length/s: the largest approach speed of a contact before the last pass of
-                        the soft solver corrected it; in a step that solved islands directly, after
-                        that pass */
+    double residual; /* length/s: the largest approach speed of a contact, or speed along a locked
+                        direction or distance of a joint or of a gear, before the last pass of the
+                        soft solver corrected it; in a step that solved islands directly, after that
+                        pass */
     double energy_change;  /* change of kinetic plus potential energy, mass * length^2 / s^2, to a
                               millionth of the kinetic energy. Friction, damping and restitution make
                               it negative; forces, kinematic bodies, moving surfaces and errors of
