@@ -169,7 +169,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.order, int32_t),
     ARRAY(scratch.next_tied, td_awake_slot),
     ARRAY(scratch.before, float[4]),
-    ARRAY(scratch.brace_groups, double[5]),
+    ARRAY(scratch.brace_groups, td_brace_group),
     ARRAY(scratch.legs, td_leg),
     ARRAY(scratch.first_legs, int),
     ARRAY(scratch.held_at, double),

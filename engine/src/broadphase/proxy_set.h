@@ -125,6 +125,12 @@ void td_proxy_sets_woken(struct thud_world *w, const td_array *bodies);
 /* Takes the shapes that are awake out of the set of shapes at rest. */
 void td_proxy_set_drop_woken(struct thud_world *w);
 
+/* Room for the hits of one query among so many shapes: it finds each of them once at most, and
+ * reserves room for as many again before it tests them (reserve_hits, wide_scan.h). */
+static inline int td_query_room(int shapes) {
+    return 2 * shapes + 4 * TD_LANES;
+}
+
 /* Invalidates the set after a shape has entered or left it. */
 static inline void td_proxy_set_forget(td_proxy_set *set) {
     set->listed = set->valid = set->loose = false;

@@ -77,6 +77,15 @@ typedef struct td_brace_rows {
 
 static_assert(sizeof(td_brace_rows) == 2 * sizeof(td_point_history), "they share their place");
 
+/* Sums over the lanes of a group of bodies that locks and rods connect, for bracing: energies, mass
+ * length^2 / s^2. Each bracing computes the first three anew. */
+typedef struct td_brace_group {
+    double work_without, work_with; /* p.u and p.u', as in td_brace_rows */
+    double exchanged; /* energy that the locks exchange: the sum of |p.u'| of single lanes */
+    int lanes;        /* number of lanes */
+    float opening;    /* the widest gap (opening_of, joint_brace.c) */
+} td_brace_group;
+
 /* The fields of friction and restitution that few passes read, apart from td_block. */
 typedef struct td_surface {
     f8 speed;  /* surface speed (a belt's): target of b's sliding speed along t, length/s; read only

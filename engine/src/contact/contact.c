@@ -95,7 +95,8 @@ void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_
 bool td_contact_end_reserve(thud_world *w, int more) {
     td_event_lists *e = &w->events;
     int sensed = e->sensor_end.count + 2 * td_min_int(more, w->constraint_count[TD_PAIR_SENSOR]);
-    int ends = e->end.count + td_max_int(more, 32); /* so that few steps allocate; chosen */
+    /* Room for 32 at least, so that few steps allocate. Chosen. */
+    int ends = e->end.count + td_max_int(more, 32);
     return more == 0 || ((!w->def.contact_events || td_array_reserve(&w->memory, &e->end, ends)) &&
                          td_array_reserve(&w->memory, &e->sensor_end, sensed) &&
                          td_array_reserve(&w->memory, &e->sensor_end_time, sensed));

@@ -291,11 +291,10 @@ static void stop_at_first_hit(thud_world *w, td_awake_slot slot) {
     }
 }
 
-/* Reserves memory for the hits of a query, which has a hit a shape at most, and reserves as much
- * again (reserve_hits of wide_scan.h). */
+/* Reserves memory for the hits of a query among the resting shapes. */
 static bool reserve(thud_world *w) {
-    return td_held_reserve(w) && td_array_reserve(&w->memory, &w->scratch.ahead,
-                                                  2 * w->rest_shapes.ids.count + 4 * TD_LANES);
+    return td_held_reserve(w) &&
+           td_array_reserve(&w->memory, &w->scratch.ahead, td_query_room(w->rest_shapes.ids.count));
 }
 
 /* Stops the fast bodies of this detection; see td_detection_stage. */

@@ -332,14 +332,12 @@ static bool reserve(thud_world *w) {
     int extras = awake * (w->terrains.live + 1) + SPARE_CANDIDATES;
     /* Room for the hit events of contacts that begin in the step, beside those of impacts. */
     int hits = w->scratch.begins.count;
-    /* A query finds each shape once at most, and reserves room for as many again before it tests
-     * them (reserve_hits, wide_scan.h). */
     int shapes = w->awake_shapes.ids.count + w->rest_shapes.ids.count;
     /* Each impact ends a leg of both bodies. Each body also has a last leg, and one more if
      * td_sensing_note_held finds it held. */
     int legs = w->sensors > 0 ? 2 * impacts_max + 2 * awake : 0;
     return td_held_reserve(w) && td_array_reserve(&w->memory, &w->scratch.legs, legs) &&
-           td_array_reserve(&w->memory, &w->scratch.found_shapes, 2 * shapes + 4 * TD_LANES) &&
+           td_array_reserve(&w->memory, &w->scratch.found_shapes, td_query_room(shapes)) &&
            td_array_reserve(&w->memory, &w->scratch.trajectories, awake) &&
            td_array_reserve(&w->memory, &w->scratch.arrivals, td_arrivals_max(w)) &&
            td_array_reserve(&w->memory, &w->scratch.escaped, awake) &&

@@ -286,12 +286,11 @@ static void link_legs(thud_world *w) {
     }
 }
 
-/* scratch.ahead gets room for the hits of a query, as continuous.c reserves it. */
+/* scratch.ahead gets room for the hits of a query among the resting shapes. */
 bool td_sensing_reserve(thud_world *w) {
     return td_array_reserve(&w->memory, &w->scratch.first_legs, w->body_of.count) &&
            td_array_reserve(&w->memory, &w->scratch.legs, w->body_of.count) &&
-           td_array_reserve(&w->memory, &w->scratch.ahead,
-                            2 * w->rest_shapes.ids.count + 4 * TD_LANES);
+           td_array_reserve(&w->memory, &w->scratch.ahead, td_query_room(w->rest_shapes.ids.count));
 }
 
 void td_sensing_note_held(thud_world *w) {

@@ -43,18 +43,13 @@
 #include "islands/label.h"
 #include "joints/joint.h"
 
-#include <string.h>
+/* Which work add_work adds. */
+enum { WORK_WITHOUT, WORK_WITH };
 
-/* The numbers of a group in scratch.brace_groups. WORK_WITHOUT and WORK_WITH: p.u and p.u', its
- * work at the speeds without and with its impulses (energies, mass length^2 / s^2). EXCHANGED: the
- * energy that its locks exchange, the sum of |p_i u'_i| over its lanes i. Each bracing computes
- * these SUMS anew. LANES: the number of its lanes. OPENING: its widest gap (opening_of).
- * td_joints_engage has reserved room for one group for each body. */
-enum { WORK_WITHOUT, WORK_WITH, EXCHANGED, SUMS, LANES = SUMS, OPENING, GROUP_NUMBERS };
-
-/* The numbers of a group; `group` is its index, stored as a float in lanes. */
-static double *group_sums(const thud_world *w, float group) {
-    return (double *)w->scratch.brace_groups.data + GROUP_NUMBERS * (size_t)group;
+/* A group; `index` is stored as a float in lanes. td_joints_engage has reserved room for one group
+ * for each body. */
+static td_brace_group *group_at(const thud_world *w, float index) {
+    return TD_AT(td_brace_group, &w->scratch.brace_groups, (int)index);
 }
 
 /* Visits a block of locks or rods; `which`: an argument of the visitor's own. */
@@ -106,8 +101,7 @@ static float group_index(thud_world *w, td_awake_slot slot) {
     td_awake_slot *mark = parent->at < 0 ? parent : &parents[parent->at];
     if (mark->at >= 0) {
         mark->at = -1 - w->scratch.brace_groups.count++;
-        double *sums = group_sums(w, (float)(-1 - mark->at));
-        sums[LANES] = sums[OPENING] = 0.0;
+        *group_at(w, (float)(-1 - mark->at)) = (td_brace_group){0};
     }
     return (float)(-1 - mark->at);
 }
@@ -139,16 +133,16 @@ static void number_lanes(thud_world *w, td_block *block, int unused) {
     for (int lane = 0; lane < block->used; lane++) {
         td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
         group[lane] = group_index(w, td_inv_mass_of(w, b) > 0.0f ? b : a);
-        double *sums = group_sums(w, group[lane]);
-        sums[LANES] += 1.0;
-        sums[OPENING] = td_max_double(sums[OPENING], (double)opening_of(w, block, lane));
+        td_brace_group *of = group_at(w, group[lane]);
+        of->lanes++;
+        of->opening = td_max_float(of->opening, opening_of(w, block, lane));
     }
 }
 
 /* Whether a group has a torn joint, or, if `relaxed`, a lock that is wide open: only there bracing
  * acts. */
-static bool is_torn(const double *group, bool relaxed) {
-    return group[OPENING] > (relaxed ? (double)TD_JOINT_CLOSING_FACTOR : 1.0);
+static bool is_torn(const td_brace_group *group, bool relaxed) {
+    return group->opening > (relaxed ? TD_JOINT_CLOSING_FACTOR : 1.0f);
 }
 
 /* Numbers the groups once in a step: in the first substep, where the gaps are those at the start of
@@ -179,15 +173,20 @@ static void add_work(thud_world *w, td_block *block, int which) {
         (const float *)(which == WORK_WITH ? &rows->work_with : &rows->work_without);
     rows->torn = 0.0f;
     for (int lane = 0; lane < block->used;) {
-        double *sums = group_sums(w, group[lane]), sum = 0.0, exchanged = 0.0;
+        td_brace_group *of = group_at(w, group[lane]);
+        double sum = 0.0, exchanged = 0.0;
         int first = lane;
         for (; lane < block->used && group[lane] == group[first]; lane++) {
             sum += (double)work[lane];
             exchanged += (double)td_joint_abs(work[lane]);
         }
-        sums[which] += sum;
-        sums[EXCHANGED] += which == WORK_WITH ? exchanged : 0.0;
-        rows->torn = is_torn(sums, false) ? 1.0f : rows->torn;
+        if (which == WORK_WITH) {
+            of->work_with += sum;
+            of->exchanged += exchanged;
+        } else {
+            of->work_without += sum;
+        }
+        rows->torn = is_torn(of, false) ? 1.0f : rows->torn;
     }
 }
 
@@ -204,22 +203,22 @@ static void add_work(thud_world *w, td_block *block, int which) {
  * one (a smaller plate: plate_of_hinges_hangs_together, test_joint_scenes). Both values are chosen;
  * the tests pass at half and at 1.5 times the share. */
 #define EXCHANGED_SHARE 0.2
-#define STRICT_LANES 64.0
+enum { STRICT_LANES = 64 };
 
-static double tolerated_gain(const double *group) {
-    return group[LANES] > STRICT_LANES ? EXCHANGED_SHARE * group[EXCHANGED] : 0.0;
+static double tolerated_gain(const td_brace_group *group) {
+    return group->lanes > STRICT_LANES ? EXCHANGED_SHARE * group->exchanged : 0.0;
 }
 
 /* Whether a group is braced if its impulses add this much energy. */
-static bool is_braced(const double *group, bool relaxed, double energy) {
+static bool is_braced(const td_brace_group *group, bool relaxed, double energy) {
     return is_torn(group, relaxed) && energy > (relaxed ? 0.0 : tolerated_gain(group));
 }
 
 /* The share of a group's impulses to keep, 0 .. 1; 1 where it is not braced. */
-static float share_to_keep(const double *group, bool relaxed) {
-    double growth = group[WORK_WITH] - group[WORK_WITHOUT];
-    double energy = 0.5 * (group[WORK_WITHOUT] + group[WORK_WITH]);
-    double share = -(relaxed ? ZERO_ENERGY : MIN_ENERGY) * group[WORK_WITHOUT] / growth;
+static float share_to_keep(const td_brace_group *group, bool relaxed) {
+    double growth = group->work_with - group->work_without;
+    double energy = 0.5 * (group->work_without + group->work_with);
+    double share = -(relaxed ? ZERO_ENERGY : MIN_ENERGY) * group->work_without / growth;
     bool scaled = growth > 0.0 && is_braced(group, relaxed, energy);
     return scaled ? (float)td_min_double(td_max_double(0.0, share), 1.0) : 1.0f;
 }
@@ -231,7 +230,7 @@ static void set_shares(thud_world *w, td_block *block, int relaxed) {
     float *share = (float *)&td_brace_rows_of(block)->kept_share;
     float *closing_factor = (float *)&td_lock_rows_of(block)->closing_factor;
     for (int lane = 0; lane < block->used; lane++) {
-        share[lane] = share_to_keep(group_sums(w, group[lane]), relaxed);
+        share[lane] = share_to_keep(group_at(w, group[lane]), relaxed);
         closing_factor[lane] = share[lane] < 1.0f ? 1.0f : closing_factor[lane];
     }
 }
@@ -248,12 +247,13 @@ static void judge_energy(void *argument, int chunk) {
     (void)chunk;
     number_groups(w);
     for (int group = 0; group < w->scratch.brace_groups.count; group++) {
-        memset(group_sums(w, (float)group), 0, SUMS * sizeof(double));
+        td_brace_group *g = group_at(w, (float)group);
+        g->work_without = g->work_with = g->exchanged = 0.0;
     }
     for_each_lock_block(w, add_work, WORK_WITH);
     for (int group = 0; group < w->scratch.brace_groups.count && !any; group++) {
-        const double *sums = group_sums(w, (float)group);
-        any = is_braced(sums, b->relaxed, sums[WORK_WITH]);
+        const td_brace_group *g = group_at(w, (float)group);
+        any = is_braced(g, b->relaxed, g->work_with);
     }
     atomic_store_explicit(b->adds, any, memory_order_relaxed);
 }
@@ -270,7 +270,7 @@ static void set_all_shares(void *argument, int chunk) {
 static bool is_any_wide_open(const thud_world *w) {
     bool any = false;
     for (int group = 0; group < w->scratch.brace_groups.count; group++) {
-        any |= is_torn(group_sums(w, (float)group), true);
+        any |= is_torn(group_at(w, (float)group), true);
     }
     return any;
 }

@@ -28,7 +28,7 @@ static bool end_contacts(thud_world *w, td_body_index a, td_body_index b) {
         count += is_solid_contact(td_constraint_at(w, td_edge_constraint(e))) &&
                  td_same_body(td_other_body(w, e), b);
     }
-    if (count && !td_contact_end_reserve(w, count)) {
+    if (!td_contact_end_reserve(w, count)) {
         return false;
     }
     for (int e = td_body_at(w, a)->first_constraint; count && e != TD_NONE;) {

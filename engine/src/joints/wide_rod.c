@@ -79,7 +79,8 @@ TD_INLINE void solve(td_block *const *blocks, int count, const td_solve_context 
  * all locks, and p.u, by the speeds u without them. TD_BRACE_REMOVE removes p from the velocities,
  * but not from the record (`applied`). TD_BRACE_APPLY_SHARE applies the share of p that
  * joint_brace.c has computed from the two (kept_share), and scales the lane's impulses and the
- * record by it. */
+ * record by it. Blocks without a torn group are left out, but in the first pass of a step, before
+ * joint_brace.c finds the groups. */
 void TD_WIDE(td_brace_applied)(td_block *block, const td_solve_context *c, bool a_static) {
     td_applied_impulse *applied = &td_lock_rows_of(block)->applied;
     td_brace_rows *rows = td_brace_rows_of(block);

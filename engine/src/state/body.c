@@ -161,8 +161,8 @@ static void set_center(thud_world *w, td_body_index index, double x, double y) {
     body->center_x = (float)x;
     body->center_y = (float)y;
     td_position to = td_body_origin(w, index);
-    center->x += from.x - to.x;
-    center->y += from.y - to.y;
+    center->x = td_wrap_add64(center->x, td_wrap_sub64(from.x, to.x));
+    center->y = td_wrap_add64(center->y, td_wrap_sub64(from.y, to.y));
 }
 
 /* Bounds of the weight of shapes, sqrt(mass * inertia). With lengths of 1e-10 to 1e10, those of the
@@ -178,7 +178,7 @@ static void weigh_shapes(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     double mass = 0.0, mx = 0.0, my = 0.0, inertia = 0.0;
     bool dynamic = body->kind == THUD_BODY_DYNAMIC;
-    for (int i = dynamic ? body->first_shape : TD_NONE; i != TD_NONE; i = td_shape_at(w, i)->next) {
+    for (int i = body->first_shape; dynamic && i != TD_NONE; i = td_shape_at(w, i)->next) {
         const td_shape *shape = td_shape_at(w, i);
         double area, moment;
         double density = shape->flags & TD_SHAPE_WAITS ? 0.0 : (double)shape->density;
@@ -194,14 +194,14 @@ static void weigh_shapes(thud_world *w, td_body_index index) {
     }
     double cx = mx / mass, cy = my / mass;
     inertia -= mass * (cx * cx + cy * cy);
-    bool rotates = inertia > 0.0 && !((body->flags & TD_BODY_FIXED) | body->aabbs);
+    bool rotates = inertia > 0.0 && !(body->flags & TD_BODY_FIXED) && !body->aabbs;
     double weight = rotates ? __builtin_sqrt(mass * inertia) : mass;
     double share = td_clamp(weight, WEIGHT_MIN, WEIGHT_MAX) / weight;
     mass *= share;
     inertia *= share;
-    body->mass = (float)(dynamic * mass);
+    body->mass = dynamic ? (float)mass : 0.0f;
     body->inertia = rotates ? (float)inertia : 0.0f;
-    body->inv_mass = (float)(dynamic / mass);
+    body->inv_mass = dynamic ? (float)(1.0 / mass) : 0.0f;
     body->inv_inertia = rotates ? (float)(1.0 / inertia) : 0.0f;
     set_center(w, index, cx, cy);
 }
@@ -235,8 +235,8 @@ td_position td_origin_at(const thud_world *w, td_body_index index, const td_pose
     const td_body *body = td_body_at(w, index);
     float x = pose->c * body->center_x - pose->s * body->center_y;
     float y = pose->s * body->center_x + pose->c * body->center_y;
-    return (td_position){pose->center.x - td_length_from(w, x),
-                         pose->center.y - td_length_from(w, y)};
+    return (td_position){td_wrap_sub64(pose->center.x, td_length_from(w, x)),
+                         td_wrap_sub64(pose->center.y, td_length_from(w, y))};
 }
 
 td_position td_body_origin(const thud_world *w, td_body_index index) {

@@ -1,5 +1,6 @@
 /* scratch.h: arrays that are valid within one step or query; those of td_lanes_sequence, while
- * `sequenced` is set. Their memory is kept between steps; they are in no snapshot. */
+ * `sequenced` is set. Their memory is kept between steps. Of them only `begins` and `ends` are in
+ * snapshots, for steps that ran out of memory. */
 #ifndef TD_SCRATCH_H
 #define TD_SCRATCH_H
 
@@ -47,7 +48,7 @@ typedef struct td_scratch {
     td_array shares;       /* td_share: state/shared_stages.h */
     td_array next_tied;    /* td_awake_slot, by awake slot: constraint/tied_bodies.h */
     td_array before;       /* float[4], by awake slot: velocities, joints/joint_yield.c */
-    td_array brace_groups; /* double[5], by group of tied bodies: joints/joint_brace.c */
+    td_array brace_groups; /* td_brace_group, by group of bodies: joints/joint_brace.c */
     td_array held_at;      /* double, by awake slot: see td_held_count */
     td_array legs;         /* td_leg, parts of paths in the order of time: sensing.c */
     td_array first_legs;   /* int, by awake slot: the first of its legs, or TD_NONE */

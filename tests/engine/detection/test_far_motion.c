@@ -198,6 +198,17 @@ static void long_motion_passes_over_bodies_that_were_woken(void **state) {
     thud_world_destroy(world);
 }
 
+/* Adds a flat line of ground whose body is at x. */
+static void add_line_at(thud_world *world, double x, double slope) {
+    thud_body_def at = thud_default_body_def();
+    thud_shape_def shape = thud_default_shape_def();
+    thud_terrain line = {.kind = THUD_TERRAIN_FLAT, .slope = slope};
+    thud_body_id ground;
+    at.position.x = x;
+    OK(thud_body_create(world, &at, &ground));
+    OK(thud_shape_create_terrain(world, ground, &shape, &line, NULL));
+}
+
 /* Shapes that are as far from each other as a world allows, over 1e15 units, have no points of
  * contact. */
 static void shapes_at_opposite_ends_of_the_world_have_no_contacts(void **state) {
@@ -208,13 +219,7 @@ static void shapes_at_opposite_ends_of_the_world_have_no_contacts(void **state) 
         def.gravity.y = -5e6f;
         def.detection = &thud_detection_swept;
         thud_world *world = make_world(def);
-        thud_body_def at = thud_default_body_def();
-        thud_shape_def shape = thud_default_shape_def();
-        thud_terrain line = {.kind = THUD_TERRAIN_FLAT};
-        thud_body_id ground;
-        at.position.x = 5.2e14;
-        OK(thud_body_create(world, &at, &ground));
-        OK(thud_shape_create_terrain(world, ground, &shape, &line, NULL));
+        add_line_at(world, 5.2e14, 0);
         for (int i = 0; i < 8; i++) {
             double x = -5.2e14 + i * 4e5;
             thud_body_options o = {.kind = THUD_BODY_DYNAMIC,
@@ -241,13 +246,7 @@ static void flat_line_stops_what_is_at_the_other_end_of_the_world(void **state) 
         def.gravity.y = -5e6f;
         def.detection = detections[i % 3];
         thud_world *world = make_world(def);
-        thud_body_def at = thud_default_body_def();
-        thud_shape_def shape = thud_default_shape_def();
-        thud_terrain line = {.kind = THUD_TERRAIN_FLAT, .slope = slope};
-        thud_body_id ground;
-        at.position.x = x;
-        OK(thud_body_create(world, &at, &ground));
-        OK(thud_shape_create_terrain(world, ground, &shape, &line, NULL));
+        add_line_at(world, x, slope);
         thud_body_options down = {.kind = THUD_BODY_DYNAMIC, .velocity = {1e6f, -1e9f}};
         thud_body_id ball =
             thud_body_make(world, thud_circle_at(-x, 3e6 - slope * 2 * x, 3e5), &down);
