@@ -315,6 +315,45 @@ for (const browser of BROWSERS)
       await close();
     });
 
+    test("video_is_made_by_the_next_encoder_if_the_first_gives_nothing", LOGIC, async () => {
+      /** Lets the first `count` recorders of the page give no bytes. */
+      const mute = (count) => async (page) => {
+        await keepBlobs(page);
+        await page.addInitScript((mutes) => {
+          window.recorders = 0;
+          const { start } = MediaRecorder.prototype;
+          MediaRecorder.prototype.start = function (slice) {
+            if (window.recorders++ < mutes) this.ondataavailable = null;
+            start.call(this, slice);
+          };
+        }, count);
+      };
+      for (const [mutes, recorders] of [
+        [1, 2],
+        [9, 1],
+      ]) {
+        const { page, errors, close } = await visitor.open("?scene=cradle&paused=1", DESKTOP, mute(mutes));
+        await stepBy(page, STEPS);
+        await page.keyboard.press("o");
+        await page.click("#save-video");
+        await page.waitForSelector("#stop-film");
+        // Who stops it does not wait for another encoder.
+        if (recorders === 1) await page.click("#stop-film");
+        await page.waitForSelector("#filming", { state: "detached" });
+        const [made, size] = await page.evaluate(() => [window.recorders, window.kept?.size ?? 0]);
+        assert.equal(made, recorders);
+        if (mutes === 1) {
+          assert.ok(size > 5000, `${size} bytes`);
+          await untilStep(page, STEPS);
+        } else {
+          assert.equal(size, 0, "a file without a picture is not saved");
+          assert.match(await page.textContent("#notice"), /no video: the browser's encoder has given nothing/);
+        }
+        assert.deepEqual(errors, []);
+        await close();
+      }
+    });
+
     test("scene_that_stops_by_an_error_offers_a_recording_of_what_led_to_it", LOGIC, async () => {
       const scene = `export const title = "Stops";
         export default function ({ createWorld }) {

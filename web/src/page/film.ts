@@ -34,12 +34,15 @@ function formatOf(): readonly [type: string, ending: string] | undefined {
 const LAST_PICTURE = 200;
 /**
  * An encoder may take a second to begin, and drops what it is given until then: the first picture
- * stays until so many bytes have come, or for so many milliseconds. Milliseconds between two looks.
- * Chosen.
+ * stays until so many bytes have come. Milliseconds between two looks. Chosen.
  */
 const BEGUN = 500;
-const LATEST = 3000;
 const LOOKS = 50;
+/**
+ * An encoder of a busy browser may give nothing at all. Another one is begun after so many
+ * milliseconds without a byte, and after the last of them there is no video. Chosen.
+ */
+const TRIES = [3000, 5000, 10_000];
 
 class Film {
   readonly #canvas = document.createElement("canvas");
@@ -93,18 +96,19 @@ class Film {
     }
   }
 
-  /** Resolves when the film has really begun. */
-  async begin(): Promise<void> {
-    await this.hold(LATEST, () => this.#parts.reduce((sum, { size }) => sum + size, 0) > BEGUN);
+  /** How many bytes the encoder has given so far. */
+  get bytes(): number {
+    return this.#parts.reduce((sum, { size }) => sum + size, 0);
   }
 
-  /** Ends the film, and returns it. */
+  /** Ends the film, and returns it. Throws if the encoder has given nothing. */
   async end(): Promise<Blob> {
     this.#forget();
     // The browser ends it by itself after an error.
     if (this.#recorder.state !== "inactive") this.#recorder.stop();
     await this.#ended;
     for (const track of this.#recorder.stream.getTracks()) track.stop();
+    if (this.bytes === 0) throw new Error("the browser's encoder has given nothing.");
     return new Blob(this.#parts, { type: this.#recorder.mimeType });
   }
 }
@@ -141,6 +145,17 @@ export async function saveVideo(app: App): Promise<void> {
   if (app.scene?.run === run && app.state.paused) app.setPaused(paused);
 }
 
+/** Begins a film of the present picture, and resolves when its encoder has begun. A visitor who does
+ * not want to wait any longer gets what there is. */
+async function begin(app: App, stopped: () => boolean): Promise<Film> {
+  for (let tries = 1; ; tries++) {
+    const film = new Film(app);
+    await film.hold(TRIES[tries - 1]!, () => film.bytes > BEGUN);
+    if (film.bytes > 0 || stopped() || tries === TRIES.length) return film;
+    film.end().catch(() => {});
+  }
+}
+
 /** Goes through the steps while it films. Ends early if `stopped`, if the visitor lets the scene go
  * on, and if another one begins. */
 async function play(
@@ -154,9 +169,9 @@ async function play(
   const seconds = (steps: number) => Math.round(steps * timeStep);
   await app.seek(first);
   await new Promise(requestAnimationFrame);
-  const film = new Film(app);
+  tell("Video: the encoder begins");
+  const film = await begin(app, stopped);
   try {
-    await film.begin();
     const begun = performance.now();
     for (let step = first; step < last && goesOn(); ) {
       await new Promise(requestAnimationFrame);
