@@ -174,6 +174,8 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.first_legs, int),
     ARRAY(scratch.held_at, double),
     ARRAY(scratch.sensing, td_awake_slot),
+    ARRAY(scratch.sensed.boxes, td_boxed),
+    ARRAY(scratch.sensed.lists, int),
     EVENTS(events),
     EVENTS(published),
     ARRAY(broken, thud_joint_event),

@@ -21,23 +21,9 @@ bool td_sensed_reserve(thud_world *w) {
     int shapes = w->awake_shapes.ids.count + w->rest_shapes.ids.count;
     return td_array_reserve(&w->memory, &w->scratch.sensing, w->body_of.count) &&
            td_array_reserve(&w->memory, &w->scratch.found_shapes, 3 * shapes + 4 * TD_LANES) &&
+           td_bounds_grid_reserve(&w->memory, &w->scratch.sensed, w->sensors) &&
            td_array_reserve(&w->memory, &w->scratch.pairs, 2 * room) &&
            td_constraints_reserve(w, more);
-}
-
-/* Lists the awake bodies that have a sensor. */
-void td_sensed_list(thud_world *w) {
-    td_array *list = &w->scratch.sensing;
-    list->count = 0;
-    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
-        int i = td_body_at(w, td_body_of(w, slot))->first_shape;
-        while (i != TD_NONE && !td_senses(w, i)) {
-            i = td_shape_at(w, i)->next;
-        }
-        if (i != TD_NONE) {
-            td_push_slot(list, slot);
-        }
-    }
 }
 
 /* Whether the shape has left its fat bounds in this step. */
@@ -49,6 +35,26 @@ static bool moved(const thud_world *w, int shape) {
 static bool exists_since_start(const thud_world *w, int shape) {
     return (td_shape_at(w, shape)->flags & (TD_SHAPE_LIVE | TD_SHAPE_WAITS)) == TD_SHAPE_LIVE &&
            !(*td_marks_at(w, shape) & TD_MARK_FRESH);
+}
+
+/* Whether the shape is a sensor for which this step has reserved memory. */
+static bool is_sensor(const thud_world *w, int shape) {
+    return td_senses(w, shape) && exists_since_start(w, shape);
+}
+
+/* Lists the awake bodies that have a sensor. */
+void td_sensed_list(thud_world *w) {
+    td_array *list = &w->scratch.sensing;
+    list->count = 0;
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
+        int i = td_body_at(w, td_body_of(w, slot))->first_shape;
+        while (i != TD_NONE && !is_sensor(w, i)) {
+            i = td_shape_at(w, i)->next;
+        }
+        if (i != TD_NONE) {
+            td_push_slot(list, slot);
+        }
+    }
 }
 
 /* Adds a pair that has no contact, and marks the shape, because the next broadphase finds the pair
@@ -98,38 +104,49 @@ static bool pair_with_set(thud_world *w, const td_proxy_set *set, int shape) {
     return done;
 }
 
-/* Adds the pairs of a moved sensor with other moved shapes; of two sensors that moved, the one of
- * lower index adds the pair. */
-static bool pair_with_moved_shapes(thud_world *w, int shape) {
-    bool done = true;
-    for (int i = 0; i < w->moved.count && done; i++) {
-        int other = td_int_at(&w->moved, i);
-        done = td_kind_is_line(td_shape_at(w, other)->kind) ||
-               (td_senses(w, other) && other <= shape) || try_pair(w, shape, other);
+/* Puts the awake sensors, and those that moved, into the grid. */
+static void fill_grid(thud_world *w) {
+    td_bounds_grid *grid = &w->scratch.sensed;
+    grid->boxes.count = 0;
+    for (int i = 0; i < w->scratch.sensing.count; i++) {
+        int shape = td_body_at(w, td_body_of(w, td_slot_in(&w->scratch.sensing, i)))->first_shape;
+        for (; shape != TD_NONE; shape = td_shape_at(w, shape)->next) {
+            if (is_sensor(w, shape)) {
+                td_bounds_grid_add(grid, td_fat_at(w, shape), shape);
+            }
+        }
     }
-    return done;
+    for (int i = 0; i < w->moved.count; i++) {
+        int shape = td_int_at(&w->moved, i);
+        const td_shape *s = td_shape_at(w, shape);
+        if (is_sensor(w, shape) && !td_kind_is_line(s->kind) &&
+            td_body_at(w, s->body)->awake.at <= 0) {
+            td_bounds_grid_add(grid, td_fat_at(w, shape), shape);
+        }
+    }
+    td_bounds_grid_build(grid);
 }
 
-/* Adds the pairs of a moved shape with awake sensors that did not move. */
-static bool pair_with_unmoved_sensors(thud_world *w, int shape) {
-    bool done = true;
-    for (int i = 0; i < w->scratch.sensing.count && done; i++) {
-        int other = td_body_at(w, td_body_of(w, td_slot_in(&w->scratch.sensing, i)))->first_shape;
-        for (; other != TD_NONE && done; other = td_shape_at(w, other)->next) {
-            done = moved(w, other) || try_pair(w, shape, other);
-        }
+/* Adds the pairs of a moved shape with awake sensors near it. If the shape is a sensor itself, it
+ * leaves those that did not move to pair_with_set; of two sensors that moved, the one of lower
+ * index adds the pair. */
+static bool pair_with_sensors(thud_world *w, int shape) {
+    td_array *found = &w->scratch.found_shapes;
+    bool done = true, senses = td_senses(w, shape);
+    found->count = 0;
+    td_bounds_grid_find(&w->scratch.sensed, td_fat_at(w, shape), found);
+    for (int i = 0; i < found->count && done; i++) {
+        int other = td_int_at(found, i);
+        done = (senses && (!moved(w, other) || other <= shape)) || try_pair(w, shape, other);
     }
     return done;
 }
 
 /* Adds all new sensor pairs of one moved shape that is no line. */
 static bool add_pairs_of(thud_world *w, int shape) {
-    bool done = pair_with_set(w, &w->rest_shapes, shape);
-    if (done && td_senses(w, shape)) {
-        done = pair_with_set(w, &w->awake_shapes, shape) && pair_with_moved_shapes(w, shape);
-    } else if (done) {
-        done = pair_with_unmoved_sensors(w, shape);
-    }
+    bool done = pair_with_set(w, &w->rest_shapes, shape) &&
+                (!td_senses(w, shape) || pair_with_set(w, &w->awake_shapes, shape)) &&
+                pair_with_sensors(w, shape);
     for (int t = 0; t < w->terrains.count && done; t++) {
         int line = td_terrain_record_at(w, t)->shape;
         done = line == TD_NONE || try_line(w, shape, line);
@@ -142,6 +159,7 @@ static bool add_pairs_of(thud_world *w, int shape) {
 bool td_sensed_pairs(thud_world *w) {
     bool done = true;
     w->scratch.pairs.count = 0;
+    fill_grid(w);
     for (int i = 0; i < w->moved.count && done; i++) {
         int shape = td_int_at(&w->moved, i);
         done = !exists_since_start(w, shape) || td_kind_is_line(td_shape_at(w, shape)->kind) ||

@@ -79,9 +79,9 @@ struct thud_detection {
     const struct thud_island_solver *islands;
     bool senses; /* sensors also report shapes that pass through them within a step (sensing.c);
                     false: they report by the poses at the end of the step only */
-    /* Tests the path of a fast body against awake bodies, for sensors. Null: paths are tested
-     * against resting bodies only. */
-    void (*sense_awake)(struct thud_world *w, td_awake_slot slot);
+    /* Tests the paths of fast bodies against those of awake bodies, for sensors. Null: paths are
+     * tested against resting bodies only. */
+    void (*sense_awake)(struct thud_world *w);
 };
 
 #endif

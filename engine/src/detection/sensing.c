@@ -201,28 +201,50 @@ void td_sensing_test_pair(thud_world *w, int a, int b) {
     }
 }
 
-bool td_sensing_is_straight(const thud_world *w, td_awake_slot slot) {
+/* Whether the body's path has one leg only: nothing stopped or turned it in this step. */
+static bool is_straight(const thud_world *w, td_awake_slot slot) {
     return first_leg(w, slot) == TD_NONE;
 }
 
 bool td_sensing_is_fast(const thud_world *w, td_awake_slot slot) {
     const float *delta = td_row(&w->delta, slot), *reach = td_row(&w->reach, slot);
-    return !td_sensing_is_straight(w, slot) ||
+    return !is_straight(w, slot) ||
            delta[0] * delta[0] + delta[1] * delta[1] > 0.25f * reach[0] * reach[0];
 }
 
 /* Half the width of the square about the end of the path that contains the whole path of the body,
- * by the places where its legs begin and its max_extent. A length. */
+ * by the places where its legs begin, how far a parabola leaves its chord, and its max_extent. A
+ * length. */
 static double path_reach(const thud_world *w, td_awake_slot slot) {
+    const float *delta = td_row(&w->delta, slot);
+    double extent = (double)td_row(&w->reach, slot)[1];
+    if (is_straight(w, slot)) {
+        return td_max_double(td_abs((double)delta[0]), td_abs((double)delta[1])) + extent;
+    }
     td_body_index body = td_body_of(w, slot);
     td_position end = td_pose_at(w, body)->center;
-    double distance_max = 0.0;
-    for (double now = 0.0; now < 1.0; now = leg_end_at(w, body, now)) {
-        td_position place = trajectory_at(w, body, now).place;
-        distance_max = td_max_double(distance_max, td_abs((double)td_wrap_sub64(place.x, end.x)));
-        distance_max = td_max_double(distance_max, td_abs((double)td_wrap_sub64(place.y, end.y)));
+    const td_trajectory straight = {.body = body};
+    double far = 0.0, chord_error = 0.0;
+    for (double now = 0.0, next; now < 1.0; now = next) {
+        td_trajectory leg = trajectory_at(w, body, now);
+        next = leg_end_at(w, body, now);
+        far = td_max_double(far, td_abs((double)td_wrap_sub64(leg.place.x, end.x)));
+        far = td_max_double(far, td_abs((double)td_wrap_sub64(leg.place.y, end.y)));
+        chord_error =
+            td_max_double(chord_error, td_trajectories_chord_error(&straight, &leg, next - now));
     }
-    return distance_max / w->to_fixed + (double)td_row(&w->reach, slot)[1];
+    return far / w->to_fixed + chord_error + extent;
+}
+
+bool td_sensing_path_bounds(const thud_world *w, td_awake_slot slot, td_bounds *bounds) {
+    double reach = path_reach(w, slot);
+    /* Wider bounds might wrap around: 2^14 length scales are a sixteenth of the period. */
+    if (!(reach < 0x1p14 * (double)w->length_scale)) {
+        return false;
+    }
+    int32_t half = (int32_t)(reach * w->to_coarse) + 3;
+    *bounds = td_bounds_about(td_pose_at(w, td_body_of(w, slot))->center, half, half);
+    return true;
 }
 
 /* Tests a pair with a shape of the set of resting shapes. If the narrowphase has woken the shape's
@@ -238,16 +260,12 @@ static void test_resting(thud_world *w, int shape, int other) {
 static void test_all_resting(thud_world *w, td_awake_slot slot) {
     td_body_index index = td_body_of(w, slot);
     const td_array *found = &w->rest_shapes.ids;
-    double reach = path_reach(w, slot);
-    /* Wider bounds might wrap around: 2^14 length scales are a sixteenth of the period. */
-    if (reach < 0x1p14 * (double)w->length_scale) {
-        td_position end = td_pose_at(w, index)->center;
-        int32_t half = (int32_t)(reach * w->to_coarse) + 3;
-        td_bounds bounds = td_bounds_about(end, half, half);
+    td_bounds bounds;
+    if (td_sensing_path_bounds(w, slot, &bounds)) {
         td_array *hits = &w->scratch.ahead;
         hits->count = 0;
-        if (!w->def.broadphase->find[w->wide](&w->rest_shapes, &w->memory, &bounds, end, hits,
-                                              NULL)) {
+        if (!w->def.broadphase->find[w->wide](&w->rest_shapes, &w->memory, &bounds,
+                                              td_pose_at(w, index)->center, hits, NULL)) {
             return;
         }
         td_sort_ints(hits);
@@ -311,14 +329,14 @@ void td_sensing_note_held(thud_world *w) {
 }
 
 void td_sensing_find_passed(thud_world *w) {
-    void (*sense_awake)(thud_world *, td_awake_slot) = td_sensing_of(w)->sense_awake;
+    void (*sense_awake)(thud_world *) = td_sensing_of(w)->sense_awake;
     link_legs(w);
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         if (td_sensing_is_fast(w, slot)) {
             test_all_resting(w, slot);
-            if (sense_awake) {
-                sense_awake(w, slot);
-            }
         }
+    }
+    if (sense_awake) {
+        sense_awake(w);
     }
 }

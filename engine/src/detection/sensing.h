@@ -16,13 +16,14 @@ void td_sensing_find_passed(thud_world *w);
 /* The time in the step, in [0, 1], at which the overlap of the shapes began (`begins`) or ended; 1
  * if the detection of the pair does not test its paths. */
 float td_sensing_time(const thud_world *w, int shape_a, int shape_b, bool begins);
-/* sensing_awake.c: reports the pairs of a fast body with awake bodies. */
-void td_sensing_test_awake(thud_world *w, td_awake_slot slot);
+/* sensing_awake.c: reports the pairs of fast bodies with awake bodies. */
+void td_sensing_test_awake(thud_world *w);
 /* Reports the pair if one is a sensor and the two overlapped on their paths, but not at the start
  * and the end of the step, unless an edit ended an overlap of them before the step. */
 void td_sensing_test_pair(thud_world *w, int shape_a, int shape_b);
-/* Whether the body's path has one leg only: nothing stopped or turned it in this step. */
-bool td_sensing_is_straight(const thud_world *w, td_awake_slot slot);
+/* Sets *bounds to a square that contains the whole path of the body in the step. False: the path is
+ * too long for bounds. */
+bool td_sensing_path_bounds(const thud_world *w, td_awake_slot slot, td_bounds *bounds);
 /* Whether the body moved further than half its smallest half extent, or its path has several legs.
  */
 bool td_sensing_is_fast(const thud_world *w, td_awake_slot slot);

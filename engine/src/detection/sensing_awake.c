@@ -1,34 +1,11 @@
 /* sensing_awake.c: the part of sensing.c for detections that test the paths of both bodies:
  * overlaps of fast bodies with sensors of awake bodies, and of fast sensors with awake bodies. */
-#include "contact/contact.h"
 #include "detection/sensing.h"
 #include "state/body.h"
 #include "state/shape.h"
 
-/* Whether two bodies with straight paths are too far apart to have met in the step. False for
- * bodies with several legs. */
-static bool are_apart(const thud_world *w, td_awake_slot a, td_awake_slot b) {
-    if (!td_sensing_is_straight(w, a) || !td_sensing_is_straight(w, b)) {
-        return false;
-    }
-    const td_position *p = &td_pose_at(w, td_body_of(w, a))->center;
-    const td_position *q = &td_pose_at(w, td_body_of(w, b))->center;
-    double x = (double)(q->x - p->x) / w->to_fixed, y = (double)(q->y - p->y) / w->to_fixed;
-    double reach = (double)(td_row(&w->reach, a)[1] + td_row(&w->reach, b)[1]);
-    for (int i = 0; i < 2; i++) {
-        const float *delta = td_row(&w->delta, i ? b : a);
-        reach += td_abs((double)delta[0]) + td_abs((double)delta[1]);
-    }
-    return x * x + y * y > reach * reach;
-}
-
-/* Tests all pairs of shapes of two bodies. If both are fast, the function is called for both
- * orders, and only the call with the lower slot first tests them. */
+/* Tests all pairs of shapes of two bodies. */
 static void test_bodies(thud_world *w, td_awake_slot slot, td_awake_slot other) {
-    if (other.at == slot.at || (other.at < slot.at && td_sensing_is_fast(w, other)) ||
-        are_apart(w, slot, other)) {
-        return;
-    }
     int a = td_body_at(w, td_body_of(w, slot))->first_shape;
     for (; a != TD_NONE; a = td_shape_at(w, a)->next) {
         int b = td_body_at(w, td_body_of(w, other))->first_shape;
@@ -38,26 +15,50 @@ static void test_bodies(thud_world *w, td_awake_slot slot, td_awake_slot other) 
     }
 }
 
-/* Whether a shape of the body is a sensor. */
-static bool has_sensor(const thud_world *w, td_awake_slot slot) {
-    int i = td_body_at(w, td_body_of(w, slot))->first_shape;
-    while (i != TD_NONE && !(td_shape_at(w, i)->flags & TD_SHAPE_SENSOR)) {
-        i = td_shape_at(w, i)->next;
+/* Puts the paths of the bodies that have sensors into the grid. Returns whether one is fast. */
+static bool fill_grid(thud_world *w) {
+    const td_array *sensing = &w->scratch.sensing;
+    bool any_fast = false;
+    w->scratch.sensed.boxes.count = 0;
+    for (int i = 0; i < sensing->count; i++) {
+        td_bounds bounds;
+        bool bounded = td_sensing_path_bounds(w, td_slot_in(sensing, i), &bounds);
+        td_bounds_grid_add(&w->scratch.sensed, bounded ? &bounds : NULL, td_slot_in(sensing, i).at);
+        any_fast = any_fast || td_sensing_is_fast(w, td_slot_in(sensing, i));
     }
-    return i != TD_NONE;
+    td_bounds_grid_build(&w->scratch.sensed);
+    return any_fast;
 }
 
-/* Tests a fast body against awake bodies: against all if it has a sensor, else against those with
- * sensors. */
-void td_sensing_test_awake(thud_world *w, td_awake_slot slot) {
-    const td_array *sensing = &w->scratch.sensing;
-    if (sensing->count > 0 && has_sensor(w, slot)) {
-        for (td_awake_slot other = {1}; other.at < w->body_of.count; other.at++) {
+/* Tests an awake body, which has a sensor (`senses`) or not, against those with sensors near its
+ * path. `fast`: it is fast. One of the two must be fast. If both have sensors, each finds the
+ * other, and the one in the lower slot tests the pair. */
+static void test_near(thud_world *w, td_awake_slot slot, bool senses, bool fast) {
+    td_array *found = &w->scratch.found_shapes;
+    td_bounds bounds;
+    found->count = 0;
+    bool bounded = td_sensing_path_bounds(w, slot, &bounds);
+    td_bounds_grid_find(&w->scratch.sensed, bounded ? &bounds : NULL, found);
+    td_sort_ints(found);
+    for (int i = 0; i < found->count; i++) {
+        td_awake_slot other = td_slot_in(found, i);
+        if (other.at != slot.at && !(senses && other.at < slot.at) &&
+            (fast || td_sensing_is_fast(w, other))) {
             test_bodies(w, slot, other);
         }
-        return;
     }
-    for (int i = 0; i < sensing->count; i++) {
-        test_bodies(w, slot, td_slot_in(sensing, i));
+}
+
+void td_sensing_test_awake(thud_world *w) {
+    const td_array *sensing = &w->scratch.sensing;
+    int next = 0; /* in `sensing`, which is in the order of slots */
+    bool any_fast = fill_grid(w);
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count && sensing->count > 0; slot.at++) {
+        bool senses = next < sensing->count && td_slot_in(sensing, next).at == slot.at;
+        next += senses;
+        bool fast = td_sensing_is_fast(w, slot);
+        if (fast || any_fast) {
+            test_near(w, slot, senses, fast);
+        }
     }
 }

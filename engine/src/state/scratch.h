@@ -4,6 +4,7 @@
 #ifndef TD_SCRATCH_H
 #define TD_SCRATCH_H
 
+#include "base/bounds_grid.h"
 #include "base/event_queue.h"
 #include "base/memory.h"
 
@@ -53,6 +54,8 @@ typedef struct td_scratch {
     td_array legs;         /* td_leg, parts of paths in the order of time: sensing.c */
     td_array first_legs;   /* int, by awake slot: the first of its legs, or TD_NONE */
     td_array sensing;      /* td_awake_slot: awake bodies with sensors */
+    td_bounds_grid sensed; /* of awake sensors: the paths of their bodies, by awake slot, in
+                              sensing_awake.c; then their fat bounds, by shape, in sensed_pairs.c */
     int sensed_room;       /* new sensor pairs for which this step has reserved memory; 0:
                               it began without sensors */
     td_array order;        /* any type: while a proxy set is sorted, or chunks are cut */
