@@ -175,7 +175,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.held_at, double),
     ARRAY(scratch.sensing, td_awake_slot),
     ARRAY(scratch.sensed.boxes, td_boxed),
-    ARRAY(scratch.sensed.lists, int),
+    ARRAY(scratch.sensed.ends, int),
     EVENTS(events),
     EVENTS(published),
     ARRAY(broken, thud_joint_event),

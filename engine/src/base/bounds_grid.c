@@ -2,6 +2,8 @@
  * width of a cell, so that cells do, too. */
 #include "base/bounds_grid.h"
 
+#include <string.h>
+
 /* The widest cells, 2^30 quanta: a search with bounds of less than 2^31 quanta then goes through
  * less than one period. */
 enum { SHIFT_MAX = 30 };
@@ -41,13 +43,13 @@ static int list_count(int boxes) {
  * on all bits of both numbers. */
 static int list_of(const td_bounds_grid *grid, grid_cell cell) {
     uint32_t mixed = (cell.x * 0x9E3779B1u ^ cell.y) * 0x85EBCA6Bu;
-    return (int)((mixed >> 15 ^ mixed) & (uint32_t)(grid->lists.count - 2));
+    return (int)((mixed >> 15 ^ mixed) & (uint32_t)(grid->ends.count - 2));
 }
 
 bool td_bounds_grid_reserve(td_memory *memory, td_bounds_grid *grid, int count) {
     grid->boxes.count = 0;
-    return td_array_reserve(memory, &grid->boxes, count) &&
-           td_array_reserve(memory, &grid->lists, list_count(count) + 1);
+    return td_array_reserve(memory, &grid->boxes, 2 * count) &&
+           td_array_reserve(memory, &grid->ends, list_count(count) + 1);
 }
 
 void td_bounds_grid_add(td_bounds_grid *grid, const td_bounds *bounds, int id) {
@@ -55,26 +57,42 @@ void td_bounds_grid_add(td_bounds_grid *grid, const td_bounds *bounds, int id) {
         (td_boxed){.bounds = bounds ? *bounds : (td_bounds){0}, .id = id, .everywhere = !bounds};
 }
 
-void td_bounds_grid_build(td_bounds_grid *grid) {
-    int count = grid->boxes.count, wide = list_count(count);
-    uint64_t sum = 0;
-    for (int i = 0; i < count; i++) {
+/* Chooses the size of cells by the mean size of the boxes. */
+static void choose_cells(td_bounds_grid *grid) {
+    uint64_t count = (uint64_t)grid->boxes.count, sum = 0;
+    for (int i = 0; i < grid->boxes.count; i++) {
         sum += width_of(&box_at(grid, i)->bounds);
     }
     grid->shift = 0;
-    while (grid->shift < SHIFT_MAX && (uint64_t)count << grid->shift < 2 * sum) {
+    while (grid->shift < SHIFT_MAX && count << grid->shift < 2 * sum) {
         grid->shift++;
     }
-    grid->lists.count = wide + 1;
-    for (int i = 0; i <= wide; i++) {
-        td_int_set(&grid->lists, i, TD_NONE);
+}
+
+/* The list that a box belongs to: that of its cell, or the one of the wide boxes. */
+static int list_of_box(const td_bounds_grid *grid, const td_boxed *box) {
+    bool fits = !box->everywhere && width_of(&box->bounds) <= UINT32_C(1) << grid->shift;
+    return fits ? list_of(grid, cell_of(grid, &box->bounds)) : grid->ends.count - 1;
+}
+
+/* Sorts the boxes by their lists, by counting. */
+void td_bounds_grid_build(td_bounds_grid *grid) {
+    int count = grid->boxes.count, begin = 0;
+    choose_cells(grid);
+    grid->ends.count = list_count(count) + 1;
+    int *ends = grid->ends.data;
+    memset(ends, 0, (size_t)grid->ends.count * sizeof *ends);
+    for (int i = 0; i < count; i++) {
+        ends[list_of_box(grid, box_at(grid, i))]++;
+    }
+    for (int i = 0; i < grid->ends.count; i++) {
+        int here = ends[i];
+        ends[i] = begin;
+        begin += here;
     }
     for (int i = 0; i < count; i++) {
-        td_boxed *box = box_at(grid, i);
-        bool fits = !box->everywhere && width_of(&box->bounds) <= UINT32_C(1) << grid->shift;
-        int list = fits ? list_of(grid, cell_of(grid, &box->bounds)) : wide;
-        box->next = td_int_at(&grid->lists, list);
-        td_int_set(&grid->lists, list, i);
+        const td_boxed *box = box_at(grid, i);
+        *box_at(grid, count + ends[list_of_box(grid, box)]++) = *box;
     }
 }
 
@@ -88,10 +106,12 @@ static void test_box(const td_boxed *box, const td_bounds *b, td_array *ids) {
 /* Tests the boxes of one list; all of them, or those of a cell only. */
 static void test_list(const td_bounds_grid *grid, int list, const grid_cell *cell,
                       const td_bounds *b, td_array *ids) {
-    for (int i = td_int_at(&grid->lists, list); i != TD_NONE; i = box_at(grid, i)->next) {
-        grid_cell its = cell_of(grid, &box_at(grid, i)->bounds);
+    int end = td_int_at(&grid->ends, list);
+    for (int i = list > 0 ? td_int_at(&grid->ends, list - 1) : 0; i < end; i++) {
+        const td_boxed *box = box_at(grid, grid->boxes.count + i);
+        grid_cell its = cell_of(grid, &box->bounds);
         if (!cell || (its.x == cell->x && its.y == cell->y)) {
-            test_box(box_at(grid, i), b, ids);
+            test_box(box, b, ids);
         }
     }
 }
@@ -121,5 +141,5 @@ void td_bounds_grid_find(const td_bounds_grid *grid, const td_bounds *b, td_arra
             test_list(grid, list_of(grid, cell), &cell, b, ids);
         }
     }
-    test_list(grid, grid->lists.count - 1, NULL, b, ids);
+    test_list(grid, grid->ends.count - 1, NULL, b, ids);
 }

@@ -15,14 +15,16 @@
 /* A box in the grid. */
 typedef struct td_boxed {
     td_bounds bounds;
-    int32_t id, next; /* the caller's; the next box of the same list, or TD_NONE */
-    bool everywhere;  /* `bounds` means nothing: each search finds the box */
+    int32_t id;      /* the caller's */
+    bool everywhere; /* `bounds` means nothing: each search finds the box */
 } td_boxed;
 
 typedef struct td_bounds_grid {
-    td_array boxes; /* td_boxed */
-    td_array lists; /* int: the first box of each list of the hash table, then of the wide boxes */
-    int shift;      /* cells are 2^shift bounds quanta wide */
+    td_array
+        boxes; /* td_boxed: `count` boxes as they were added; after them the same, list by list */
+    td_array ends; /* int: where the boxes of each list of the hash table end, then the wide ones;
+                      relative to the first of the second `count` */
+    int shift;     /* cells are 2^shift bounds quanta wide */
 } td_bounds_grid;
 
 /* Empties the grid, and reserves memory for so many boxes. False when memory is short. */

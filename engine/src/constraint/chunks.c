@@ -66,14 +66,14 @@ static void set_bounds(thud_world *w, int workers) {
 
 void td_share_bodies(const thud_world *w, int workers, int shares[THUD_WORKERS_MAX + 1]) {
     const int *bounds = w->scratch.bounds.data;
-    int slots = w->body_of.count, unit = td_body_chunk(w, workers), most = 0;
+    int slots = w->body_of.count, unit = td_body_chunk(w, workers), slots_max = 0;
     for (int i = 0; i < workers; i++) {
-        most = td_max_int(most, bounds[i + 1] - bounds[i]);
+        slots_max = td_max_int(slots_max, bounds[i + 1] - bounds[i]);
         shares[i] = td_min_int(bounds[i], slots) / unit;
     }
     shares[workers] = (slots + unit - 1) / unit;
     /* Where a worker would get over 5/4 of an even share of the slots, they are divided evenly. */
-    if ((int64_t)most * workers * 4 > (int64_t)slots * 5) {
+    if ((int64_t)slots_max * workers * 4 > (int64_t)slots * 5) {
         td_share_evenly(shares[workers], workers, shares);
     }
 }
@@ -222,11 +222,11 @@ static bool cut_for_workers(thud_world *w, int workers) {
 bool td_chunks_cut(thud_world *w) {
     int workers = TD_HAS_THREADS ? td_max_int(1, w->def.job_system.workers) : 1;
     int runs = w->scratch.runs.count;
-    int most = runs;
+    int chunks_max = runs;
     if (workers > 1) {
-        most = runs * workers + w->scratch.blocks.count / TD_CHUNK_BLOCKS;
+        chunks_max = runs * workers + w->scratch.blocks.count / TD_CHUNK_BLOCKS;
     }
-    if (!td_array_reserve(&w->memory, &w->scratch.chunks, most)) {
+    if (!td_array_reserve(&w->memory, &w->scratch.chunks, chunks_max)) {
         return false;
     }
     w->scratch.chunks.count = 0;

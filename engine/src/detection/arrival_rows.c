@@ -49,7 +49,7 @@ int td_arrival_rows_project(thud_world *w, const td_project_context *c) {
     for (int i = 0; i < w->scratch.arrivals.count; i++) {
         td_arrival *r = TD_AT(td_arrival, &w->scratch.arrivals, i);
         float *a = td_row(&w->delta, r->a), *b = td_row(&w->delta, r->b);
-        float gap = r->start + along(r, a, b, r->nx, r->ny), lack = r->least - gap;
+        float gap = r->start + along(r, a, b, r->nx, r->ny), lack = r->gap_min - gap;
         if (!r->decided && (lack > 0.0f || r->motion > 0.0f)) {
             float *va = td_row(&w->velocity, r->a), *vb = td_row(&w->velocity, r->b);
             float closing = -along(r, va, vb, r->nx, r->ny);
@@ -73,10 +73,10 @@ void td_arrival_rows_rub(thud_world *w) {
             float slide = along(r, a, b, x, y) - r->settings.surface_speed;
             float inverse_mass = a[3] + b[3] + r->inv_inertia[0] * turn_a * turn_a +
                                  r->inv_inertia[1] * turn_b * turn_b;
-            float most =
+            float impulse_max =
                 (float)td_friction_ratio((double)r->settings.friction, (double)slide) * r->velocity;
-            float impulse =
-                (float)td_clamp((double)(-slide / inverse_mass), (double)-most, (double)most);
+            float impulse = (float)td_clamp((double)(-slide / inverse_mass), (double)-impulse_max,
+                                            (double)impulse_max);
             push(w, r, a, b, impulse * x, impulse * y);
             r->rubbed = impulse;
         }

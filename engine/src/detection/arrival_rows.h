@@ -21,8 +21,8 @@ typedef struct td_arrival {
     td_awake_slot a, b;             /* 0: the body does not move */
     float nx, ny;                   /* normal, from a to b */
     float ax, ay, bx, by;           /* arms: from the centres of mass to the point */
-    float start;                    /* length */
-    float least;                    /* the gap must not end below this, length */
+    float start;                    /* the gap at the start of the step, length */
+    float gap_min;                  /* the gap must not end below this, length */
     float inv_inertia[2];           /* of a and b */
     float mass;                     /* effective mass along the normal */
     float motion, velocity;         /* accumulated impulses, >= 0, as in td_pushes */

@@ -101,7 +101,7 @@ static void add_arrival(thud_world *w, int contact, const td_toi_candidate *e, d
                     .nx = (float)at.nx,
                     .ny = (float)at.ny,
                     .start = (float)(at.distance + at.speed * time),
-                    .least = ARRIVAL_DISTANCE * TD_IMPACT_DISTANCE * w->length_scale,
+                    .gap_min = ARRIVAL_DISTANCE * TD_IMPACT_DISTANCE * w->length_scale,
                     .inv_inertia = {inverse_inertia_of(w, e->body[0]),
                                     inverse_inertia_of(w, e->body[1])},
                     .impact = {.seen = td_impact_view(w, e, &at),

@@ -4,7 +4,7 @@
  * With v0 and v1 the velocities at the start and the end of the step, dt its length and gain = v1 -
  * v0 what gravity and forces add, the path is
  *   x(s) = (v0 dt) s + (gain dt) s^2 / 2,   s in [0, 1]
- * so that the motion in the step is v1 dt - gain dt / 2, and `fall` is gain dt. */
+ * so that the motion in the step is v1 dt - gain dt / 2, and `acceleration` is gain dt. */
 #include "detection/ballistics.h"
 
 #include "constraint/constraint.h"
@@ -65,19 +65,20 @@ static void set_parabola(thud_world *w, td_awake_slot slot, bool touched) {
             *velocity = (float)(f->before[axis] + gain);
             gain = (double)*velocity - f->before[axis];
         }
-        f->fall[axis] = gain * dt;
-        td_row(&w->delta, slot)[axis] = (float)((double)*velocity * dt - 0.5 * f->fall[axis]);
+        f->acceleration[axis] = gain * dt;
+        td_row(&w->delta, slot)[axis] =
+            (float)((double)*velocity * dt - 0.5 * f->acceleration[axis]);
     }
 }
 
-/* Sets the fall of a body that no constraint acts on. The solver has moved such a body on its exact
- * path (wide_motion.c), so that its motion stays as it is; the fall is the change of its velocity
- * in the step, in which damping is included. */
-static void set_fall(const thud_world *w, td_awake_slot slot) {
+/* Sets the acceleration of a body that no constraint acts on. The solver has moved such a body on
+ * its exact path (wide_motion.c), so that its motion stays as it is; the acceleration is the change
+ * of its velocity in the step, in which damping is included. */
+static void set_acceleration(const thud_world *w, td_awake_slot slot) {
     td_trajectory *f = td_trajectory_at(w, slot);
     const float *velocity = td_row(&w->velocity, slot);
     for (int axis = 0; axis < 2; axis++) {
-        f->fall[axis] = ((double)velocity[axis] - f->before[axis]) * w->def.time_step;
+        f->acceleration[axis] = ((double)velocity[axis] - f->before[axis]) * w->def.time_step;
     }
 }
 
@@ -111,7 +112,7 @@ void td_ballistics_set_parabolas(thud_world *w) {
             continue;
         }
         if (td_is_unconstrained(w, slot)) {
-            set_fall(w, slot);
+            set_acceleration(w, slot);
         } else {
             set_parabola(w, slot, !gained_only_gravity(w, slot, 0.0));
         }

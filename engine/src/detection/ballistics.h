@@ -10,7 +10,7 @@
 void td_ballistics_save_velocities(thud_world *w);
 /* Runs after the solver, before motions become poses. Each dynamic swept body in free flight (only
  * gravity and forces changed its velocity, up to FREE_SHARE_MAX of that change) gets the motion of
- * its parabola; sets td_trajectory.free and `fall`. */
+ * its parabola; sets td_trajectory.free and `acceleration`. */
 void td_ballistics_set_parabolas(thud_world *w);
 
 #endif

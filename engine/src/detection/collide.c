@@ -12,11 +12,11 @@
 #include "contact/contact.h"
 #include "geometry/shape_instance.h"
 
-/* In multiples of TD_IMPACT_DISTANCE: a change of `fall` (twice the displacement that gravity and
- * forces cause in a step) that is smaller than this does not change times of impact noticeably.
- * Chosen equal to CLOSING_MIN of toi_queue.c, the closing motion below which touching shapes do not
- * collide. */
-#define FALL_MIN 0.01
+/* In multiples of TD_IMPACT_DISTANCE: a change of `acceleration` (twice the displacement that
+ * gravity and forces cause in a step) that is smaller than this does not change times of impact
+ * noticeably. Chosen equal to CLOSING_MIN of toi_queue.c, the closing motion below which touching
+ * shapes do not collide. */
+#define ACCELERATION_MIN 0.01
 /* Bound of velocities, length/s or rad/s: below FLT_MAX, 3.4e38, so that the conversion is finite.
  */
 #define VELOCITY_MAX 3e38
@@ -40,8 +40,8 @@ typedef struct side {
 } side;
 
 /* Collects a body's state at `time`. w->velocity has the velocity at the end of the step, so that
- * the part that `fall` adds from `time` until then is subtracted. The motion is that at `since`, to
- * which `fall` adds a part until `time`. */
+ * the part that `acceleration` adds from `time` until then is subtracted. The motion is that at
+ * `since`, to which `acceleration` adds a part until `time`. */
 static side side_of(thud_world *w, td_body_index index, const td_impact_point *at, double time) {
     td_body *body = td_body_at(w, index);
     td_trajectory f = td_trajectory_of(w, index);
@@ -52,9 +52,9 @@ static side side_of(thud_world *w, td_body_index index, const td_impact_point *a
     if (body->awake.at > 0) {
         const float *velocity = td_row(&w->velocity, body->awake);
         for (int k = 0; k < 3; k++) {
-            double fall = k < 2 ? f.fall[k] : 0.0;
-            s.velocity[k] = (double)velocity[k] - fall * (1.0 - time) / w->def.time_step;
-            s.motion[k] = (f.motion[k] + fall * (time - f.since)) / w->def.time_step;
+            double acceleration = k < 2 ? f.acceleration[k] : 0.0;
+            s.velocity[k] = (double)velocity[k] - acceleration * (1.0 - time) / w->def.time_step;
+            s.motion[k] = (f.motion[k] + acceleration * (time - f.since)) / w->def.time_step;
         }
         s.trajectory = td_trajectory_at(w, body->awake);
         if (body->kind == THUD_BODY_DYNAMIC) {
@@ -104,25 +104,26 @@ static void apply_impulse(side *s, bool use_motion, double x, double y) {
     v[2] += s->inv_inertia * (s->x * y - s->y * x);
 }
 
-/* The relative `fall` of b against a along (x, y): change of the relative motion in a step,
+/* The relative `acceleration` of b against a along (x, y): change of the relative motion in a step,
  * lengths. */
-static double relative_fall_along(const side *a, const side *b, double x, double y) {
-    double fx = (b->trajectory ? b->trajectory->fall[0] : 0.0) -
-                (a->trajectory ? a->trajectory->fall[0] : 0.0);
-    double fy = (b->trajectory ? b->trajectory->fall[1] : 0.0) -
-                (a->trajectory ? a->trajectory->fall[1] : 0.0);
+static double relative_acceleration_along(const side *a, const side *b, double x, double y) {
+    double fx = (b->trajectory ? b->trajectory->acceleration[0] : 0.0) -
+                (a->trajectory ? a->trajectory->acceleration[0] : 0.0);
+    double fy = (b->trajectory ? b->trajectory->acceleration[1] : 0.0) -
+                (a->trajectory ? a->trajectory->acceleration[1] : 0.0);
     return fx * x + fy * y;
 }
 
-/* Sets at->speed, and at->closing_distance = (speed - fall r / 2) r, where r = 1 - time is the rest
- * of the step, and `fall` is the relative fall along the normal. */
+/* Sets at->speed, and at->closing_distance = (speed - acceleration r / 2) r, where r = 1 - time is
+ * the rest of the step, and `acceleration` is the relative acceleration along the normal. */
 static void measure_closing(thud_world *w, const td_toi_candidate *e, td_impact_point *at,
                             double time) {
     side a = side_of(w, e->body[0], at, time), b = side_of(w, e->body[1], at, time);
     double remaining = 1.0 - time;
     at->speed = -speed_along(&a, &b, true, at->nx, at->ny) * w->def.time_step;
     at->closing_distance =
-        (at->speed - 0.5 * relative_fall_along(&a, &b, at->nx, at->ny) * remaining) * remaining;
+        (at->speed - 0.5 * relative_acceleration_along(&a, &b, at->nx, at->ny) * remaining) *
+        remaining;
 }
 
 bool td_impact_point_of(thud_world *w, const td_toi_candidate *e, double time,
@@ -205,30 +206,34 @@ static outcome apply_collision(side *a, side *b, bool use_motion, const surface 
 }
 
 /* Keeps gravity from closing a pair that did not bounce in the rest of the step. Let Fa and Fb be
- * the `fall` of both bodies along the normal from a to b: Fa is reduced to at most max(Fb, 0), and
- * Fb raised to at least min(Fa, 0). Sets fall_reduced[i] if the fall of body i changed by more than
- * FALL_MIN. */
-static void stop_mutual_fall(const thud_world *w, const side *a, const side *b, const surface *u,
-                             bool fall_reduced[2]) {
-    double fall_min = FALL_MIN * (double)(TD_IMPACT_DISTANCE * w->length_scale);
+ * the `acceleration` of both bodies along the normal from a to b: Fa is reduced to at most max(Fb,
+ * 0), and Fb raised to at least min(Fa, 0). Sets acceleration_reduced[i] if the acceleration of
+ * body i changed by more than ACCELERATION_MIN. */
+static void stop_mutual_acceleration(const thud_world *w, const side *a, const side *b,
+                                     const surface *u, bool acceleration_reduced[2]) {
+    double acceleration_min = ACCELERATION_MIN * (double)(TD_IMPACT_DISTANCE * w->length_scale);
     double x = u->nx, y = u->ny;
-    double fall_a = a->trajectory ? a->trajectory->fall[0] * x + a->trajectory->fall[1] * y : 0.0;
-    double fall_b = b->trajectory ? b->trajectory->fall[0] * x + b->trajectory->fall[1] * y : 0.0;
-    double reduction_a = fall_a - td_max_double(fall_b, 0.0);
-    double reduction_b = fall_b - td_min_double(fall_a, 0.0);
+    double acceleration_a =
+        a->trajectory ? a->trajectory->acceleration[0] * x + a->trajectory->acceleration[1] * y
+                      : 0.0;
+    double acceleration_b =
+        b->trajectory ? b->trajectory->acceleration[0] * x + b->trajectory->acceleration[1] * y
+                      : 0.0;
+    double reduction_a = acceleration_a - td_max_double(acceleration_b, 0.0);
+    double reduction_b = acceleration_b - td_min_double(acceleration_a, 0.0);
     if (a->trajectory && reduction_a > 0.0) {
-        td_trajectory_reduce_fall(w, a->trajectory, reduction_a * x, reduction_a * y);
-        fall_reduced[0] = reduction_a > fall_min;
+        td_trajectory_reduce_acceleration(w, a->trajectory, reduction_a * x, reduction_a * y);
+        acceleration_reduced[0] = reduction_a > acceleration_min;
     }
     if (b->trajectory && reduction_b < 0.0) {
-        td_trajectory_reduce_fall(w, b->trajectory, reduction_b * x, reduction_b * y);
-        fall_reduced[1] = -reduction_b > fall_min;
+        td_trajectory_reduce_acceleration(w, b->trajectory, reduction_b * x, reduction_b * y);
+        acceleration_reduced[1] = -reduction_b > acceleration_min;
     }
 }
 
 /* Writes velocity and motion of a side to its body. The velocity is that at the end of the step,
- * including what `fall` adds until then; the motion is per step. For a body that keeps its motion,
- * the impact is not counted. */
+ * including what `acceleration` adds until then; the motion is per step. For a body that keeps its
+ * motion, the impact is not counted. */
 static void write_back(const thud_world *w, const side *s) {
     td_trajectory *f = s->trajectory;
     if (!f || s->body->kind != THUD_BODY_DYNAMIC) {
@@ -236,8 +241,8 @@ static void write_back(const thud_world *w, const side *s) {
     }
     float *velocity = td_row(&w->velocity, s->body->awake);
     for (int k = 0; k < 3; k++) {
-        double fall = k < 2 ? f->fall[k] : 0.0;
-        double ends = s->velocity[k] + fall * (1.0 - f->since) / w->def.time_step;
+        double acceleration = k < 2 ? f->acceleration[k] : 0.0;
+        double ends = s->velocity[k] + acceleration * (1.0 - f->since) / w->def.time_step;
         velocity[k] = (float)td_clamp(ends, -VELOCITY_MAX, VELOCITY_MAX);
         f->motion[k] =
             s->keeps_motion ? f->motion[k] : td_motion_held(w, k, s->motion[k] * w->def.time_step);
@@ -276,7 +281,8 @@ static double bounce_speed(const thud_world *w, const side *a, const side *b, co
         return threshold;
     }
     if (moves_by_velocity(a) && moves_by_velocity(b)) {
-        double resting = TD_BOUNCE_REST * td_abs(relative_fall_along(a, b, u->nx, u->ny)) / dt;
+        double resting =
+            TD_BOUNCE_REST * td_abs(relative_acceleration_along(a, b, u->nx, u->ny)) / dt;
         return elastic ? td_min_double(resting, threshold) : td_max_double(resting, threshold);
     }
     double x = (double)w->def.gravity.x, y = (double)w->def.gravity.y;
@@ -378,6 +384,6 @@ void td_impact_resolve(thud_world *w, const td_toi_candidate *e, const td_impact
     write_back(w, &a);
     write_back(w, &b);
     if (!result.bounced) {
-        stop_mutual_fall(w, &a, &b, &u, impact->fall_reduced);
+        stop_mutual_acceleration(w, &a, &b, &u, impact->acceleration_reduced);
     }
 }

@@ -7,12 +7,12 @@
 
 /* The impact of a pair within the step. scratch.impacts lists them. */
 typedef struct td_impact {
-    thud_contact seen;    /* as callbacks see it */
-    float closing_speed;  /* normal speed at which the pair met, length/s; > 0: closing */
-    bool touching;        /* the pair has a touching contact, which the solver works on */
-    bool kept_motion[2];  /* the body keeps its motion of this step; only its velocity changed */
-    bool fall_reduced[2]; /* the body's `fall` has changed, so that its times of impact must be
-                             computed again */
+    thud_contact seen;   /* as callbacks see it */
+    float closing_speed; /* normal speed at which the pair met, length/s; > 0: closing */
+    bool touching;       /* the pair has a touching contact, which the solver works on */
+    bool kept_motion[2]; /* the body keeps its motion of this step; only its velocity changed */
+    bool acceleration_reduced[2]; /* the body's `acceleration` has changed, so that its times of
+                                     impact must be computed again */
 } td_impact;
 
 /* The point at which two bodies act on each other, relative to `origin`. Lengths. */
@@ -23,7 +23,7 @@ typedef struct td_impact_point {
     double distance; /* of the surfaces; negative: overlap */
     double speed;    /* closing speed of the trajectories there, lengths a step; > 0: closing */
     double closing_distance; /* distance by which both trajectories would close there in the rest of
-                                the step, `fall` included */
+                                the step, `acceleration` included */
 } td_impact_point;
 
 /* Finds the impact point of a candidate at `time`: the contact point with the greater

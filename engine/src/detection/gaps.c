@@ -122,15 +122,15 @@ static void clamp_motions(thud_world *w) {
 
 void td_gaps_project(thud_world *w) {
     td_project_context context = context_of(w);
-    int passes = 0, most = 0;
+    int passes = 0, unfinished_max = 0;
     memset(w->scratch.impacts.data, 0, (size_t)w->scratch.blocks.count * sizeof(td_pushes));
-    while (passes < PASSES_MAX && project_once(w, &context) > most) {
+    while (passes < PASSES_MAX && project_once(w, &context) > unfinished_max) {
         passes++;
         context.over_relaxation = passes < PLAIN_PASSES ? 1.0f : OVER_RELAXATION;
         if (passes == FINE_PASSES) {
             context.enough = context.collision_distance;
             context.closing = context.closing_max;
-            most = w->scratch.blocks.count;
+            unfinished_max = w->scratch.blocks.count;
         }
     }
     context.over_relaxation = 1.0f;
@@ -170,14 +170,14 @@ static double motion_of(const thud_world *w, td_awake_slot slot, int k, bool by_
  * much as the impact distance in a step, neither by their velocities nor by their motions in this
  * step. */
 static bool rests(const thud_world *w, td_awake_slot a, td_awake_slot b) {
-    double most = (double)(TD_IMPACT_DISTANCE * w->length_scale);
+    double motion_max = (double)(TD_IMPACT_DISTANCE * w->length_scale);
     bool rest = true;
     for (int i = 0; i < 2; i++) {
         double x = motion_of(w, b, 0, i) - motion_of(w, a, 0, i);
         double y = motion_of(w, b, 1, i) - motion_of(w, a, 1, i);
         double rims = td_abs(motion_of(w, a, 2, i)) * (double)td_row(&w->reach, a)[1] +
                       td_abs(motion_of(w, b, 2, i)) * (double)td_row(&w->reach, b)[1];
-        rest &= __builtin_sqrt(x * x + y * y) + rims < most;
+        rest &= __builtin_sqrt(x * x + y * y) + rims < motion_max;
     }
     return rest;
 }

@@ -59,16 +59,16 @@ enum { TOI_BUDGET = 8192, TOI_BUDGET_PER_BODY = 48 };
 /* ---- collisions ---- */
 
 /* Holds a body at its present place (at trajectory.since) for the rest of the step. Cancels its
- * `fall`, and the velocity that this would add. */
+ * `acceleration`, and the velocity that this would add. */
 static void hold_body(thud_world *w, td_trajectory *f) {
     if (!f->held) {
-        double remaining = 1.0 - f->since, fall = 0.5 * remaining;
+        double remaining = 1.0 - f->since, half = 0.5 * remaining;
         f->held = true;
-        td_errors_note_shortfall(w, (float)((f->motion[0] + fall * f->fall[0]) * remaining),
-                                 (float)((f->motion[1] + fall * f->fall[1]) * remaining));
+        td_errors_note_shortfall(w, (float)((f->motion[0] + half * f->acceleration[0]) * remaining),
+                                 (float)((f->motion[1] + half * f->acceleration[1]) * remaining));
         td_held_count(w, td_body_at(w, f->body)->awake, f->since);
     }
-    td_trajectory_reduce_fall(w, f, f->fall[0], f->fall[1]);
+    td_trajectory_reduce_acceleration(w, f, f->acceleration[0], f->acceleration[1]);
     f->motion[0] = f->motion[1] = f->motion[2] = 0.0;
     f->free = false;
     f->changed = true;
@@ -76,7 +76,7 @@ static void hold_body(thud_world *w, td_trajectory *f) {
 
 /* Removes from the velocity of a tied body (constraint/tied_bodies.h) the part that gravity and
  * forces give in the rest of the step, since the body does not move in it; td_hold_at does the
- * same. For a body in free flight that part is in its `fall`, which hold_body cancels. */
+ * same. For a body in free flight that part is in its `acceleration`, which hold_body cancels. */
 static void remove_remaining_gain(thud_world *w, td_awake_slot slot, const td_trajectory *f) {
     float *velocity = td_row(&w->velocity, slot);
     const float *substep_gain = td_row(&w->substep_gain, slot);
@@ -228,7 +228,8 @@ static void resolve_candidate(thud_world *w, int number, double time) {
     }
     w->stats.impacts++;
     for (int side = 0; side < 2; side++) {
-        if (trajectories[side] && (!impact.kept_motion[side] || impact.fall_reduced[side])) {
+        if (trajectories[side] &&
+            (!impact.kept_motion[side] || impact.acceleration_reduced[side])) {
             td_toi_queue_update_body(w, trajectories[side]);
         }
     }

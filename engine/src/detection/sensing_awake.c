@@ -39,7 +39,6 @@ static void test_near(thud_world *w, td_awake_slot slot, bool senses, bool fast)
     found->count = 0;
     bool bounded = td_sensing_path_bounds(w, slot, &bounds);
     td_bounds_grid_find(&w->scratch.sensed, bounded ? &bounds : NULL, found);
-    td_sort_ints(found);
     for (int i = 0; i < found->count; i++) {
         td_awake_slot other = td_slot_in(found, i);
         if (other.at != slot.at && !(senses && other.at < slot.at) &&

@@ -110,8 +110,8 @@ static bool stays_on_ground(const thud_world *w, const td_toi_candidate *e) {
     }
     const td_trajectory *f = td_trajectory_at(w, body->awake);
     double left = 1.0 - f->since;
-    double x = td_abs(f->motion[0]) + td_abs(f->fall[0]) * left;
-    double y = td_abs(f->motion[1]) + td_abs(f->fall[1]) * left;
+    double x = td_abs(f->motion[0]) + td_abs(f->acceleration[0]) * left;
+    double y = td_abs(f->motion[1]) + td_abs(f->acceleration[1]) * left;
     double way = x + y + td_abs(f->motion[2]) * (double)body->max_extent;
     return f->contact_count > 0 && f->impacts == 0 &&
            way * left < TD_LOAD_CLOSING_MAX * (double)(TD_IMPACT_DISTANCE * w->length_scale);

@@ -39,10 +39,10 @@ void td_trajectory_begin(thud_world *w, td_awake_slot slot, bool moved) {
                         .body = index,
                         .extras = TD_NONE,
                         .escaped = TD_NONE,
-                        .motion = {(double)delta[0] - 0.5 * f.fall[0],
-                                   (double)delta[1] - 0.5 * f.fall[1], (double)delta[2]},
+                        .motion = {(double)delta[0] - 0.5 * f.acceleration[0],
+                                   (double)delta[1] - 0.5 * f.acceleration[1], (double)delta[2]},
                         .before = {f.before[0], f.before[1], f.before[2]},
-                        .fall = {f.fall[0], f.fall[1]},
+                        .acceleration = {f.acceleration[0], f.acceleration[1]},
                         .free = f.free,
                         .contact_count = f.contact_count};
 }
@@ -68,7 +68,7 @@ static uint32_t angle_at(const td_trajectory *f, double time) {
 /* The displacement along x or y (axis 0, 1) from `since` to `time`. */
 static double path_along(const td_trajectory *f, int axis, double time) {
     double part = time - f->since;
-    return (f->motion[axis] + 0.5 * f->fall[axis] * part) * part;
+    return (f->motion[axis] + 0.5 * f->acceleration[axis] * part) * part;
 }
 
 td_pose td_start_pose(const thud_world *w, td_awake_slot slot) {
@@ -114,8 +114,8 @@ void td_trajectory_advance(thud_world *w, td_trajectory *f, double time) {
     f->place.x = td_wrap_add64(f->place.x, td_round64(path_along(f, 0, time) * w->to_fixed));
     f->place.y = td_wrap_add64(f->place.y, td_round64(path_along(f, 1, time) * w->to_fixed));
     f->angle = angle_at(f, time);
-    f->motion[0] += f->fall[0] * (time - f->since);
-    f->motion[1] += f->fall[1] * (time - f->since);
+    f->motion[0] += f->acceleration[0] * (time - f->since);
+    f->motion[1] += f->acceleration[1] * (time - f->since);
     f->since = time;
 }
 
@@ -134,13 +134,13 @@ void td_trajectory_displacement(const thud_world *w, const td_trajectory *f, dou
                       (double)(int32_t)(f->angle - pose->angle) * TD_RADIANS_A_QUANTUM;
 }
 
-void td_trajectory_reduce_fall(const thud_world *w, td_trajectory *f, double x, double y) {
+void td_trajectory_reduce_acceleration(const thud_world *w, td_trajectory *f, double x, double y) {
     float *velocity = td_row(&w->velocity, td_body_at(w, f->body)->awake);
-    double gain_per_fall = (1.0 - f->since) / w->def.time_step;
-    velocity[0] = (float)((double)velocity[0] - x * gain_per_fall);
-    velocity[1] = (float)((double)velocity[1] - y * gain_per_fall);
-    f->fall[0] -= x;
-    f->fall[1] -= y;
+    double gain_per_acceleration = (1.0 - f->since) / w->def.time_step;
+    velocity[0] = (float)((double)velocity[0] - x * gain_per_acceleration);
+    velocity[1] = (float)((double)velocity[1] - y * gain_per_acceleration);
+    f->acceleration[0] -= x;
+    f->acceleration[1] -= y;
 }
 
 thud_geometry td_trajectory_shape(const thud_world *w, const td_trajectory *f, int index,
@@ -254,7 +254,7 @@ static double arc_error(const thud_world *w, const td_trajectory *f, int index, 
 
 double td_trajectories_chord_error(const td_trajectory *a, const td_trajectory *b,
                                    double duration) {
-    double x = b->fall[0] - a->fall[0], y = b->fall[1] - a->fall[1];
+    double x = b->acceleration[0] - a->acceleration[0], y = b->acceleration[1] - a->acceleration[1];
     return 0.125 * __builtin_sqrt(x * x + y * y) * duration * duration;
 }
 

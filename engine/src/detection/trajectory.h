@@ -3,10 +3,10 @@
  *
  * Time is a share, in [0, 1], of the step. With t from td_trajectory.since to 1 and s = t - since,
  * a body's centre and angle are
- *   p(t) = place + motion s + fall s^2 / 2
+ *   p(t) = place + motion s + acceleration s^2 / 2
  *   angle(t) = angle + motion[2] s
- * `motion` is a velocity times the time step (lengths, radians), `fall` an acceleration times its
- * square (lengths). `fall` is zero unless the body is in free flight (ballistics.c). */
+ * `motion` is a velocity times the time step (lengths, radians), and `acceleration` is one times
+ * its square (lengths); it is zero unless the body is in free flight (ballistics.c). */
 #ifndef TD_TRAJECTORY_H
 #define TD_TRAJECTORY_H
 
@@ -26,14 +26,14 @@ typedef struct td_trajectory {
     td_position place; /* of the centre of mass, at `since` */
     uint32_t angle;    /* at `since`; 2^32 is a full turn */
     td_body_index body;
-    int32_t extras;   /* first of the body's extra candidates, as an edge: td_edge_of, or
-                         TD_NONE */
-    int32_t impacts;  /* of the body in this step so far */
-    double since;     /* in [0, 1] of the step */
-    double motion[3]; /* x, y (lengths), angle (radians) a step, at `since` */
-    double before[3]; /* velocity at the start of the step: x, y (length/s), angle (rad/s) */
-    double fall[2];   /* change of `motion` by gravity and forces in a whole step, lengths; 0 unless
-                         in free flight */
+    int32_t extras;         /* first of the body's extra candidates, as an edge: td_edge_of, or
+                               TD_NONE */
+    int32_t impacts;        /* of the body in this step so far */
+    double since;           /* in [0, 1] of the step */
+    double motion[3];       /* x, y (lengths), angle (radians) a step, at `since` */
+    double before[3];       /* velocity at the start of the step: x, y (length/s), angle (rad/s) */
+    double acceleration[2]; /* change of `motion` by gravity and forces in a whole step, lengths; 0
+                               unless in free flight */
     bool free;      /* only gravity and forces acted on the body: its motion follows its velocity */
     bool deflected; /* an impact of this step has changed this body's motion alone, and left that of
                        the other body (choose_kept_motion, collide.c) */
@@ -141,8 +141,8 @@ const thud_detection *td_detection_of(const thud_world *w, td_body_index body_a,
                                       td_body_index body_b);
 
 /* Sets a trajectory to the motion of the step that the solver gave the body, from the start of the
- * step. `moved`: the pose is that of the end already. The fields `before`, `fall`, `free` and
- * `contact_count` keep their values. */
+ * step. `moved`: the pose is that of the end already. The fields `before`, `acceleration`, `free`
+ * and `contact_count` keep their values. */
 void td_trajectory_begin(thud_world *w, td_awake_slot slot, bool moved);
 /* A copy of the trajectory of any body. A body that is not awake has a trajectory without motion.
  */
@@ -167,15 +167,16 @@ void td_trajectory_advance(thud_world *w, td_trajectory *trajectory, double time
  * (radians). */
 void td_trajectory_displacement(const thud_world *w, const td_trajectory *trajectory, double time,
                                 double displacement[3]);
-/* Reduces `fall` by (x, y) from `since` on, since a contact carries that part of gravity. The
- * body's velocity at the end of the step is reduced by as much. */
-void td_trajectory_reduce_fall(const thud_world *w, td_trajectory *trajectory, double x, double y);
+/* Reduces `acceleration` by (x, y) from `since` on, since a contact carries that part of gravity.
+ * The body's velocity at the end of the step is reduced by as much. */
+void td_trajectory_reduce_acceleration(const thud_world *w, td_trajectory *trajectory, double x,
+                                       double y);
 /* One of the body's shapes at `time`, relative to `origin`. */
 thud_geometry td_trajectory_shape(const thud_world *w, const td_trajectory *trajectory, int shape,
                                   double time, td_position origin);
 
 /* The largest distance of the relative path of two bodies from its chord in a `duration` (share of
- * the step): |fall_b - fall_a| duration^2 / 8, the sagitta of a parabola. */
+ * the step): |acceleration_b - acceleration_a| duration^2 / 8, the sagitta of a parabola. */
 double td_trajectories_chord_error(const td_trajectory *a, const td_trajectory *b, double duration);
 
 /* The extra candidate of a number >= w->constraints.count, for changes; and a copy of any

@@ -50,9 +50,9 @@ TD_INLINE i8 untied_lanes(const td_block *block, const int32_t *next_tied) {
     return out;
 }
 
-/* Mask of the lanes in which the centre of neither body moves by `most` in the step. */
-TD_INLINE i8 both_rest(const sides *d, bool a_static, float most) {
-    f8 square = f8_all(most * most);
+/* Mask of the lanes in which the centre of neither body moves by `distance_max` in the step. */
+TD_INLINE i8 both_rest(const sides *d, bool a_static, float distance_max) {
+    f8 square = f8_all(distance_max * distance_max);
     i8 rest = d->b.x * d->b.x + d->b.y * d->b.y < square;
     return a_static ? rest : rest & (d->a.x * d->a.x + d->a.y * d->a.y < square);
 }

@@ -315,8 +315,8 @@ static bool reduce_residual(td_direct *d, double tolerance, int *changed, double
 }
 
 bool td_direct_solve_active_set(td_direct *d, double tolerance) {
-    int most = d->search ? FACTORINGS_OF_SEARCH : FACTORINGS_MAX;
-    int factorings_max = td_min_int(d->factorings + most, d->factoring_budget);
+    int further = d->search ? FACTORINGS_OF_SEARCH : FACTORINGS_MAX;
+    int factorings_max = td_min_int(d->factorings + further, d->factoring_budget);
     double hysteresis = HYSTERESIS * tolerance;
     bool factored = false, unbounded_friction = d->soft_warm_start;
     int rows = warm_start(d, hysteresis);

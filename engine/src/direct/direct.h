@@ -67,7 +67,7 @@ typedef struct td_direct_body {
      * island_step_joints.c. */
     double stiff;               /* sum of the geometric stiffness of the body's joints, which is
                                    added to its moment of inertia; 0 between two sums */
-    double turned;              /* angular velocity by the Newton iteration before, rad/s */
+    double former_angular;      /* angular velocity by the Newton iteration before, rad/s */
     double own_inverse_inertia; /* inverse_inertia without `stiff` */
     double gain[3];             /* what gravity, forces and damping add to the mean velocity in one
                                    part: half of what they add to the velocity by its end */

@@ -102,7 +102,7 @@ static void add_geometric_stiffness(td_island_work *work) {
                 (own * (b->before[2] + b->gain[2]) + more * b->velocity[2]) * b->inverse_inertia;
         }
         b->stiff = 0.0;
-        b->turned = b->velocity[2];
+        b->former_angular = b->velocity[2];
     }
 }
 
@@ -117,7 +117,8 @@ static double unbalanced_speed(const td_island_work *work) {
         const td_direct_body *b = &work->problem.bodies[i];
         if (b->inverse_inertia > 0.0) {
             double own = 1.0 / b->own_inverse_inertia, more = 1.0 / b->inverse_inertia - own;
-            double turn = td_abs(more * (b->velocity[2] - b->turned)) * b->own_inverse_inertia;
+            double turn =
+                td_abs(more * (b->velocity[2] - b->former_angular)) * b->own_inverse_inertia;
             worst = td_max_double(worst, turn * __builtin_sqrt(own * b->inverse_mass));
         }
     }

@@ -26,9 +26,9 @@ enum { TRIALS_MAX = 30 };
 static double impulse_after(const td_direct_row *r, double part) {
     double speed = r->speed + part * r->change;
     double impulse = r->multiplier - r->weight * (speed - r->target_speed);
-    double most = r->kind >= TD_ROW_FRICTION ? r->max_impulse : __builtin_inf();
-    double least = r->kind == TD_ROW_UNILATERAL ? 0.0 : -most;
-    return td_max_double(td_min_double(impulse, most), least);
+    double impulse_max = r->kind >= TD_ROW_FRICTION ? r->max_impulse : __builtin_inf();
+    double impulse_min = r->kind == TD_ROW_UNILATERAL ? 0.0 : -impulse_max;
+    return td_max_double(td_min_double(impulse, impulse_max), impulse_min);
 }
 
 /* The derivative of the augmented Lagrangian along the Newton step dv, after a part of it.

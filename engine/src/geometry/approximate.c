@@ -234,11 +234,11 @@ static int keep_seed(seed *seeds, int count, seed one) {
         seeds[count] = one;
         return count + 1;
     }
-    int least = 0;
+    int shallowest = 0;
     for (int i = 1; i < count; i++) {
-        least = seeds[i].depth < seeds[least].depth ? i : least;
+        shallowest = seeds[i].depth < seeds[shallowest].depth ? i : shallowest;
     }
-    seeds[least] = one.depth > seeds[least].depth ? one : seeds[least];
+    seeds[shallowest] = one.depth > seeds[shallowest].depth ? one : seeds[shallowest];
     return count;
 }
 

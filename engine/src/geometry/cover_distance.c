@@ -114,19 +114,19 @@ typedef struct bounds {
  * from the union, accordingly. */
 static double farthest(const td_convex *set, const td_cover_piece *piece, int corners,
                        double *nearest) {
-    double most = 0.0;
+    double distance_max = 0.0;
     for (int k = 0; k < corners; k++) {
         double distance = distance_from(set, piece->corners[k]);
-        most = td_max_double(most, distance);
+        distance_max = td_max_double(distance_max, distance);
         nearest[k] = td_min_double(nearest[k], distance);
     }
-    return most;
+    return distance_max;
 }
 
 /* The signed distance of p from the outline of a polygon, negative inside: a point is inside if a
  * ray to the right crosses an odd number of edges. */
 static double depth_in(const thud_pos *points, int count, thud_pos p) {
-    double least = 1e300;
+    double square_min = 1e300;
     bool inside = false;
     for (int i = 0; i < count; i++) {
         thud_pos a = points[i], b = points[i + 1 < count ? i + 1 : 0];
@@ -137,9 +137,9 @@ static double depth_in(const thud_pos *points, int count, thud_pos p) {
         double square = x * x + y * y; /* 0 if rounding made two points equal */
         double t = square > 0.0 ? td_clamp((px * x + py * y) / square, 0.0, 1.0) : 0.0;
         double dx = px - t * x, dy = py - t * y;
-        least = td_min_double(least, dx * dx + dy * dy);
+        square_min = td_min_double(square_min, dx * dx + dy * dy);
     }
-    double distance = __builtin_sqrt(least);
+    double distance = __builtin_sqrt(square_min);
     return inside ? -distance : distance;
 }
 
@@ -231,26 +231,26 @@ static void cut_across(const td_cover_piece *piece, td_cover_piece out[2]) {
 /* Cuts a piece in the middle of its greatest extent. */
 static void cut_middle(const td_cover_piece *piece, td_cover_piece out[2]) {
     int a = 0, b = 1;
-    double most = -1.0;
+    double length_max = -1.0;
     for (int i = 0; i < piece->count; i++) {
         for (int j = i + 1; j < piece->count; j++) {
             double length = length_of(piece->corners[j].x - piece->corners[i].x,
                                       piece->corners[j].y - piece->corners[i].y);
-            if (length > most) {
-                most = length, a = i, b = j;
+            if (length > length_max) {
+                length_max = length, a = i, b = j;
             }
         }
     }
     thud_pos p = piece->corners[a], q = piece->corners[b];
     thud_pos middle = {0.5 * (p.x + q.x), 0.5 * (p.y + q.y)};
-    cut_along(piece, middle, (q.x - p.x) / most, (q.y - p.y) / most, out);
+    cut_along(piece, middle, (q.x - p.x) / length_max, (q.y - p.y) / length_max, out);
 }
 
 /* Of the sides of a polygon whose line passes through the piece, chooses the one beyond which the
  * piece extends the most, and cuts along it. False if there is none. */
 static bool cut_at_side(const td_cover_piece *piece, const td_convex *set, td_cover_piece out[2]) {
     int side = TD_NONE;
-    double most = 1e-6;
+    double high_max = 1e-6;
     for (int edge = 0; edge < set->count; edge++) {
         double low = 0.0, high = 0.0;
         for (int k = 0; k < piece->count; k++) {
@@ -258,8 +258,8 @@ static bool cut_at_side(const td_cover_piece *piece, const td_convex *set, td_co
             low = td_min_double(low, out_by);
             high = td_max_double(high, out_by);
         }
-        if (low < -1e-6 && high > most) {
-            most = high;
+        if (low < -1e-6 && high > high_max) {
+            high_max = high;
             side = edge;
         }
     }

@@ -88,11 +88,11 @@ int td_cover_lines(const thud_pos *points, int count, double *ys, td_cover_line 
     ys[bounds++] = low;
     ys[bounds++] = high;
     sort(ys, bounds);
-    double most = (high - low) / TD_COVER_LINES;
+    double height_max = (high - low) / TD_COVER_LINES;
     int made = 0;
     for (int i = 0; i + 1 < bounds; i++) {
         double height = ys[i + 1] - ys[i];
-        int strips = height > 1e-9 ? (int)(height / most + 0.999) : 0;
+        int strips = height > 1e-9 ? (int)(height / height_max + 0.999) : 0;
         for (int k = 0; k < strips; k++) {
             td_cover_line *line = &lines[made++];
             line->y0 = ys[i] + height * k / strips;
@@ -266,11 +266,11 @@ td_cover_areas td_cover_measure(const thud_pos *points, int count, const thud_ge
         }
     }
     sort(ys, corners);
-    double most = (ys[corners - 1] - ys[0]) / STRIPS;
+    double height_max = (ys[corners - 1] - ys[0]) / STRIPS;
     td_cover_areas sum = {0.0, 0.0, 0.0};
     for (int i = 0; i + 1 < corners; i++) {
         double gap = ys[i + 1] - ys[i];
-        int strips = td_max_int((int)(gap / most + 0.999), 1);
+        int strips = td_max_int((int)(gap / height_max + 0.999), 1);
         for (int k = 0; k < strips && gap > 1e-13; k++) {
             double height = gap / strips, middle = ys[i] + (k + 0.5) * height;
             measure_line(points, count, shapes, shape_count, middle - GAUSS * height, 0.5 * height,

@@ -311,14 +311,15 @@ static double set_body(const tree_group *g, int i, int tree) {
 
 /* Sets the lanes of all trees, body by body. */
 static void set_lanes(tree_group *g) {
-    double most = (double)(TD_JOINT_CLOSING_SPEED * g->w->length_scale), widest[TD_TREES] = {0.0};
+    double speed_max = (double)(TD_JOINT_CLOSING_SPEED * g->w->length_scale),
+           widest[TD_TREES] = {0.0};
     for (int i = 0; i < g->trees.count; i++) {
         for (int tree = 0; tree < g->used; tree++) {
             widest[tree] = td_max_double(widest[tree], set_body(g, i, tree));
         }
     }
     for (int tree = 0; tree < g->used; tree++) {
-        g->trees.closing[tree] = td_min_double(widest[tree] / g->step.time, most);
+        g->trees.closing[tree] = td_min_double(widest[tree] / g->step.time, speed_max);
         g->trees.used[tree] = true;
     }
 }

@@ -271,10 +271,10 @@ static tree_misses solve(tree_step *s, td_choice which, bool mean, td_choice ane
     for (int i = 0; i < s->count; i++) {
         td_lock_body *t = &s->bodies[i];
         td_reals before[3] = {t->impulse[0], t->impulse[1], t->turn_impulse};
-        td_reals turned = t->velocity[2];
+        td_reals angular_before = t->velocity[2];
         td_tree_follow(s->bodies, t, which, &sums);
         if (mean) {
-            td_reals moment = (t->turning - t->inertia) * (t->velocity[2] - turned);
+            td_reals moment = (t->turning - t->inertia) * (t->velocity[2] - angular_before);
             unbalanced = td_reals_max(unbalanced, moment * moment / (t->inertia * t->mass));
             turn_arms(s, t, false);
         } else {
@@ -313,8 +313,8 @@ static void solve_mean_velocity(tree_step *s) {
 }
 
 /* td_island_clamp_velocity */
-TD_INLINE td_reals clamp(td_reals x, double most) {
-    td_reals max = td_reals_all(most);
+TD_INLINE td_reals clamp(td_reals x, double bound) {
+    td_reals max = td_reals_all(bound);
     x = td_reals_pick((td_choice)(x > max), max, x);
     return td_reals_pick((td_choice)(x < -max), -max, x);
 }

@@ -91,8 +91,8 @@ static void apply(thud_world *w) {
 }
 
 /* td_decisions.resolve. The velocity of an awake body is that of the end of the step, so that it
- * differs from that at the impact by what `fall` adds until then. A body that is held keeps its
- * place. */
+ * differs from that at the impact by what `acceleration` adds until then. A body that is held keeps
+ * its place. */
 static void resolve(thud_world *w, td_impact *resolved) {
     td_decision *d = &w->decisions->impact;
     double before[2][3] = {{0.0}};
@@ -104,12 +104,12 @@ static void resolve(thud_world *w, td_impact *resolved) {
         td_trajectory *f = td_trajectory_at(w, slot);
         float *velocity = td_row(&w->velocity, slot);
         for (int k = 0; k < 3; k++) {
-            double fall = k < 2 ? f->fall[k] * (1.0 - f->since) / w->def.time_step : 0.0;
-            before[side][k] = (double)velocity[k] - fall;
+            double gained = k < 2 ? f->acceleration[k] * (1.0 - f->since) / w->def.time_step : 0.0;
+            before[side][k] = (double)velocity[k] - gained;
             if (d->given[side]) {
                 double now = (double)d->velocity[side][k];
                 double max = td_speed_max(w, k);
-                velocity[k] = (float)td_clamp(now + fall, -max, max);
+                velocity[k] = (float)td_clamp(now + gained, -max, max);
                 f->motion[k] = f->held ? 0.0 : td_motion_held(w, k, now * w->def.time_step);
             }
         }

@@ -307,14 +307,14 @@ static td_guess choose(const td_packed_column *c) {
     static const td_guess guesses[] = {TD_GUESS_KNOWN, TD_GUESS_BASE, TD_GUESS_PREVIOUS,
                                        TD_GUESS_STEP, TD_GUESS_LINE};
     td_guess best = TD_GUESS_PREVIOUS;
-    size_t least = SIZE_MAX;
-    for (size_t i = 0; i < sizeof guesses / sizeof *guesses && least > 0; i++) {
+    size_t cost_min = SIZE_MAX;
+    for (size_t i = 0; i < sizeof guesses / sizeof *guesses && cost_min > 0; i++) {
         td_guess guess = guesses[i];
         bool based = guess == TD_GUESS_BASE || guess == TD_GUESS_STEP;
         bool possible = guess == TD_GUESS_KNOWN ? c->known != NULL : c->base || !based;
         size_t cost = possible ? sample_cost(c, guess) : SIZE_MAX;
-        if (cost < least) {
-            least = cost;
+        if (cost < cost_min) {
+            cost_min = cost;
             best = guess;
         }
     }

@@ -419,14 +419,14 @@ static thud_result play_step(thud_rollback *r, int64_t step) {
     return THUD_OK;
 }
 
-/* Plays again the steps that were played with wrong inputs, at most `most` of them. */
-static thud_result settle(thud_rollback *r, int64_t most) {
+/* Plays again the steps that were played with wrong inputs, at most `steps_max` of them. */
+static thud_result settle(thud_rollback *r, int64_t steps_max) {
     if (r->first_wrong == TD_NO_STEP) {
         return THUD_OK;
     }
     int64_t step = r->first_wrong;
     thud_result result = r->at == step ? THUD_OK : td_rollback_restore_step(r, step);
-    for (; step < r->steps && most > 0 && result == THUD_OK; most--) {
+    for (; step < r->steps && steps_max > 0 && result == THUD_OK; steps_max--) {
         result = play_step(r, step);
         step += result == THUD_OK;
         r->replayed += result == THUD_OK;

@@ -41,7 +41,7 @@ static int compare(const td_bounds *boxes, const bool *everywhere, int count, co
 static void searches_find_what_overlaps(void **state) {
     (void)state;
     td_memory memory = td_memory_make((thud_allocator){0});
-    td_bounds_grid grid = {.boxes = {.stride = sizeof(td_boxed)}, .lists = {.stride = sizeof(int)}};
+    td_bounds_grid grid = {.boxes = {.stride = sizeof(td_boxed)}, .ends = {.stride = sizeof(int)}};
     td_array found = {.stride = sizeof(int)};
     td_bounds boxes[BOXES_MAX];
     bool everywhere[BOXES_MAX];
@@ -74,7 +74,7 @@ static void searches_find_what_overlaps(void **state) {
     assert_true(hits > 0 && narrow > 0);
     td_array_free(&memory, &found);
     td_array_free(&memory, &grid.boxes);
-    td_array_free(&memory, &grid.lists);
+    td_array_free(&memory, &grid.ends);
     assert_int_equal(memory.bytes, 0);
 }
 
