@@ -4,10 +4,11 @@
 
 #include <string.h>
 
-/* The widest cells, 2^30 quanta: a search with bounds of less than 2^31 quanta then goes through
- * less than one period. */
+/* The widest cells are 2^30 quanta wide. A search begins one cell before its bounds, which are
+ * narrower than 2^31 quanta, so that it never comes around to its first cell again. */
 enum { SHIFT_MAX = 30 };
-/* Up to so many boxes are tested one by one: even bounds of one point need four cells. */
+/* Up to so many boxes are tested one by one, since a search of cells looks into four at least: it
+ * begins one cell before its bounds in both directions. */
 enum { FEW_BOXES = 4 };
 
 /* The cell of a corner. */
@@ -103,7 +104,8 @@ static void test_box(const td_boxed *box, const td_bounds *b, td_array *ids) {
     }
 }
 
-/* Tests the boxes of one list; all of them, or those of a cell only. */
+/* Tests the boxes of one list that are in `cell`, since several cells may share a list; all of them
+ * if it is null. */
 static void test_list(const td_bounds_grid *grid, int list, const grid_cell *cell,
                       const td_bounds *b, td_array *ids) {
     int end = td_int_at(&grid->ends, list);

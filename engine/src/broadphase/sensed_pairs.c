@@ -104,7 +104,7 @@ static bool pair_with_set(thud_world *w, const td_proxy_set *set, int shape) {
     return done;
 }
 
-/* Puts the awake sensors, and those that moved, into the grid. */
+/* Puts the sensors of awake bodies into the grid, and those of other bodies that have moved. */
 static void fill_grid(thud_world *w) {
     td_bounds_grid *grid = &w->scratch.sensed;
     grid->boxes.count = 0;

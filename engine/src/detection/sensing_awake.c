@@ -30,9 +30,10 @@ static bool fill_grid(thud_world *w) {
     return any_fast;
 }
 
-/* Tests an awake body, which has a sensor (`senses`) or not, against those with sensors near its
- * path. `fast`: it is fast. One of the two must be fast. If both have sensors, each finds the
- * other, and the one in the lower slot tests the pair. */
+/* Tests an awake body against those bodies with sensors whose paths come near its own. `senses`: it
+ * has a sensor itself; `fast`: it is fast. Pairs of which neither is fast are left to
+ * contact/sensor_events.c. If both have sensors, each finds the other, and the call for the one in
+ * the lower slot tests the pair. */
 static void test_near(thud_world *w, td_awake_slot slot, bool senses, bool fast) {
     td_array *found = &w->scratch.found_shapes;
     td_bounds bounds;
@@ -50,9 +51,12 @@ static void test_near(thud_world *w, td_awake_slot slot, bool senses, bool fast)
 
 void td_sensing_test_awake(thud_world *w) {
     const td_array *sensing = &w->scratch.sensing;
+    if (sensing->count == 0) {
+        return;
+    }
     int next = 0; /* in `sensing`, which is in the order of slots */
     bool any_fast = fill_grid(w);
-    for (td_awake_slot slot = {1}; slot.at < w->body_of.count && sensing->count > 0; slot.at++) {
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         bool senses = next < sensing->count && td_slot_in(sensing, next).at == slot.at;
         next += senses;
         bool fast = td_sensing_is_fast(w, slot);

@@ -5,8 +5,9 @@
  * a body's centre and angle are
  *   p(t) = place + motion s + acceleration s^2 / 2
  *   angle(t) = angle + motion[2] s
- * `motion` is a velocity times the time step (lengths, radians), and `acceleration` is one times
- * its square (lengths); it is zero unless the body is in free flight (ballistics.c). */
+ * `motion` is a velocity times the time step (lengths, radians), `acceleration` an acceleration
+ * times the square of the time step (lengths); it is zero unless the body is in free flight
+ * (ballistics.c). */
 #ifndef TD_TRAJECTORY_H
 #define TD_TRAJECTORY_H
 

@@ -39,8 +39,9 @@ const LAST_PICTURE = 200;
 const BEGUN = 500;
 const LOOKS = 50;
 /**
- * An encoder of a busy browser may give nothing at all. Another one is begun after so many
- * milliseconds without a byte, and after the last of them there is no video. Chosen.
+ * The encoder of a busy browser may give nothing at all. Milliseconds for which each encoder is
+ * waited for; without a byte until then the next one is begun. The steps are filmed by the last one
+ * in any case, and there is no video if it has given nothing by the end. Chosen.
  */
 const TRIES = [3000, 5000, 10_000];
 
