@@ -94,6 +94,8 @@ test("section_on_detections_is_alone_in_its_scene_and_the_last_of_the_panel_else
   await untilRunning(page);
   const heads = () => page.locator("#dock .trade-part > h3:visible").allTextContents();
   await page.waitForSelector("#prices-heading", { state: "attached" });
+  // The list of scenes comes after the first picture, and may come after the panel.
+  await page.waitForSelector("[data-entry]", { state: "attached" });
   assert.deepEqual(await heads(), ["Measure", "Heavier", "Detection, priced"]);
   await page.evaluate(() => document.querySelector('[data-entry="lab_prices"]').click());
   await page.waitForFunction(() => document.title.startsWith("Detection, priced"));
