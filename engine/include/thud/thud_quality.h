@@ -65,14 +65,19 @@ typedef struct thud_quality {
     int island_slow_steps; /* number of successive slow steps after which an island is left to the
                             soft solver for a pause of 120 steps, 0 .. THUD_ISLAND_SLOW_STEPS_MAX. A
                             step is slow if the island needs more than eight factorisations; while
-                            the island hardly moves, twenty times as many slow steps are allowed.
-                            The pause also follows a direct result that is not valid. It doubles
-                            each time that it follows again before the island had a step that is not
-                            slow, up to 1920 steps; if eight factorisations exceed island_work it is
-                            1920 at once. 0: no limit, the direct solver is tried in every step; but
-                            an island with joints that could not be solved in eight successive steps
-                            is left to the soft solver for 8 steps, and for twice as many each time
-                            that it happens again, up to 128 */
+                            its bodies hardly move against each other, four times as many slow steps
+                            are allowed. If overlap_limit is above 0, an island of contacts whose
+                            bodies do move against each other gets no more than eight
+                            factorisations, and a pause of 30 steps where they do not suffice (under
+                            overlap and continuous; bisect and swept let nothing overlap, and have
+                            no such limit). The pause of 120 steps also follows a direct result that
+                            is not valid. A pause doubles each time that it follows again before the
+                            island had a step that is not slow, up to sixteen times its length; if
+                            eight factorisations exceed island_work, the pause of 120 steps is one
+                            of 1920 at once. 0: no limit, the direct solver is tried in every step;
+                            but an island with joints that could not be solved in eight successive
+                            steps is left to the soft solver for 8 steps, and for twice as many each
+                            time that it happens again, up to 128 */
 } thud_quality;
 
 /* The fastest: two substeps, and no island solver. */

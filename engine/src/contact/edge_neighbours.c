@@ -8,31 +8,32 @@
 #include "state/shape.h"
 #include "terrain/terrain.h"
 
-td_neighbourhood td_neighbourhood_between(thud_world *w, int shape, int other,
-                                          const thud_geometry *a, const thud_geometry *b) {
+void td_neighbourhood_between(td_neighbourhood *s, thud_world *w, int shape, int other,
+                              const thud_geometry *a, const thud_geometry *b) {
     const td_shape *first = td_shape_at(w, shape);
-    td_neighbourhood s = {.w = w,
-                          .shape = shape,
-                          .other = other,
-                          .origin = td_shape_proxy_at(w, shape)->center,
-                          .moves = td_body_at(w, first->body)->kind != THUD_BODY_STATIC,
-                          .c = 1.0,
-                          .a = *a,
-                          .b = *b,
-                          .length_scale = (double)w->length_scale};
-    s.b.x -= s.a.x;
-    s.b.y -= s.a.y;
-    s.a.x = s.a.y = 0.0;
-    if (s.moves) {
+    double x = b->x - a->x, y = b->y - a->y;
+    s->w = w;
+    s->shape = shape;
+    s->other = other;
+    s->origin = td_shape_proxy_at(w, shape)->center;
+    s->moves = td_body_at(w, first->body)->kind != THUD_BODY_STATIC;
+    s->c = 1.0;
+    s->s = 0.0;
+    s->length_scale = (double)w->length_scale;
+    s->a = *a;
+    s->b = *b;
+    s->a.x = s->a.y = 0.0;
+    if (s->moves) {
         thud_geometry own = {.c = (double)first->angle_c, .s = (double)first->angle_s};
-        td_to_frame(&own, a->c, a->s, &s.c, &s.s);
-        thud_geometry axes = {.c = s.c, .s = s.s};
-        s.a.c = own.c;
-        s.a.s = own.s;
-        td_to_frame(&axes, s.b.x, s.b.y, &s.b.x, &s.b.y);
-        td_to_frame(&axes, s.b.c, s.b.s, &s.b.c, &s.b.s);
+        td_to_frame(&own, a->c, a->s, &s->c, &s->s);
+        thud_geometry axes = {.c = s->c, .s = s->s};
+        s->a.c = own.c;
+        s->a.s = own.s;
+        td_to_frame(&axes, x, y, &x, &y);
+        td_to_frame(&axes, b->c, b->s, &s->b.c, &s->b.s);
     }
-    return s;
+    s->b.x = x;
+    s->b.y = y;
 }
 
 td_neighbourhood td_neighbourhood_of(thud_world *w, int shape, int other) {
@@ -41,7 +42,9 @@ td_neighbourhood td_neighbourhood_of(thud_world *w, int shape, int other) {
     if (other != TD_NONE) {
         b = td_shape_instance(w, other, origin);
     }
-    return td_neighbourhood_between(w, shape, other, &a, &b);
+    td_neighbourhood s;
+    td_neighbourhood_between(&s, w, shape, other, &a, &b);
+    return s;
 }
 
 bool td_is_ground(const thud_world *w, int shape) {

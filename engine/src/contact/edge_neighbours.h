@@ -31,8 +31,8 @@ typedef struct td_neighbourhood {
 td_neighbourhood td_neighbourhood_of(thud_world *w, int shape, int other);
 /* td_neighbourhood_of for given poses of both shapes, such as those at a time within the step. Both
  * are relative to the same origin, which may be any. */
-td_neighbourhood td_neighbourhood_between(thud_world *w, int shape, int other,
-                                          const thud_geometry *a, const thud_geometry *b);
+void td_neighbourhood_between(td_neighbourhood *s, thud_world *w, int shape, int other,
+                              const thud_geometry *a, const thud_geometry *b);
 
 /* Whether a shape is one that can hide edges of static shapes: live, not a sensor, and of a static
  * body that is enabled. */

@@ -185,17 +185,17 @@ typedef struct sides {
 } sides;
 
 /* Terrains are left out: terrain_manifold.c takes their sealed ends into account. */
-static sides sides_of(const td_internal_edge_pair *p) {
-    sides s = {.pair = p};
+static void set_sides(sides *s, const td_internal_edge_pair *p) {
+    s->pair = p;
+    s->count = 0;
     for (int i = 0; i < 2; i++) {
         const td_shape *shape = td_shape_at(p->w, p->shape[i]);
         if (shape->internal_edges && !td_kind_is_line(shape->kind)) {
-            s.neighbourhood[s.count] = td_neighbourhood_between(p->w, p->shape[i], p->shape[!i],
-                                                                &p->placed[i], &p->placed[!i]);
-            s.sign[s.count++] = i ? -1.0 : 1.0;
+            td_neighbourhood_between(&s->neighbourhood[s->count], p->w, p->shape[i], p->shape[!i],
+                                     &p->placed[i], &p->placed[!i]);
+            s->sign[s->count++] = i ? -1.0 : 1.0;
         }
     }
-    return s;
 }
 
 /* A td_axis_hidden_fn: whether the normal (nx, ny), from shape 0 to shape 1, is hidden for at least
@@ -220,7 +220,8 @@ static bool is_hidden(double nx, double ny, void *context) {
 
 /* td_internal_edge_ops.is_ghost. */
 static bool is_ghost_of(const td_internal_edge_pair *p, double nx, double ny) {
-    sides s = sides_of(p);
+    sides s;
+    set_sides(&s, p);
     return is_hidden(nx, ny, &s);
 }
 
@@ -348,7 +349,8 @@ static void transfer_impulses(thud_world *w, td_block *block, int kind, int lane
 /* td_internal_edge_ops.contact. */
 static bool open_contact(const td_internal_edge_pair *p, td_internal_edge_contact *contact) {
     const thud_geometry *a = &p->placed[0], *b = &p->placed[1];
-    sides s = sides_of(p);
+    sides s;
+    set_sides(&s, p);
     return td_kind_is_box(a->kind) && td_kind_is_box(b->kind) &&
            td_box_contact_on_open_axis(a, b, (double)(TD_SPECULATIVE * p->w->length_scale),
                                        is_hidden, &s, contact);

@@ -2,7 +2,7 @@
  *
  * An island is a connected component of dynamic bodies and the constraints that act between them.
  * It is direct if one of its bodies is marked (direct_steps). td_islands_mark_loaded marks the
- * bodies of a contact whose load is above the threshold of td_islands_load_max in two successive
+ * bodies of a contact whose load is above a threshold (td_load_threshold) in two successive
  * checks, while the two bodies hardly move against each other: an impact causes as high a load, but
  * for one step only; and the soft solver solves a moving heap equally well at lower cost. A step
  * checks an eighth of the blocks (in small worlds all), so that two checks are eight steps apart.
@@ -110,7 +110,7 @@ static void cool_down(thud_world *w, td_awake_slot slot, int steps, int times) {
 static int direct_after_step(const thud_world *w, td_awake_slot slot) {
     int direct_steps = *td_direct_steps_at(w, slot);
     uint64_t halvings = TD_SLOW_LEFT(*td_slow_steps_at(w, slot));
-    bool counts = halvings == 0 || w->steps % (1ull << (halvings - 1)) == 0;
+    bool counts = halvings == 0 || (w->steps & ((1ull << (halvings - 1)) - 1)) == 0;
     int left = direct_steps > TD_DIRECT_COOLDOWN && counts ? direct_steps - 1 : direct_steps;
     return left == TD_DIRECT_COOLDOWN ? 0 : left;
 }
@@ -135,9 +135,12 @@ void td_islands_count_down(thud_world *w) {
             *td_slow_steps_at(w, slot) = (uint16_t)(times * TD_SLOW_ONCE);
         }
         direct_steps[slot.at] = (uint8_t)after;
-        if (*td_island_local_at(w, slot) == TD_ISLAND_TOO_MANY) {
+        int local = *td_island_local_at(w, slot);
+        if (local == TD_ISLAND_COOLING && after > 0 && after <= TD_DIRECT_COOLDOWN) {
+            direct_steps[slot.at] = TD_DIRECT_COOLDOWN + TD_MOTION_PAUSE_STEPS;
+        } else if (local == TD_ISLAND_TOO_MANY) {
             cool_down(w, slot, TD_COOLDOWN_STEPS, 1);
-        } else if (*td_island_local_at(w, slot) == TD_ISLAND_ALONE) {
+        } else if (local == TD_ISLAND_ALONE) {
             direct_steps[slot.at] = 0;
         }
     }
@@ -168,10 +171,13 @@ static bool add_constraints_of(thud_world *w, td_island *island, td_awake_slot s
     return true;
 }
 
-float td_calm_speed(const thud_world *w) {
-    float x = w->def.gravity.x, y = w->def.gravity.y;
-    return td_max_float(4.0f * __builtin_sqrtf(x * x + y * y) * (float)w->def.time_step,
-                        4.0f * TD_SLEEP_SPEED * w->length_scale);
+bool td_nearly_at_rest(const thud_world *w, td_awake_slot a, td_awake_slot b) {
+    float gx = w->def.gravity.x, gy = w->def.gravity.y;
+    float max = td_max_float(4.0f * __builtin_sqrtf(gx * gx + gy * gy) * (float)w->def.time_step,
+                             4.0f * TD_SLEEP_SPEED * w->length_scale);
+    const float *v = td_row(&w->velocity, a), *u = td_row(&w->velocity, b);
+    float x = u[0] - v[0], y = u[1] - v[1];
+    return x * x + y * y < max * max;
 }
 
 int64_t td_island_cost(const td_island *island) {
@@ -245,6 +251,22 @@ static void forget_soft(thud_world *w) {
     }
 }
 
+/* Skips groups of slots from this one on in which no body is marked as direct. */
+static td_awake_slot next_marked_group(const thud_world *w, td_awake_slot slot, int slots) {
+    enum { GROUP = 16 };
+    const uint8_t *direct_steps = w->direct_steps.data;
+    for (; slot.at + GROUP <= slots; slot.at += GROUP) {
+        uint8_t marked = 0;
+        for (int i = 0; i < GROUP; i++) { /* one vector operation each */
+            marked |= (uint8_t)(direct_steps[slot.at + i] - 1) < TD_DIRECT_COOLDOWN;
+        }
+        if (marked) {
+            break;
+        }
+    }
+    return slot;
+}
+
 bool td_islands_find(thud_world *w) {
     td_islands *s = &w->islands;
     int slots = w->body_of.count;
@@ -260,7 +282,8 @@ bool td_islands_find(thud_world *w) {
     s->local.count = slots;
     memset(s->local.data, 0, (size_t)slots * sizeof(int));
     for (td_awake_slot slot = {1}; slot.at < slots; slot.at++) {
-        if (is_seed(w, slot)) {
+        slot = everywhere ? slot : next_marked_group(w, slot, slots);
+        if (slot.at < slots && is_seed(w, slot)) {
             td_islands_list_from(w, slot);
         }
     }
@@ -299,14 +322,13 @@ static void mark_direct(thud_world *w, uint32_t record) {
  * proportional to h^2, so that the code multiplies each s by the square of its own number. Contacts
  * with static bodies have twice this frequency (solve_context, solver/solve.c), and sink in by
  * about a quarter of s; the threshold does not count that. */
-float td_islands_load_max(const thud_world *w, float size) {
+td_load_threshold td_islands_load_threshold(const thud_world *w) {
     float steps = (float)w->substeps, own = td_max_float(steps, (float)w->quality.substeps);
-    float depth = w->quality.overlap_limit * size * (own * own);
     float omega = 2.0f * (float)TD_PI * w->quality.contact_stiffness; /* rad a substep */
-    if (w->def.max_error > 0.0) {
-        depth = td_min_float(depth, (float)w->def.max_error * (steps * steps));
-    }
-    return depth * omega * omega / (steps * (float)w->def.time_step);
+    float load_per_depth = omega * omega / (steps * (float)w->def.time_step);
+    float depth_max = w->def.max_error > 0.0 ? (float)w->def.max_error : 3.0e38f;
+    return (td_load_threshold){.per_size = w->quality.overlap_limit * (own * own) * load_per_depth,
+                               .max = depth_max * (steps * steps) * load_per_depth};
 }
 
 /* Thickness of a body's thinnest shape, length; static bodies count as infinitely thick. */
@@ -318,18 +340,11 @@ float td_islands_size(const thud_world *w, td_awake_slot a, td_awake_slot b) {
     return td_min_float(size_of(w, a), size_of(w, b));
 }
 
-/* Whether the relative speed of two bodies is below td_calm_speed. */
-static bool is_nearly_at_rest(const thud_world *w, td_awake_slot a, td_awake_slot b) {
-    const float *v = td_row(&w->velocity, a), *u = td_row(&w->velocity, b);
-    float x = u[0] - v[0], y = u[1] - v[1], max = td_calm_speed(w);
-    return x * x + y * y < max * max;
-}
-
 /* Checks the loads of the lanes of one block, and marks the bodies of overloaded ones as direct. A
  * lane's `loaded` counts the checks in succession in which its load was above the threshold; the
  * flag TD_DIRECT in the same byte says that its impulses are the direct solver's. True if a joint
  * is marked. */
-static bool watch_block(thud_world *w, td_block *block, int kind) {
+static bool watch_block(thud_world *w, td_block *block, int kind, td_load_threshold limit) {
     float deep = w->def.max_error > 0.0 ? (float)w->def.max_error : 3.0e38f;
     int points = td_form_points(w->kinds[kind]->form);
     bool contact = kind < TD_PAIR_COUNT, joint_marked = false;
@@ -338,7 +353,7 @@ static bool watch_block(thud_world *w, td_block *block, int kind) {
         float inverse_a = td_inv_mass_of(w, a), inverse_b = td_inv_mass_of(w, b);
         float light = td_max_float(inverse_a, inverse_b),
               other = td_min_float(inverse_a, inverse_b);
-        float size = td_islands_size(w, a, b), threshold = td_islands_load_max(w, size);
+        float size = td_islands_size(w, a, b), threshold = td_load_max(limit, size);
         float load = 0.0f, off = 0.0f;
         for (int k = 0; contact && k < points; k++) {
             load += block->point[k].normal_impulse[lane];
@@ -351,7 +366,7 @@ static bool watch_block(thud_world *w, td_block *block, int kind) {
         /* A contact between moving bodies may be an impact, which lasts for one step; a joint's
          * load is taken to last. */
         bool overloaded =
-            (load > threshold && (!contact || is_nearly_at_rest(w, a, b))) || off > deep;
+            (load > threshold && (!contact || td_nearly_at_rest(w, a, b))) || off > deep;
         int seen = overloaded ? td_min_int(before + 1, TIMES_SEEN) : 0;
         if (sinks || seen >= (contact ? TIMES_SEEN : 1)) {
             mark_direct(w, block->a[lane]);
@@ -368,6 +383,7 @@ bool td_islands_mark_loaded(thud_world *w) {
     if (w->quality.overlap_limit == 0.0f) {
         return joint_marked;
     }
+    td_load_threshold limit = td_islands_load_threshold(w);
     int stride = w->scratch.blocks.count < ALL_BLOCKS ? 1 : 8;
     td_block *const *blocks = w->scratch.blocks.data;
     int i = (int)(w->steps % (uint64_t)stride);
@@ -379,7 +395,7 @@ bool td_islands_mark_loaded(thud_world *w) {
                 __builtin_prefetch(blocks[i + 2 * stride]->mark, 1);
             }
             if (blocks[i]->used) {
-                joint_marked |= watch_block(w, blocks[i], run->kind);
+                joint_marked |= watch_block(w, blocks[i], run->kind, limit);
             }
         }
     }

@@ -100,15 +100,25 @@ void td_islands_free(td_memory *memory, td_islands *islands);
 /* Lists the islands that are solved directly in this step. False when memory is short. */
 bool td_islands_find(struct thud_world *w);
 /* Counts down the cooldowns in thud_world.direct_steps, begins that of islands with too many
- * bodies, and unmarks bodies without constraints. It is called when the step can no longer fail, so
- * that a step that fails and is repeated counts once. */
+ * bodies, gives a short one to marked bodies of islands in their cooldown, so that these islands
+ * are not searched in every step, and unmarks bodies without constraints. It is called when the
+ * step can no longer fail, so that a step that fails and is repeated counts once. */
 void td_islands_count_down(struct thud_world *w);
 /* The threshold of a contact's load: the impulse of a substep over the lighter body's mass,
- * length/s, at which the contact sinks in by max_error, or by overlap_limit times `size`, the size
- * of the smaller body, if that is less. The depth of overlap_limit counts at no fewer substeps than
- * the quality's, so that fewer of them do not send more islands to the direct solver; max_error
- * counts at the present number. */
-float td_islands_load_max(const struct thud_world *w, float size);
+ * length/s, at which the contact sinks in by max_error, or by overlap_limit times the size of the
+ * smaller body, if that is less. The depth of overlap_limit counts at no fewer substeps than the
+ * quality's, so that fewer of them do not send more islands to the direct solver; max_error counts
+ * at the present number. */
+typedef struct td_load_threshold {
+    float per_size; /* 1/s: threshold over the smaller body's size, by overlap_limit */
+    float max;      /* by max_error; infinite without one */
+} td_load_threshold;
+
+td_load_threshold td_islands_load_threshold(const struct thud_world *w);
+/* The threshold for a smaller body of this size. */
+static inline float td_load_max(td_load_threshold threshold, float size) {
+    return td_min_float(threshold.per_size * size, threshold.max);
+}
 /* The size of the smaller of two bodies; slot 0 (static) has none. */
 float td_islands_size(const struct thud_world *w, td_awake_slot a, td_awake_slot b);
 /* Looks for constraints whose load is above the threshold, and marks their bodies' islands as
@@ -118,9 +128,9 @@ bool td_islands_mark_loaded(struct thud_world *w);
  */
 void td_islands_list_from(struct thud_world *w, td_awake_slot seed);
 
-/* The speed below which bodies count as nearly at rest, length/s: 4 g time_step, or four times the
- * sleep speed if that is more. */
-float td_calm_speed(const struct thud_world *w);
+/* Whether two bodies hardly move against each other: their relative speed is below 4 g time_step,
+ * or below four times the sleep speed if that is more. */
+bool td_nearly_at_rest(const struct thud_world *w, td_awake_slot a, td_awake_slot b);
 /* Begins the cooldown of an island whose direct result was refused: the direct solver is not tried
  * there for `steps` steps. The time doubles with each cooldown in succession; with `for_long` it
  * has its maximum at once. */
@@ -142,6 +152,9 @@ int64_t td_island_cost(const td_island *island);
 /* Steps of cooldown of islands with joints: under the soft solver the gaps of joints under load
  * widen, so that the cooldown is short. */
 #define TD_PAUSE_STEPS 8
+/* Steps of cooldown of islands of contacts in motion, which are soon others: half a second at 60
+ * steps a second. Chosen. */
+#define TD_MOTION_PAUSE_STEPS 30
 /* thud_world.slow_steps of a body holds two counts. Its lower part, up to TD_SLOW_STEPS, is the
  * number of steps in succession in which the direct solver took long, or, at qualities without a
  * limit of such steps, failed; in the cooldown, the number of failures to solve its linkage (bodies

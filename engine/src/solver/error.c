@@ -32,60 +32,34 @@ static void add_tally(thud_world *w, const td_tally *tally) {
     e->depth += tally->depth[0] + tally->depth[1] + tally->depth[2] + tally->depth[3];
 }
 
-/* Normal speed of a point; negative where it closes. */
-static float speed_of(const thud_world *w, const td_block *block, const td_point *p, int lane) {
-    const float *a = td_row(&w->velocity, td_slot_of_side(block->a[lane]));
-    const float *b = td_row(&w->velocity, td_slot_of_side(block->b[lane]));
-    return (b[0] - a[0]) * block->nx[lane] + (b[1] - a[1]) * block->ny[lane] +
-           b[2] * p->cross_b[lane] - a[2] * p->cross_a[lane];
-}
-
-/* Adds the points of one block to the statistics. */
-static void count_block(thud_world *w, const td_block *block, int points) {
-    td_errors *e = &w->errors;
-    float inv_h = (float)(w->substeps / w->def.time_step);
-    for (int lane = 0; lane < block->used; lane++) {
-        for (int k = 0; k < points; k++) {
-            const td_point *p = &block->point[k];
-            if (p->normal_mass[lane] == 0.0f) {
-                continue;
-            }
-            float separation = p->separation[lane];
-            float depth = td_max_float(-(separation + w->skin), 0.0f);
-            /* As in the relax pass (wide_solve.h): an open gap may close within a substep. */
-            float speed = speed_of(w, block, p, lane) + td_max_float(separation, 0.0f) * inv_h;
-            e->points++;
-            e->overlaps += depth > td_overlap_depth_min(w);
-            e->depth += (double)depth * w->to_fixed;
-            e->deepest = td_max_float(e->deepest, depth);
-            /* The order of operands leaves out not-a-number, as of a body that will be quarantined.
-             */
-            e->residual = td_max_float(-speed, e->residual);
-        }
-    }
-}
-
 /* td_errors_recount, of contacts and of joints. What detection has found of this step, such as the
  * shortfall, is not known yet and begins at 0. */
 static void recount(thud_world *w) {
+    td_tally tally = {0};
+    td_tally_context context = {.skin = w->skin,
+                                .overlap = td_overlap_depth_min(w),
+                                .to_fixed = w->to_fixed};
     w->errors = (td_errors){.energy_change = w->errors.energy_change,
                             .energy_decided = w->errors.energy_decided};
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, i);
+        td_block *const *blocks = (td_block *const *)w->scratch.blocks.data + run->first;
         int points = td_form_points(w->kinds[run->kind]->form);
-        for (int k = 0; k < run->count; k++) {
-            td_block *block = *TD_AT(td_block *, &w->scratch.blocks, run->first + k);
-            if (run->kind < TD_PAIR_COUNT) {
-                count_block(w, block, points);
-            } else {
-                w->kinds[run->kind]->lanes->count(w, block);
-            }
+        if (run->kind < TD_PAIR_COUNT) {
+            w->error_hooks->tally[w->wide](&tally, blocks, run->count, points, &context);
+            w->error_hooks->speeds[w->wide](&tally, blocks, run->count, points, w->velocity.data,
+                                            (float)(w->substeps / w->def.time_step));
+        }
+        for (int k = 0; k < run->count && run->kind >= TD_PAIR_COUNT; k++) {
+            w->kinds[run->kind]->lanes->count(w, blocks[k]);
         }
     }
+    add_tally(w, &tally);
 }
 
 const td_error_hooks td_error_report = {.begin = begin,
                                         .tally = TD_BOTH_WIDE(td_tally_points),
+                                        .speeds = TD_BOTH_WIDE(td_tally_speeds),
                                         .add = add_tally,
                                         .resum_kinetic = resum_kinetic,
                                         .recount = recount};

@@ -22,7 +22,8 @@ typedef struct td_error_hooks {
      * velocities. At the end of the step td_finalize adds the kinetic energy that they have then,
      * less the work of gravity. */
     void (*begin)(thud_world *w);
-    td_tally_fn *tally[2]; /* td_tally_points, by thud_world.wide */
+    td_tally_fn *tally[2];         /* td_tally_points, by thud_world.wide */
+    td_tally_speeds_fn *speeds[2]; /* td_tally_speeds, likewise */
     /* Adds the statistics of the contact points and joints that one worker has solved. */
     void (*add)(thud_world *w, const td_tally *tally);
     void (*resum_kinetic)(thud_world *w); /* td_errors_resum_kinetic */

@@ -32,4 +32,10 @@ typedef struct td_tally_context {
 typedef void td_tally_fn(td_tally *to, td_block *const *blocks, int count, int points,
                          const td_tally_context *context);
 
+/* Adds the normal speeds of the points of blocks to td_tally.min_speed, from the velocities of the
+ * bodies (thud_world.velocity) and the present separations. As in the last relax pass
+ * (wide_solve.h), an open gap may close within a substep; inv_h: substeps a second. */
+typedef void td_tally_speeds_fn(td_tally *to, td_block *const *blocks, int count, int points,
+                                const float (*velocity)[4], float inv_h);
+
 #endif

@@ -1,5 +1,5 @@
-/* wide_tally.c: adds up depths, overlaps and numbers of contact points, eight at a time; see
- * tally.h. */
+/* wide_tally.c: adds up depths, overlaps and numbers of contact points, and finds the fastest
+ * closing speed, eight at a time; see tally.h. */
 #include "solver/tally.h"
 
 /* Rounds a sum of floats over a few blocks to whole quanta, so that the sums of such values over
@@ -36,4 +36,21 @@ void TD_WIDE(td_tally_points)(td_tally *to, td_block *const *blocks, int count, 
     to->min_distance = f8_min(lowest - touch, to->min_distance);
     to->points += here;
     to->overlaps += overlaps;
+}
+
+td_tally_speeds_fn TD_WIDE(td_tally_speeds);
+void TD_WIDE(td_tally_speeds)(td_tally *to, td_block *const *blocks, int count, int points,
+                              const float (*velocity)[4], float inv_h) {
+    f8 zero = f8_all(0.0f), closed_by = f8_all(inv_h);
+    for (int i = 0; i < count; i++) {
+        const td_block *block = blocks[i];
+        td_rows a = td_gather(velocity, block->a), b = td_gather(velocity, block->b);
+        f8 along = (b.x - a.x) * block->nx + (b.y - a.y) * block->ny;
+        for (int k = 0; k < points; k++) {
+            const td_point *p = &block->point[k];
+            f8 speed = along + b.z * p->cross_b - a.z * p->cross_a +
+                       f8_max(p->separation, zero) * closed_by;
+            to->min_speed = f8_min(f8_keep(p->normal_mass > zero, speed), to->min_speed);
+        }
+    }
 }

@@ -33,6 +33,7 @@ TD_DECLARE_WIDE(td_solve_fn, td_bounce_one);
 TD_DECLARE_WIDE(td_solve_fn, td_bounce_two);
 TD_DECLARE_WIDE(td_end_flights_fn, td_end_flights);
 TD_DECLARE_WIDE(td_tally_fn, td_tally_points);
+TD_DECLARE_WIDE(td_tally_speeds_fn, td_tally_speeds);
 TD_DECLARE_WIDE(td_kinetic_energy_fn, td_kinetic_energy);
 TD_DECLARE_WIDE(td_finalize_bodies_fn, td_finalize_bodies);
 
