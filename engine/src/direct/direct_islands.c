@@ -2,7 +2,7 @@
  *
  * An island is a connected component of dynamic bodies and the constraints that act between them.
  * It is direct if one of its bodies is marked (direct_steps). td_islands_mark_loaded marks the
- * bodies of a contact whose load is above a threshold (td_load_threshold) in two successive
+ * bodies of a contact whose load is above a threshold (td_islands_load_max) in two successive
  * checks, while the two bodies hardly move against each other: an impact causes as high a load, but
  * for one step only; and the soft solver solves a moving heap equally well at lower cost. A step
  * checks an eighth of the blocks (in small worlds all), so that two checks are eight steps apart.
@@ -73,16 +73,6 @@ static bool reserve_lists(thud_world *w) {
  * not give way under a load (take_island_solver, solver/quality.c). */
 static bool contact_islands_are_direct(const thud_world *w) {
     return w->quality.detection->islands != NULL;
-}
-
-/* Whether the search for an island starts at a body: it is in no island yet, and is marked or every
- * island is direct. */
-static bool is_seed(const thud_world *w, td_awake_slot slot) {
-    int direct_steps = *td_direct_steps_at(w, slot);
-    return direct_steps <= TD_DIRECT_COOLDOWN &&
-           (direct_steps > 0 || w->quality.overlap_limit == 0.0f ||
-            contact_islands_are_direct(w)) &&
-           *td_island_local_at(w, slot) == 0 && td_inv_mass_of(w, slot) > 0.0f;
 }
 
 static bool any_direct(const thud_world *w) {
@@ -251,20 +241,26 @@ static void forget_soft(thud_world *w) {
     }
 }
 
-/* Skips groups of slots from this one on in which no body is marked as direct. */
-static td_awake_slot next_marked_group(const thud_world *w, td_awake_slot slot, int slots) {
-    enum { GROUP = 16 };
-    const uint8_t *direct_steps = w->direct_steps.data;
-    for (; slot.at + GROUP <= slots; slot.at += GROUP) {
-        uint8_t marked = 0;
-        for (int i = 0; i < GROUP; i++) { /* one vector operation each */
-            marked |= (uint8_t)(direct_steps[slot.at + i] - 1) < TD_DIRECT_COOLDOWN;
-        }
-        if (marked) {
-            break;
-        }
-    }
-    return slot;
+/* The soft contact is a spring of angular frequency omega = 2 pi f, so that under a given impulse
+ * in each substep of length h it sinks in by s = (impulse / mass / h) / omega^2. contact_stiffness
+ * is f h, and h is time_step / substeps, so that impulse / mass = s (2 pi contact_stiffness)^2
+ * substeps / time_step. The number of substeps may be below the quality's own. overlap_limit is a
+ * depth s at the quality's own number, max_error at the present one. Under a given force s is
+ * proportional to h^2, so that the code multiplies each s by the square of its own number. Contacts
+ * with static bodies have twice this frequency (solve_context, solver/solve.c), and sink in by
+ * about a quarter of s; the threshold does not count that. */
+static void set_load_max(thud_world *w) {
+    float steps = (float)w->substeps, own = td_max_float(steps, (float)w->quality.substeps);
+    float omega = 2.0f * (float)TD_PI * w->quality.contact_stiffness; /* rad a substep */
+    float load_per_depth = omega * omega / (steps * (float)w->def.time_step);
+    float depth_max = w->def.max_error > 0.0 ? (float)w->def.max_error : 3.0e38f;
+    w->islands.load_max_per_size = w->quality.overlap_limit * (own * own) * load_per_depth;
+    w->islands.load_max = depth_max * (steps * steps) * load_per_depth;
+}
+
+/* Whether a body is dynamic, and in no island that the search has found yet. */
+static bool is_unlisted(const thud_world *w, td_awake_slot slot) {
+    return *td_island_local_at(w, slot) == 0 && td_inv_mass_of(w, slot) > 0.0f;
 }
 
 bool td_islands_find(thud_world *w) {
@@ -272,6 +268,7 @@ bool td_islands_find(thud_world *w) {
     int slots = w->body_of.count;
     s->island.count = s->slots.count = s->constraints.count = 0;
     s->local.count = 0;
+    set_load_max(w);
     bool everywhere = w->quality.overlap_limit == 0.0f || contact_islands_are_direct(w);
     if (!everywhere && !any_direct(w) && !w->joints.live) {
         return true;
@@ -281,9 +278,10 @@ bool td_islands_find(thud_world *w) {
     }
     s->local.count = slots;
     memset(s->local.data, 0, (size_t)slots * sizeof(int));
+    const uint8_t *direct_steps = w->direct_steps.data;
     for (td_awake_slot slot = {1}; slot.at < slots; slot.at++) {
-        slot = everywhere ? slot : next_marked_group(w, slot, slots);
-        if (slot.at < slots && is_seed(w, slot)) {
+        bool wanted = direct_steps[slot.at] > 0 || everywhere;
+        if (wanted && direct_steps[slot.at] <= TD_DIRECT_COOLDOWN && is_unlisted(w, slot)) {
             td_islands_list_from(w, slot);
         }
     }
@@ -314,23 +312,6 @@ static void mark_direct(thud_world *w, uint32_t record) {
     }
 }
 
-/* The soft contact is a spring of angular frequency omega = 2 pi f, so that under a given impulse
- * in each substep of length h it sinks in by s = (impulse / mass / h) / omega^2. contact_stiffness
- * is f h, and h is time_step / substeps, so that impulse / mass = s (2 pi contact_stiffness)^2
- * substeps / time_step. The number of substeps may be below the quality's own. overlap_limit is a
- * depth s at the quality's own number, max_error at the present one. Under a given force s is
- * proportional to h^2, so that the code multiplies each s by the square of its own number. Contacts
- * with static bodies have twice this frequency (solve_context, solver/solve.c), and sink in by
- * about a quarter of s; the threshold does not count that. */
-td_load_threshold td_islands_load_threshold(const thud_world *w) {
-    float steps = (float)w->substeps, own = td_max_float(steps, (float)w->quality.substeps);
-    float omega = 2.0f * (float)TD_PI * w->quality.contact_stiffness; /* rad a substep */
-    float load_per_depth = omega * omega / (steps * (float)w->def.time_step);
-    float depth_max = w->def.max_error > 0.0 ? (float)w->def.max_error : 3.0e38f;
-    return (td_load_threshold){.per_size = w->quality.overlap_limit * (own * own) * load_per_depth,
-                               .max = depth_max * (steps * steps) * load_per_depth};
-}
-
 /* Thickness of a body's thinnest shape, length; static bodies count as infinitely thick. */
 static float size_of(const thud_world *w, td_awake_slot slot) {
     return slot.at ? 2.0f * td_row(&w->reach, slot)[0] : 3.0e38f;
@@ -344,7 +325,7 @@ float td_islands_size(const thud_world *w, td_awake_slot a, td_awake_slot b) {
  * lane's `loaded` counts the checks in succession in which its load was above the threshold; the
  * flag TD_DIRECT in the same byte says that its impulses are the direct solver's. True if a joint
  * is marked. */
-static bool watch_block(thud_world *w, td_block *block, int kind, td_load_threshold limit) {
+static bool watch_block(thud_world *w, td_block *block, int kind) {
     float deep = w->def.max_error > 0.0 ? (float)w->def.max_error : 3.0e38f;
     int points = td_form_points(w->kinds[kind]->form);
     bool contact = kind < TD_PAIR_COUNT, joint_marked = false;
@@ -353,7 +334,7 @@ static bool watch_block(thud_world *w, td_block *block, int kind, td_load_thresh
         float inverse_a = td_inv_mass_of(w, a), inverse_b = td_inv_mass_of(w, b);
         float light = td_max_float(inverse_a, inverse_b),
               other = td_min_float(inverse_a, inverse_b);
-        float size = td_islands_size(w, a, b), threshold = td_load_max(limit, size);
+        float size = td_islands_size(w, a, b), threshold = td_islands_load_max(&w->islands, size);
         float load = 0.0f, off = 0.0f;
         for (int k = 0; contact && k < points; k++) {
             load += block->point[k].normal_impulse[lane];
@@ -383,7 +364,6 @@ bool td_islands_mark_loaded(thud_world *w) {
     if (w->quality.overlap_limit == 0.0f) {
         return joint_marked;
     }
-    td_load_threshold limit = td_islands_load_threshold(w);
     int stride = w->scratch.blocks.count < ALL_BLOCKS ? 1 : 8;
     td_block *const *blocks = w->scratch.blocks.data;
     int i = (int)(w->steps % (uint64_t)stride);
@@ -395,7 +375,7 @@ bool td_islands_mark_loaded(thud_world *w) {
                 __builtin_prefetch(blocks[i + 2 * stride]->mark, 1);
             }
             if (blocks[i]->used) {
-                joint_marked |= watch_block(w, blocks[i], run->kind, limit);
+                joint_marked |= watch_block(w, blocks[i], run->kind);
             }
         }
     }

@@ -66,6 +66,8 @@ typedef struct td_islands {
                                 joint_subsystems.c, which takes them as known, may run after it */
     int64_t
         effort; /* budget of work (td_direct.effort) left for islands with joints in this step */
+    float load_max_per_size, /* 1/s: by overlap_limit, see td_islands_load_max */
+        load_max;            /* length/s: by max_error, likewise */
     td_sparse matrix;
 } td_islands;
 
@@ -104,20 +106,13 @@ bool td_islands_find(struct thud_world *w);
  * are not searched in every step, and unmarks bodies without constraints. It is called when the
  * step can no longer fail, so that a step that fails and is repeated counts once. */
 void td_islands_count_down(struct thud_world *w);
-/* The threshold of a contact's load: the impulse of a substep over the lighter body's mass,
- * length/s, at which the contact sinks in by max_error, or by overlap_limit times the size of the
- * smaller body, if that is less. The depth of overlap_limit counts at no fewer substeps than the
- * quality's, so that fewer of them do not send more islands to the direct solver; max_error counts
- * at the present number. */
-typedef struct td_load_threshold {
-    float per_size; /* 1/s: threshold over the smaller body's size, by overlap_limit */
-    float max;      /* by max_error; infinite without one */
-} td_load_threshold;
-
-td_load_threshold td_islands_load_threshold(const struct thud_world *w);
-/* The threshold for a smaller body of this size. */
-static inline float td_load_max(td_load_threshold threshold, float size) {
-    return td_min_float(threshold.per_size * size, threshold.max);
+/* The load above which a contact counts as overloaded, length/s: the impulse of a substep over the
+ * lighter body's mass, at which the contact sinks in by max_error, or by overlap_limit times
+ * `size`, the size of the smaller body, if that is less. The depth of overlap_limit counts at no
+ * fewer substeps than the quality's, so that fewer of them do not send more islands to the direct
+ * solver; max_error counts at the present number. */
+static inline float td_islands_load_max(const td_islands *islands, float size) {
+    return td_min_float(islands->load_max_per_size * size, islands->load_max);
 }
 /* The size of the smaller of two bodies; slot 0 (static) has none. */
 float td_islands_size(const struct thud_world *w, td_awake_slot a, td_awake_slot b);

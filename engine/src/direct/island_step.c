@@ -295,8 +295,7 @@ bool td_island_load_stays(const thud_world *w, td_lane at, double impulse) {
     td_awake_slot b = td_slot_of_side(at.block->b[at.lane]);
     float inverse = td_max_float(td_inv_mass_of(w, a), td_inv_mass_of(w, b));
     return impulse / w->substeps * (double)inverse >
-           TD_DIRECT_LEAVE *
-               (double)td_load_max(td_islands_load_threshold(w), td_islands_size(w, a, b));
+           TD_DIRECT_LEAVE * (double)td_islands_load_max(&w->islands, td_islands_size(w, a, b));
 }
 
 /* td_island_load_stays for constraint i of the problem, with the impulses of its unilateral and

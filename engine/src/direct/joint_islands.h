@@ -5,7 +5,7 @@
  * solver it writes their results, and solves directly (sparse.h), in this order,
  *   1. the other islands, which td_islands_find listed before the soft solver (direct_islands.c);
  *   2. islands with an overloaded joint: its load in this step exceeded the threshold of
- *      td_load_threshold, or its gap exceeded max_error (overloaded_joints.c);
+ *      td_islands_load_max, or its gap exceeded max_error (overloaded_joints.c);
  *   3. of islands that are left to the soft solver, the linkages (bodies that joints connect) whose
  *      joints are overloaded; the contacts act on them by the impulses that the soft solver found
  *      (joint_subsystems.c).

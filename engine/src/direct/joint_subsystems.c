@@ -82,12 +82,12 @@ static bool is_soft(const thud_world *w, td_awake_slot slot) {
     return td_inv_mass_of(w, slot) > 0.0f && local <= 0 && (left || tried);
 }
 
-/* Whether the load of a joint is above its threshold (td_load_threshold). */
+/* Whether the load of a joint is above its threshold (td_islands_load_max). */
 static bool is_overloaded(const thud_world *w, const td_block *block, int lane, int kind) {
     td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
     float size = td_islands_size(w, a, b), off = 0.0f;
     float load = w->kinds[kind]->lanes->load(w, block, lane, size, &off);
-    return load > td_load_max(td_islands_load_threshold(w), size);
+    return load > td_islands_load_max(&w->islands, size);
 }
 
 /* The counts of add_joints_of: contacts with moving bodies, overloaded constraints of joints, and
