@@ -1,12 +1,13 @@
 /* all_pairs.c: the broadphase that tests the bounds of each shape against those of every other,
- * eight at a time (wide_axis_sweep.c, without keys). It has no order to keep, costs n^2 / 16 tests
- * of eight, and so is the fastest for a few dozen shapes. */
+ * eight at a time (wide_axis_sweep.c, without keys). It has no order to keep up to date. A sweep
+ * over n shapes takes n^2 / 16 tests of eight pairs of bounds each, which for a few dozen shapes is
+ * less work than any order would be. */
 #include "state/kinds.h"
 #include "broadphase/sorted_axis.h"
 
 #include <string.h>
 
-/* thud_broadphase.build: the ids are the list as it is. */
+/* thud_broadphase.build: the order of `ids` is that of `list`. */
 static bool build(thud_world *w, td_proxy_set *set, bool few_moved) {
     (void)few_moved;
     set->valid = false;

@@ -10,10 +10,10 @@
  * Two proxy sets are kept: one of the shapes of awake bodies, and one of those of static, sleeping
  * and disabled bodies (here: resting), which is sorted again only when a shape enters or leaves it.
  * Pairs are searched only around shapes on the list `moved`: shapes whose tight bounds have left
- * their fat bounds, new shapes, shapes of bodies that woke, and shapes that lack pairs because of a
- * crowd. How a proxy set is ordered and swept is the choice of the world's thud_broadphase: grid.c,
- * those made of plane_sweep.c, or all_pairs.c. td_pairs_sort makes the result independent of that
- * choice, but for crowds (below). */
+ * their fat bounds, new shapes, shapes of bodies that woke, and shapes whose pairs had to wait in a
+ * crowded world (CROWD_PAIRS_BASE below). How a proxy set is ordered and swept is the choice of the
+ * world's thud_broadphase: grid.c, those made of plane_sweep.c, or all_pairs.c. td_pairs_sort makes
+ * the result independent of that choice, except in a crowded world. */
 #include "contact/contact.h"
 #include "state/kinds.h"
 #include "broadphase/pairs.h"
@@ -32,8 +32,8 @@ static bool is_awake(const thud_world *w, int shape) {
 
 /* ---- the proxy sets ---- */
 
-/* Whether the shape has a pose and bounds in the world. False for a shape made since the last step,
- * which queries see through preview.h. */
+/* Whether the shape has a pose and bounds in the world. False for a shape made since the last step;
+ * queries find such shapes by preview.h. */
 static bool is_placed(const thud_world *w, int shape) {
     return td_shape_proxy_at(w, shape)->margin > 0;
 }
@@ -75,9 +75,9 @@ static bool list_proxy_set(thud_world *w, td_proxy_set *set, bool awake) {
  * that, else by building it again. False when memory is short. */
 static bool refresh(thud_world *w, td_proxy_set *shapes, bool awake) {
     const thud_broadphase *kind = w->def.broadphase;
-    /* Where at most a fifth has moved, a proxy set is updated in place, or built so that it can be.
-     * With more, most updates in place fail, since some shape has left its cell. Chosen; not tuned.
-     */
+    /* Where at most a fifth of the shapes has moved, a proxy set is updated in place, or built so
+     * that later steps can update it in place. Where more move, most updates in place fail, since
+     * some shape has left its cell. Chosen; not tuned. */
     bool few_moved = awake && w->moved.count * 5 <= w->awake_shapes.list.count;
     if (shapes->valid && shapes->woken && w->sleep_hooks) {
         w->sleep_hooks->drop_woken(w);
@@ -115,9 +115,10 @@ static int stamp_partners(thud_world *w, int a) {
     return count;
 }
 
-/* In a crowded world the pairs of a shape take turns: a pair is looked at only in steps in which
- * this number has no bit in common with a mask 2^k - 1 (turn_mask). The number grows by 1 in each
- * step, so that each pair has one turn in any 2^k successive steps. */
+/* In a crowded world the new pairs of a shape take turns, so that not all become contacts in one
+ * step: a pair is looked at only in steps in which this number has no bit in common with a mask 2^k
+ * - 1 (turn_mask). The number grows by 1 in each step, so that each pair has one turn in any 2^k
+ * successive steps. */
 static unsigned turn_number(const thud_world *w, int a, int b) {
     return (unsigned)a + (unsigned)b + (unsigned)w->steps;
 }
@@ -155,14 +156,15 @@ static bool add_new_pairs(thud_world *w, int a, const int *hits, int count, unsi
 
 /* ---- crowds ---- */
 
-/* Where n shapes stand in one place, n^2 / 2 pairs overlap. A world becomes crowded when a sweep
- * finds more overlapping pairs than CROWD_PAIRS_BASE + CROWD_PAIRS_A_SHAPE times its shapes; until
- * then every new pair gets its contact in the step in which it is found. The world stays crowded
- * until fewer than half as many overlap: with one threshold, a crowd that disperses would get all
- * contacts that it lacks in the one step in which it falls below that threshold, which would take
- * long. Both numbers are chosen. For comparison: in a heap of equal circles each has 6 neighbours,
- * which makes 3 pairs a shape; and up to 207 shapes in one place (the root of n (n - 1) / 2 = 8192
- * + 64 n) do not make a world crowded. */
+/* Where n shapes stand in one place, n^2 / 2 pairs overlap, and making that many contacts in one
+ * step would take too long. A world becomes crowded when a sweep finds more overlapping pairs than
+ * CROWD_PAIRS_BASE + CROWD_PAIRS_A_SHAPE times its shapes; until then every new pair gets its
+ * contact in the step in which it is found. The world stays crowded until fewer than half as many
+ * overlap: with one threshold, a crowd that disperses would get all contacts that it lacks in the
+ * one step in which it falls below that threshold, which would take long. Both numbers are chosen.
+ * For comparison: in a heap of equal circles each has 6 neighbours, which makes 3 pairs a shape;
+ * and up to 207 shapes in one place (the solution n of n (n - 1) / 2 = 8192 + 64 n) do not make a
+ * world crowded. */
 enum { CROWD_PAIRS_BASE = 8192, CROWD_PAIRS_A_SHAPE = 64 };
 
 /* Overlapping pairs above which the world is crowded. */
@@ -182,7 +184,8 @@ static int64_t crowd_threshold(const thud_world *w) {
  * tested. Both limits are chosen. */
 enum { CROWD_TESTS_A_SHAPE = 128, CROWD_CONTACTS_A_SHAPE = 32 };
 
-/* 2^k - 1 for the least 2^k with count <= 2^k max: a mask for turn_number. */
+/* A mask for turn_number, 2^k - 1: the pairs are divided into 2^k parts, the least power of two
+ * with which a part of `count` pairs has at most `max`. */
 static unsigned turn_mask(int count, int max) {
     unsigned turns = 1;
     while ((unsigned)count > turns * (unsigned)max) {
@@ -224,8 +227,9 @@ static bool add_held(td_pair_search *s) {
     return done;
 }
 
-/* Collects the hits of a shape and prefetches their bounds, so that add_held finds them in the
- * cache; adds their pairs at once where they are too many. False when memory is short. */
+/* Keeps the hits of a shape, the shapes that overlap it, in the search, and prefetches their
+ * bounds, so that add_held finds these in the cache. If there are too many hits to keep, it adds
+ * their pairs at once. False when memory is short. */
 static bool hold_hits(td_pair_search *s, int shape, const int *hits, int count) {
     if (!td_fetches(s->w)) {
         return add_new_pairs(s->w, shape, hits, count, 0);
@@ -367,21 +371,22 @@ static bool find_resting_pairs_of(thud_world *w, int shape) {
     return add_new_pairs(w, shape, w->scratch.found_shapes.data, w->scratch.found_shapes.count, 0);
 }
 
-/* The resting shapes query the set of awake shapes, instead of the moved awake shapes querying the
- * resting set, where there is less than one resting shape for this many awake shapes that moved.
+/* If there is less than one resting shape for this many awake shapes that moved, each resting shape
+ * queries the set of awake shapes; else each awake shape that moved queries the resting set.
  * Chosen; not tuned. */
 enum { MOVED_PER_RESTING = 8 };
-/* One query around all awake shapes that moved counts the resting shapes near them. It is made only
- * if it is expected to find fewer than this many for each shape that moved, on the assumption that
- * resting shapes are spread evenly. Chosen: to query for one moved shape costs as much as to find a
- * hundred shapes, so that the count costs little even where it turns out too high to be used. */
+/* One query around all awake shapes that moved counts the resting shapes near them. The query is
+ * made only if it is expected to find fewer than this many resting shapes for each awake shape that
+ * moved, on the assumption that resting shapes are spread evenly. Chosen: to query for one moved
+ * shape costs as much as to find a hundred shapes, so that the count costs little even where it
+ * turns out too high to be used. */
 enum { RESTING_PER_MOVED = 4 };
 
 /* Sets *few to a list of the resting shapes that shall query the awake set: all resting shapes, or
  * those that overlap the one box around all awake shapes that moved. Sets *few to null if neither
  * list is known to be short enough: less than one for every MOVED_PER_RESTING awake shapes that
- * moved. False when memory is short. In a world without this function (thud_parts) each moved awake
- * shape queries the resting set instead, which finds the same pairs by more queries. */
+ * moved. False when memory is short. A world that is made without this function (thud_parts) finds
+ * the same pairs by more queries: each moved awake shape queries the resting set. */
 bool td_broadphase_few_resting(thud_world *w, const td_array **few) {
     td_scratch *scratch = &w->scratch;
     const td_proxy_set *rest = &w->rest_shapes;
@@ -453,8 +458,9 @@ static bool find_mixed_pairs(thud_world *w) {
 /* ---- the stage ---- */
 
 /* Whether the centres of all shapes span more than 2^30 bounds quanta (2^16 length scales) along an
- * axis: a quarter of the range after which bounds wrap around. Differences of bounds are right up
- * to half of the range; the other quarter is left for the extents of the shapes. */
+ * axis: a quarter of the range after which bounds wrap around. Differences of bounds are correct up
+ * to half of that range. A quarter of the range is for the distances of centres, the other quarter
+ * for the extents of the shapes. */
 static bool is_vast(const thud_world *w) {
     const td_proxy_set *a = &w->awake_shapes, *b = &w->rest_shapes;
     int64_t low_x = INT64_MAX, low_y = INT64_MAX, high_x = INT64_MIN, high_y = INT64_MIN;
@@ -485,8 +491,8 @@ static bool find_internal_edges(thud_world *w) {
 
 /* Puts the shapes that may have pairs left for later steps onto the moved list of the next step.
  * TD_MARK_WOKEN makes that step search their contact lists, since their bounds do not tell which
- * pairs are new. TD_MARK_CROWDED remembers whether the world is crowded (was_crowded); marks are in
- * snapshots. */
+ * pairs are new. Whether the world is crowded is stored as the mark TD_MARK_CROWDED (was_crowded),
+ * since snapshots contain the marks. */
 static void requeue_crowded(thud_world *w, bool crowded) {
     int marks = TD_MARK_WOKEN | (crowded ? TD_MARK_CROWDED : 0);
     for (int i = 0; i < w->scratch.crowded.count; i++) {
@@ -520,8 +526,8 @@ bool td_broadphase(thud_world *w) {
     }
     w->broadphase.sort_moves = w->awake_shapes.sort_moves + w->rest_shapes.sort_moves;
     w->awake_shapes.sort_moves = w->rest_shapes.sort_moves = 0;
-    /* The test for new pairs also compares the bounds before this step, so that the world stays
-     * vast for one step longer. */
+    /* The test for new pairs also compares the bounds that shapes had before this step. So a world
+     * that was vast then is treated as vast for one step more. */
     bool vast = is_vast(w);
     w->vast |= vast;
     bool crowded = false;

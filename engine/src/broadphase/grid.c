@@ -42,8 +42,8 @@ static int32_t own_cell(const thud_world *w) {
     return (int32_t)((double)w->def.cell_size * w->to_coarse);
 }
 
-/* Finds the size classes anew without the shapes whose extent is at most `own`, the cell width that
- * the world sets: these share a level of their own. */
+/* Sets has_size anew for the shapes whose extent is above `own`, the cell width that the world
+ * sets. All smaller shapes share one level, whose cells have that width. */
 static void drop_small(td_grid_measures *m, int32_t own) {
     memset(m->has_size, 0, sizeof m->has_size);
     for (int i = 0; i < m->count; i++) {
@@ -53,7 +53,8 @@ static void drop_small(td_grid_measures *m, int32_t own) {
     }
 }
 
-/* What td_grid_measure does, in 64 bits and one by one, for a proxy set of any width. */
+/* Does what td_grid_measure does, but with 64-bit differences and one shape at a time, so that the
+ * centres may be any distance apart. */
 static void measure_one_by_one(const thud_world *w, td_grid_measures *m) {
     int64_t ref_x = td_shape_proxy_at(w, m->list[0])->center.x >> TD_COARSE_SHIFT;
     int64_t ref_y = td_shape_proxy_at(w, m->list[0])->center.y >> TD_COARSE_SHIFT;
@@ -125,10 +126,11 @@ static uint32_t table_size_for(int64_t n) {
 
 /* Sets each level's cell width and table; returns the length of `starts`. A level is hashed, with
  * at least two cells a shape, where its rectangle has more than twice as many cells as that table;
- * else its table holds the whole rectangle. The slack, where there is any, is half of the cell's
- * width without it: with more, cells hold more shapes, which all are tested; with less, shapes
- * leave their cells sooner, and the grid is built again. The half and the two are chosen; not
- * tuned. */
+ * else its table holds the whole rectangle. Where few shapes moved, cells get a slack, by which
+ * centres may move without leaving their cell (grid.h): half of the width that the cell has without
+ * it. With more slack, cells hold more shapes, all of which are tested; with less, shapes leave
+ * their cells sooner, and the grid has to be built again. This half and the factors of two are
+ * chosen; not tuned. */
 static int choose_tables(td_proxy_set *grid, bool few_moved) {
     int first = 0, starts = 0;
     for (int l = 0; l < TD_LEVELS; l++) {
@@ -140,8 +142,8 @@ static int choose_tables(td_proxy_set *grid, bool few_moved) {
         }
         level->slack = few_moved ? (int32_t)(level->cell / 2) : 0;
         level->cell += 2 + 2 * (int64_t)level->slack;
-        /* Less than 1 / cell by 2^-16 of it: rounding must never put shapes that overlap two cells
-         * apart. 2 quanta of the width are for the rounding of the centres. */
+        /* Smaller than 1 / cell by 2^-16 of it, since rounding must never put shapes that overlap
+         * two cells apart. 2 quanta of the width are for the rounding of the centres. */
         level->inv_cell = (1.0 - 1.0 / 65536.0) / (double)level->cell;
         /* One column more than the last index, and an empty one on each side (grid.h). */
         int64_t columns = td_grid_index(grid->end_x - grid->origin_x, level->inv_cell) + 3;
@@ -150,7 +152,7 @@ static int choose_tables(td_proxy_set *grid, bool few_moved) {
         int64_t max = 2 * (int64_t)table;
         level->hashed = columns > max || rows > max || columns * rows > max;
         if (level->hashed) {
-            /* table / golden ratio, made odd. */
+            /* The table's length over the golden ratio, made odd (Fibonacci hashing, grid.h). */
             level->row = (uint32_t)((double)table * 0.6180339887498949) | 1;
         } else {
             table = table_size_for(columns * rows);
@@ -189,8 +191,8 @@ static void sort(td_proxy_set *grid, const td_grid_measures *m, int starts_count
     for (int i = 0; i < m->count; i++) {
         level_starts[m->level[i]][m->cell[i]]++;
     }
-    /* Prefix sums: the end of each cell. Filling cells from the last shape down lowers each to its
-     * start. */
+    /* Prefix sums give the end of each cell. Then the cells are filled from the last shape down,
+     * which lowers each of these numbers to the start of its cell. */
     for (int l = 0; l < TD_LEVELS; l++) {
         const td_level *level = &grid->levels[l];
         int sum = level->first, ends = level->count ? (int)level->mask + 2 : 0;
@@ -311,8 +313,9 @@ static bool follow(thud_world *w, td_proxy_set *grid, const int *moved, int coun
 
 /* ---- shapes that come to rest ---- */
 
-/* The level of the strays, which are shapes at rest that stand in no cell. It is the one below the
- * levels with cells, and is told from these by td_level.cell, which is 0. Null in an empty grid. */
+/* The level of the strays, the resting shapes that are in no cell (TD_STRAYS_MAX, grid.h). It is
+ * the level below those with cells; its td_level.cell is 0, by which it is recognised. Null in an
+ * empty grid. */
 static td_level *level_of_strays(td_proxy_set *grid) {
     td_level *level = &grid->levels[TD_LEVELS - 1];
     while (level[-1].count > 0) {

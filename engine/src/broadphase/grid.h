@@ -26,8 +26,8 @@
 
 #include "constraint/block.h"
 
-/* Levels of a grid. Derived: sizes span 2^31 bounds quanta and a level 2^3, so that 11 are enough;
- * snapshots and drawings hold an array of this length. */
+/* Levels of a grid. 11 would be enough: sizes range from 1 to 2^31 bounds quanta, and each level
+ * holds an eightfold range (2^3). Snapshots and drawings hold an array of this length. */
 enum { TD_LEVELS = 16 };
 
 /* Maximum number of strays: resting shapes that a sorted grid takes in without a cell
@@ -42,7 +42,8 @@ typedef struct td_level {
     uint32_t mask;  /* number of cells - 1; that is a power of two */
     uint32_t row;   /* cells from one row to the next, modulo the number of cells */
     bool hashed;    /* several cells of the plane may share a cell of the table */
-    int32_t slack;  /* by which a centre may leave its anchor along an axis, bounds quanta */
+    int32_t slack;  /* how far a centre may move along an axis from where it was when its cell was
+                       chosen (anchor_x, anchor_y), bounds quanta */
     int64_t cell;   /* width of a cell, bounds quanta */
     double inv_cell; /* a little less than 1 / cell: choose_tables in grid.c */
 } td_level;
@@ -78,9 +79,9 @@ typedef bool td_grid_measure_fn(const td_shape_proxy *proxy, td_grid_measures *m
 /* Fills `cell` from x, y and level. */
 typedef void td_grid_cells_fn(const td_level *levels, td_grid_measures *measures);
 
-/* The column or row at a distance from the origin, bounds quanta. No centre that was sorted is
- * below the origin, so that truncation rounds down; a shape that has moved there since keeps its
- * cell. */
+/* The column or row at a distance from the origin, bounds quanta. No centre was below the origin
+ * when the grid was sorted, so that truncation rounds down. A shape that has moved below the origin
+ * since then keeps its cell. */
 static inline int64_t td_grid_index(int64_t distance, double inv_cell) {
     return (int64_t)((double)distance * inv_cell);
 }

@@ -36,8 +36,8 @@ static thud_closest closest_below(const thud_world *w, int line, const thud_geom
                           .by = ground.height};
 }
 
-/* Whether the bounds of a sweep reach down to a segment of the line; true for one without bounds.
- */
+/* Whether the bounds of a sweep reach down to a segment of the line; true for a sweep that has no
+ * bounds. */
 static bool near_sweep(const thud_world *w, int line, const td_swept *swept) {
     int first, last;
     if (swept->far) {

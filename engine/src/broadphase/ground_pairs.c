@@ -12,9 +12,11 @@ static bool may_pair(const thud_world *w, int line, int shape) {
            td_senses(w, shape);
 }
 
-/* Adds the pairs of one shape with those segments of a line that its fat bounds reach and did not
- * reach before (or, where bounds tell nothing, with all that it reaches). Most shapes are above the
- * whole line, which is tested first from the proxy alone. False when memory is short. */
+/* Adds the pairs of one shape with those segments of a line that its fat bounds reach now and did
+ * not reach at the last broadphase. Where the old bounds do not tell which pairs are new
+ * (td_bounds_tell_nothing), it adds the pairs with all segments that they reach now. Most shapes
+ * are above the whole line, which is tested first from the proxy alone. False when memory is short.
+ */
 static bool add_pairs_of_shape(thud_world *w, int terrain_shape, int shape) {
     const td_shape_proxy *proxy = td_shape_proxy_at(w, shape);
     if (td_terrain_below(w, terrain_shape, proxy->center, &proxy->fat) ||

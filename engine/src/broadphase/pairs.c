@@ -16,8 +16,9 @@ bool td_pairs_add(thud_world *w, int a, int b, int child) {
     return true;
 }
 
-/* Shape and body records lie anywhere in memory, so loops over pairs prefetch the records of
- * the pairs that come this many pairs later. Chosen. */
+/* Shape and body records lie anywhere in memory. So that they are in the cache when a loop over
+ * pairs comes to them, it prefetches the records of the pair that comes this many pairs later.
+ * Chosen. */
 enum { FETCH_SHAPES = 16, FETCH_BODIES = 8, FETCH_EDGES = 4 };
 
 /* At pair i of a loop over `count` pairs: prefetches the shapes and bodies of later pairs. */
@@ -100,8 +101,8 @@ bool td_pairs_sort(thud_world *w) {
         return true;
     }
     for (int shift = 0; shift < 64; shift += DIGIT_BITS) {
-        /* Either half of a key is an index below shapes.count: where that count has no bits from
-         * the digit's on, the digit is 0 in all keys. */
+        /* Either half of a key is an index below shapes.count. Where that count has no bits at the
+         * digit or above it, the digit is 0 in all keys, and its pass is skipped. */
         if (w->shapes.count >> shift % 32 > 0) {
             sort_pass(from, to, count, shift);
             td_new_pair *t = from;
@@ -134,11 +135,12 @@ bool td_pair_has_contact(const thud_world *w, const td_new_pair *p) {
 }
 
 /* Whether a pair that seems new may have a contact already, so that the bodies' lists of contacts
- * must be searched. Touching shapes keep their contact when their fat bounds part, because the
- * cached manifold and the speculative margin of small shapes reach further; when the bounds overlap
- * again, the pair seems new. A pair with a new shape (TD_MARK_FRESH) has no contact. For a woken
- * shape and in a vast world the bounds do not tell which pairs are new (td_bounds_tell_nothing):
- * there add_new_pairs has searched the lists already, except for pairs with a line of ground. */
+ * must be searched. Touching shapes keep their contact when their fat bounds no longer overlap,
+ * since a small shape's contact may exist at a distance at which its fat bounds do not reach the
+ * other shape's (speculative margin, cached manifold). When the bounds overlap again, the pair
+ * seems new. A pair with a new shape (TD_MARK_FRESH) has no contact. For a woken shape and in a
+ * vast world the bounds do not tell which pairs are new (td_bounds_tell_nothing): there
+ * add_new_pairs has searched the lists already, except for pairs with a line of ground. */
 static bool may_have_contact(const thud_world *w, const td_new_pair *p) {
     bool line =
         td_kind_is_line(td_shape_at(w, p->a)->kind) || td_kind_is_line(td_shape_at(w, p->b)->kind);

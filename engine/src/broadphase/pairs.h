@@ -20,9 +20,9 @@ typedef struct td_pair_search {
     int64_t overlaps;     /* overlapping pairs found so far */
     int64_t overlaps_max; /* with more of them the world is crowded */
     bool crowded;         /* pairs wait for their turn */
-    /* Hits that are kept until the bounds that their test reads have arrived in the cache. `hits`
-     * has `held` elements: the counts[0] hits of shapes[0], then the counts[1] hits of shapes[1],
-     * and so on, for `shape_count` shapes. */
+    /* Hits that are kept until the bounds by which they are tested have been prefetched into the
+     * cache. `hits` has `held` elements: the counts[0] hits of shapes[0], then the counts[1] hits
+     * of shapes[1], and so on, for `shape_count` shapes. */
     int held, shape_count;
     int hits[TD_HELD_MAX], shapes[TD_HELD_MAX], counts[TD_HELD_MAX];
 } td_pair_search;
@@ -53,8 +53,10 @@ static inline bool td_senses(const thud_world *w, int shape) {
     return td_shape_at(w, shape)->flags & TD_SHAPE_SENSOR;
 }
 
-/* Whether the bounds before do not tell if a pair has a contact, so that the lists of contacts must
- * be searched. `marks`: the union of both shapes' marks. */
+/* A pair usually has a contact exactly if the fat bounds of its shapes overlapped at the last
+ * broadphase. Whether this is not so for a pair, so that the contact lists of the bodies must be
+ * searched: a shape belongs to a body that woke, or the world is so wide that bounds wrap around
+ * (thud_world.vast). `marks`: the union of both shapes' marks. */
 static inline bool td_bounds_tell_nothing(const thud_world *w, int marks) {
     return marks & TD_MARK_WOKEN || w->vast;
 }

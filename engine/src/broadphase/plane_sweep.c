@@ -110,8 +110,9 @@ static int64_t insertion_sort(td_sweep_key *keys, int count, int gap) {
     return moves;
 }
 
-/* Sorts the keys, and returns how often one was moved past another. Ciura's sequence ends
- * with 701; greater gaps grow by 9/4, about as its gaps do. */
+/* Sorts the keys, and returns how often one was moved past another. Ciura's sequence of gaps ends
+ * with 701. Greater gaps, for longer lists, grow by a factor of 9/4, which is about that of his
+ * sequence. */
 static int64_t sort(td_sweep_key *keys, int count) {
     static const int CIURA_GAPS[] = {701, 301, 132, 57, 23, 10, 4};
     int64_t moves = 0;

@@ -64,7 +64,9 @@ static range range_along(const td_proxy_set *set, td_axis axis, double min, int3
     return (range){keys + from, to - from};
 }
 
-/* The shorter of the ranges along x and along y, the former where they are equal. */
+/* The keys that the shape with bounds b has to be tested against: those whose intervals may overlap
+ * its own along x, or those along y, whichever are fewer; along x where the numbers are equal.
+ * `near_place`: a position near b, by which its wrapped coordinates are unwrapped. */
 static range shorter_range(const td_proxy_set *set, const td_bounds *b, td_position near_place) {
     double x = (double)(td_unwrap(b->min_x, near_place.x) - set->reference[TD_AXIS_X]);
     double y = (double)(td_unwrap(b->min_y, near_place.y) - set->reference[TD_AXIS_Y]);
@@ -79,8 +81,9 @@ static td_bounds bounds_at(const td_proxy_set *set, int i) {
                        td_int_at(&set->max_x, i), td_int_at(&set->max_y, i)};
 }
 
-/* A td_sweep_fn. Either all shapes search or those that moved (td_sweeps_every). A pair is reported
- * once: by the first in ids of those of its two shapes that search. */
+/* A td_sweep_fn. Either all shapes search or those that moved (td_sweeps_every). A pair is found by
+ * each of its two shapes that searches, and reported by that one of these that comes first in ids.
+ */
 static bool sweep(const td_proxy_set *set, td_memory *memory, const td_shape_proxy *proxy,
                   td_array *hits, td_hits_fn *report, void *context, int64_t *tested) {
     const int32_t *ids = set->ids.data, *moved = set->moved.data;

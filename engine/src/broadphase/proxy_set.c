@@ -23,7 +23,8 @@ void td_proxy_set_init(td_proxy_set *p) {
     td_arrays_init(p, ARRAYS, ARRAY_COUNT);
 }
 
-/* Room for the shapes, and for the eight lanes that may be written beyond. */
+/* Room for the shapes, and for eight elements more, since vector stores may write beyond the last
+ * shape. */
 bool td_proxy_set_reserve(thud_world *w, td_proxy_set *p, int count) {
     return td_arrays_reserve(&w->memory, p, ARRAYS, FILLED, count + TD_LANES);
 }

@@ -26,8 +26,9 @@ typedef struct td_proxy_set {
     td_array min_x, min_y, max_x, max_y; /* int32, in the order of ids, and eight more of room */
     td_array moved;                      /* int32: -1 where the shape is on the moved list */
     int moved_count;                     /* how many of `moved` are -1 */
-    int head, tail; /* how many ids at the start and at the end of `ids` do not search in a sweep.
-                       Both are 0 except in the copies for workers (shared_sweep.c) */
+    int head, tail; /* how many shapes at the start and at the end of `ids` do not search in a
+                       sweep. Both are 0, except in the copy of the set that a worker gets for its
+                       part (shared_sweep.c) */
     bool woken;     /* set of resting shapes only: `ids` still has shapes of bodies that woke */
     bool listed;    /* `list` is up to date: no shape has entered or left the set since */
     bool loose;     /* built so that thud_broadphase.follow can update it */
@@ -58,11 +59,13 @@ typedef struct td_broadphase_counts {
 
 struct thud_world;
 
-/* Receives the shapes that overlap `shape`; false ends the sweep, which then returns false. */
+/* Called with the shapes (hits) that overlap `shape`. If it returns false, the sweep ends and
+ * returns false, too. */
 typedef bool td_hits_fn(void *context, int shape, const int *hits, int count);
 
 /* Whether every shape searches in a sweep, and looks only at shapes after it in the order; this
- * pays where most shapes moved. Otherwise only shapes that moved search, on both sides. */
+ * takes less time where most shapes moved. Otherwise only shapes that moved search, among the
+ * shapes before and after them in the order. */
 static inline bool td_sweeps_every(const td_proxy_set *set) {
     return set->moved_count * 2 > set->ids.count;
 }
@@ -125,8 +128,9 @@ void td_proxy_sets_woken(struct thud_world *w, const td_array *bodies);
 /* Takes the shapes that are awake out of the set of shapes at rest. */
 void td_proxy_set_drop_woken(struct thud_world *w);
 
-/* Room for the hits of one query among so many shapes: it finds each of them once at most, and
- * reserves room for as many again before it tests them (reserve_hits, wide_scan.h). */
+/* Room for the hits of one query among so many shapes. The query finds each shape once at most, and
+ * before it tests a range of shapes it reserves room as if all of them were hits (reserve_hits,
+ * wide_scan.h). */
 static inline int td_query_room(int shapes) {
     return 2 * shapes + 4 * TD_LANES;
 }

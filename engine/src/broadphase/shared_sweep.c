@@ -4,15 +4,15 @@
  * A worker allocates nothing, and has room for a fixed number of pairs. The calling thread then
  * goes through all parts in order: it adds the pairs that a worker found in a part, or searches the
  * part itself if it needs more room or has pairs of which bounds tell nothing
- * (td_bounds_tell_nothing). Which parts these are does not depend on the workers, so that pairs
- * come in the same order with any number of them. */
+ * (td_bounds_tell_nothing). Which parts it has to search does not depend on the workers, so that
+ * pairs come in the same order with any number of workers. */
 #include "state/jobs.h"
 #include "state/shared_stages.h"
 
 #include <string.h>
 
-/* Shapes that search from which on workers share the search: fewer are searched before another
- * thread has woken. Chosen; not tuned. */
+/* Workers share the search if at least this many shapes search. With fewer the calling thread
+ * finishes before another thread has woken up. Chosen; not tuned. */
 enum { SHARED_SHAPES_MIN = 1024 };
 
 /* Room for hits on a worker's stack, ints: the maximum number of bounds that one shape may be
@@ -63,8 +63,8 @@ static bool sweep_part(const thud_world *w, td_memory *memory, int index, td_arr
 
 /* ---- a worker ---- */
 
-/* Tests the pairs of a share from new_count on, and keeps those that are new. False where bounds do
- * not tell whether a pair is new. */
+/* Tests the pairs of a share whose index is new_count or above, and keeps those that are new. False
+ * where bounds do not tell whether a pair is new. */
 static bool keep_new_pairs(const sweeper *s) {
     const thud_world *w = s->w;
     td_sweep_share *share = s->share;

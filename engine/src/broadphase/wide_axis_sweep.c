@@ -48,8 +48,8 @@ TD_INLINE double max_of(const scan *s, int i) {
     return min_of(s->set, i) + (double)extent;
 }
 
-/* Tests the shapes before the i-th that have not moved; those that moved find the pair
- * themselves. */
+/* Tests the i-th shape against the shapes before it that have not moved. Those that moved search
+ * themselves, and find the pair. */
 TD_INLINE void scan_unmoved_before(scan *s, int i) {
     int first = first_reaching(s->set, min_of(s->set, i));
     if (first < i) {

@@ -108,8 +108,8 @@ TD_INLINE bool scan_coarser(scan *s, const td_level *level, const td_level *own,
     if (level->count <= SCAN_WHOLE_MAX) {
         return scan_level(s, level, which);
     }
-    /* Half a cell holds half the greatest extent, the slack, and a quantum for rounding. A column
-     * or row between -1 and 0 is truncated to 0, where the first cells are. */
+    /* Half the width of a cell covers half the greatest extent, the slack, and a quantum for
+     * rounding. A column or row between -1 and 0 is truncated to 0, where the first cells are. */
     double reach = 0.5 * (double)(level->cell + own->cell), inv_cell = level->inv_cell;
     int64_t column = (int64_t)((x - reach) * inv_cell), row = (int64_t)((y - reach) * inv_cell);
     int64_t columns = (int64_t)((x + reach) * inv_cell) - column + 1;
@@ -163,7 +163,7 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b,
     if (!level->hashed) {
         int64_t columns = level->row, cells = (int64_t)level->mask + 1;
         c1 = c1 > columns - 2 ? columns - 2 : c1;
-        if ((r1 + 2) * columns > cells) { /* rare; spares the others the division */
+        if ((r1 + 2) * columns > cells) { /* rare; without this test every search would divide */
             r1 = cells / columns - 2;
         }
     }
@@ -197,9 +197,10 @@ TD_INLINE void choose_searches(const td_level *levels, bool every, uint32_t *sea
 }
 
 /* Tests the i-th shape, of the level `own`, against the other levels whose bits are in `searches`.
- * `every`: every shape searches, so that a pair is found from one side. Else only moved shapes do,
- * and of finer levels they test those that have not moved, since moved ones search themselves. A
- * pair of which no shape has moved is never searched for. */
+ * `every`: every shape of the set searches, and each pair of levels is searched from one side only,
+ * so that any pair is found once. Otherwise only moved shapes search, in all levels: in finer
+ * levels they are tested against shapes that have not moved only, since a moved shape of a finer
+ * level finds the pair itself. A pair of which no shape has moved is never reported. */
 TD_INLINE bool scan_other_levels(scan *s, int own, int i, td_position near_position, bool every,
                                  uint32_t searches) {
     const td_proxy_set *grid = s->set;

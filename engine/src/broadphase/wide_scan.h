@@ -105,8 +105,8 @@ TD_INLINE unsigned overlaps(const scan *s, int at, scan_filter which) {
     return i8_bits(found);
 }
 
-/* Makes room for `more` hits, and for eight ints that i8_pack may write behind them. False when
- * memory is short. */
+/* Makes room for `more` hits, and for eight ints behind them, since i8_pack may write eight at
+ * once. False when memory is short. */
 TD_INLINE bool reserve_hits(scan *s, int more) {
     if (s->limit - s->out >= more + TD_LANES) {
         return true;
@@ -127,8 +127,8 @@ TD_INLINE bool report_hits(scan *s, int i, td_hits_fn *report, void *context) {
 }
 
 /* Appends the hits among the shapes from .. to - 1, for which there is room. Most ranges hold at
- * most eight shapes, and many none. The first eight are tested even if the range is empty, since a
- * branch that cannot be predicted costs more than a test. */
+ * most eight shapes, and many none. The first eight shapes from `from` on are tested even if the
+ * range is empty: a branch that the processor cannot predict costs more than a test. */
 TD_INLINE void scan_span(scan *s, int from, int to, scan_filter which) {
     int at = from;
     s->tested += to - from;

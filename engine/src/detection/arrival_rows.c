@@ -31,11 +31,11 @@ static void push(thud_world *w, const td_arrival *r, float *a, float *b, float x
     push_one(b, mass_b, r->inv_inertia[1], r->bx, r->by, x, y);
 }
 
-/* One step of projected Gauss-Seidel for one row. `lack` is the motion along the normal (length),
- * or the speed (length/s), by which b still has to move away from a. With m the effective mass, the
- * accumulated impulse p = *sum becomes p' = max(0, p + m lack), and p' - p is applied to the
- * records of both bodies. The sum is clamped, not its change, so that an impulse that is too large
- * becomes smaller again. */
+/* One step of projected Gauss-Seidel for one row, on motions or on velocities. `lack` is what is
+ * still missing along the normal: how far (length), or how fast (length/s), b has to move away from
+ * a beyond what the records say. With m the effective mass, the accumulated impulse p = *sum
+ * becomes p' = max(0, p + m lack), and p' - p is applied to the records of both bodies. The sum is
+ * clamped, not its change, so that an impulse that is too large becomes smaller again. */
 static void correct(thud_world *w, const td_arrival *r, float *a, float *b, float *sum,
                     float lack) {
     float before = *sum;
@@ -61,8 +61,8 @@ int td_arrival_rows_project(thud_world *w, const td_project_context *c) {
     return unfinished;
 }
 
-/* Each row once: with the tangent t = (ny, -nx), its effective mass m_t and the normal impulse p,
- * the tangent impulse is clamp(-m_t slide, -friction p, friction p). */
+/* Applies friction to each row once: with the tangent t = (ny, -nx), its effective mass m_t and the
+ * normal impulse p, the tangent impulse is clamp(-m_t slide, -friction p, friction p). */
 void td_arrival_rows_rub(thud_world *w) {
     for (int i = 0; i < w->scratch.arrivals.count; i++) {
         td_arrival *r = TD_AT(td_arrival, &w->scratch.arrivals, i);

@@ -58,9 +58,9 @@ static bool stops(const thud_world *w, const td_arrival *r) {
     return speed > 0.0f && (restitution == 0.0f || (restitution < 1.0f && speed <= threshold));
 }
 
-/* Asks the rules and the prologue about the pair, and keeps the answer in the arrival. False if
- * they refuse the pair: its contact is then vetoed, and the two shapes pass through each other in
- * this step. */
+/* Asks the collision rules (rules/) and the prologue, the caller's callback before a contact is
+ * solved, about the pair, and keeps the answer in the arrival. False if they refuse the pair: its
+ * contact is then vetoed, and the two shapes pass through each other in this step. */
 static bool is_accepted(thud_world *w, td_arrival *r) {
     if (w->decisions) {
         w->decisions->has_impact = false; /* forgets the decision about an earlier impact */
@@ -84,7 +84,7 @@ static void arm_of(const thud_world *w, td_body_index body, const td_impact_poin
     *y = (float)(at->y - (double)(f.place.y - at->origin.y) / w->to_fixed - f.motion[1] * time);
 }
 
-/* The inverse moment of inertia of a body on which impulses act, else 0. */
+/* The inverse moment of inertia of a body; 0 for one that impulses do not change. */
 static float inverse_inertia_of(const thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
     return b->kind == THUD_BODY_DYNAMIC && b->awake.at > 0 ? b->inv_inertia : 0.0f;

@@ -13,9 +13,10 @@
 #include <float.h>
 
 /* A body is in free flight if contacts change its velocity by at most this share of what gravity
- * and forces add in a step. Chosen, 1/16: at 0 a contact that only brushes a body would put it on
- * the polygon of the substeps. At half and at twice this value the number of impacts in the scenes
- * platformer and circle_pit, swept, changes by at most 3 and 14 %. */
+ * and forces add in a step. Chosen, 1/16: at 0, a contact that hardly pushes a body would make it
+ * follow the polygon of the substeps instead of the parabola. At half and at twice this value the
+ * number of impacts in the scenes platformer and circle_pit, swept, changes by at most 3 and 14 %.
+ */
 #define FREE_SHARE_MAX 0.0625
 
 void td_ballistics_save_velocities(thud_world *w) {

@@ -1,9 +1,10 @@
-/* collide.c: see collide.h. Each body has two sets of velocities at the impact: its velocity,
- * which the step passes on to the next one, and its motion, by which its trajectory continues to
- * the end of the step. They differ unless the body is in free flight: the solver moves bodies apart
- * that overlap, and its relax pass takes that out of the velocity again. The collision law is
- * applied to the velocities. In free flight the motions are then set to them; else the same law is
- * applied to the motions, without restitution if a body keeps its motion. */
+/* collide.c: see collide.h. Each body has two sets of velocities at the impact: its velocity, which
+ * the step passes on to the next one, and its motion, by which its trajectory continues to the end
+ * of the step. They differ unless the body is in free flight: the solver moves bodies apart that
+ * overlap, and its relax pass (solver/solve.c) takes the speed of that correction out of the
+ * velocity again. The collision law is applied to the velocities. In free flight the motions are
+ * then set to them; else the same law is applied to the motions, without restitution if a body
+ * keeps its motion. */
 #include "detection/collide.h"
 
 #include "state/body.h"
@@ -17,8 +18,8 @@
  * noticeably. Chosen equal to CLOSING_MIN of toi_queue.c, the closing motion below which touching
  * shapes do not collide. */
 #define ACCELERATION_MIN 0.01
-/* Bound of velocities, length/s or rad/s: below FLT_MAX, 3.4e38, so that the conversion is finite.
- */
+/* Bound of velocities, length/s or rad/s: below FLT_MAX, 3.4e38, so that the conversion from double
+ * to float is finite. */
 #define VELOCITY_MAX 3e38
 /* Least tangential inverse effective mass Ktt - Knt^2/Knn, as a share of Ktt. The difference
  * cancels where a body's inertia is far below its mass times the square of its lever: down to 1e-12

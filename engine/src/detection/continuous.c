@@ -10,8 +10,8 @@
  * swept, without rotation: the body may slide on while it overlaps, but its middle does not pass to
  * the other side.
  *
- * It runs after td_finalize, once a step. Times are shares, in [0, 1], of the motion of the step.
- */
+ * It runs after td_finalize, once a step. Times are numbers in [0, 1]: shares of the motion of the
+ * step. */
 #include "constraint/joint_hooks.h"
 #include "state/body.h"
 #include "contact/contact.h"

@@ -1,5 +1,5 @@
 /* detection.h: the four kinds of collision detection that a world or a body chooses (overlap,
- * continuous, bisect, swept; thud_detection.h), and what a kind consists of.
+ * continuous, bisect, swept; thud_detection.h), and the functions that a kind consists of.
  *
  * Times are shares, in [0, 1], of the step or of what is left of it; lengths are in the caller's
  * unit. */

@@ -26,13 +26,13 @@ TD_DECLARE_WIDE(td_find_open_fn, td_find_open_points);
  * finish single contacts and low stacks. If any point still falls short, contacts are stacked deep,
  * where a plain pass carries a correction one contact further: over-relaxed passes follow (SOR with
  * the factor OVER_RELAXATION, which must be below 2), and at last FINAL_PASSES plain ones, which
- * undo the overshoot of over-relaxation. Up to FINE_PASSES, passes go on while any point falls
+ * undo the overshoot of over-relaxation. Up to pass FINE_PASSES, passes go on while any point falls
  * short. From then up to PASSES_MAX they only serve to avoid collisions, each of which costs as
- * much as a pass over forty blocks. One more pass avoids few of them, so that these go on only
- * while there are more collisions than blocks.
- * Measured with 1/4 to 3 collisions a block as that bound in circle_pit (2,000, steps 100 to 150):
- * 372, 379, 425, 520, 969, 3,729 impacts a step with 0.25, 0.5, 1, 1.5, 2, 3; with 1 the step took
- * four fifths of the time with 0.5, and half of it once the heap settled. */
+ * much as a pass over forty blocks. One more pass avoids few of them, so that passes go on only
+ * while there are more collisions than blocks. Measured with 0.25 to 3 collisions a block as that
+ * bound, in the scene circle_pit (2,000 circles, steps 100 to 150): 372, 379, 425, 520, 969, 3,729
+ * impacts a step with 0.25, 0.5, 1, 1.5, 2, 3; with 1 the step took four fifths of the time with
+ * 0.5, and half of it once the heap settled. */
 enum { PLAIN_PASSES = 8, FINE_PASSES = 20, PASSES_MAX = 160, FINAL_PASSES = 2 };
 #define OVER_RELAXATION 1.8f
 
@@ -278,8 +278,8 @@ bool td_gap_stays_open(const thud_world *w, const td_contact *contact, double no
         double from = at_start + start.along + start.turn_b * cross_b - start.turn_a * cross_a;
         double to = at_start + end.along + end.turn_b * cross_b - end.turn_a * cross_a;
         present++;
-        /* If a gap seems to have shrunk by more than a load can cause, the shapes have moved past
-         * each other, and the row is no longer valid. */
+        /* A load closes a gap by at most TD_LOAD_CLOSING_MAX. If a gap seems to have shrunk by
+         * more, the shapes have moved past each other, and the row is no longer valid. */
         stays_open &= from >= at_start - TD_LOAD_CLOSING_MAX * unit;
         stays_open &= to - slack >= td_min_double((double)COLLISION_DISTANCE * unit,
                                                   from - TD_LOAD_CLOSING_MAX * unit);

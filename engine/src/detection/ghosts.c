@@ -11,8 +11,8 @@
  * search makes progress. Chosen, equal to TIME_TOLERANCE of detect_bisect.c. */
 #define GHOST_TIME_MIN 0x1p-20
 
-/* The part of a shape that has to come past a face: the centre of a circle, the whole of any other
- * shape. */
+/* The part of a shape that has to cross the plane of a face before the pair has another normal: the
+ * centre of a circle, the whole of any other shape. */
 static thud_geometry face_probe(const thud_geometry *shape) {
     thud_geometry probe = *shape;
     if (td_kind_is_round(shape->kind)) {

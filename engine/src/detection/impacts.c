@@ -180,9 +180,9 @@ static void requeue_early_stop(thud_world *w, int number, td_trajectory *const t
     td_toi_queue_set(w, number);
 }
 
-/* Moves both bodies of a candidate to `time` and resolves the impact. A pair with a sleeping or a
- * tied body gets no impulse here: its dynamic bodies are held, and the narrowphase of the next
- * step makes a contact of them, which wakes the sleeper. */
+/* Moves both bodies of a candidate to `time` and resolves the impact. A pair with a sleeping body,
+ * or with one that joints tie to others, gets no impulse here: its dynamic bodies are held, and the
+ * narrowphase of the next step makes a contact between them, which wakes the sleeping body. */
 static void resolve_candidate(thud_world *w, int number, double time) {
     td_toi_candidate e = td_toi_candidate_at(w, number);
     td_trajectory *trajectories[2] = {NULL, NULL};
@@ -326,8 +326,8 @@ static void hit_events(thud_world *w) {
 
 /* Reserves all memory that the stage uses; see td_detection_stage. */
 static bool reserve(thud_world *w) {
-    /* Upper bound: each impact counts for at least one body that is not held, and a body is held by
-     * its impact number ELASTIC_IMPACTS_MAX + 1 at the latest. */
+    /* Upper bound of the number of impacts: each is counted for at least one body that is not held,
+     * and a body is held at its impact number ELASTIC_IMPACTS_MAX + 1 at the latest. */
     int awake = w->body_of.count;
     int impacts_max = (ELASTIC_IMPACTS_MAX + 1) * awake + td_arrivals_max(w);
     int extras = awake * (w->terrains.live + 1) + SPARE_CANDIDATES;

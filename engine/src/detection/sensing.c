@@ -157,8 +157,8 @@ float td_sensing_time(const thud_world *w, int a, int b, bool begins) {
 
 /* ---- pairs that overlapped within the step only ---- */
 
-/* Whether the overlap was reported at an earlier step and has not ended: its end is reported by
- * contact/sensor_events.c. */
+/* Whether an earlier step reported the begin of the overlap and none has reported its end: then
+ * contact/sensor_events.c reports the end, and nothing is reported here. */
 static bool was_open(const thud_world *w, int a, int b) {
     int e = td_body_at(w, td_shape_at(w, b)->body)->first_constraint;
     bool open = false;
@@ -170,9 +170,9 @@ static bool was_open(const thud_world *w, int a, int b) {
     return open;
 }
 
-/* Whether an edit has ended the overlap before the step, so that its end is among the events
- * already: these come first, at time 0. A begin and a second end would read as an overlap that
- * ended and began again. */
+/* Whether an edit has ended the overlap before the step, so that its end is among the events of
+ * this step already, at time 0. If a begin and an end of the same pair followed, the caller would
+ * take them for a second overlap. */
 static bool has_ended(const thud_world *w, int sensor, int other) {
     thud_contact_event pair = {td_shape_handle(w, sensor), td_shape_handle(w, other)};
     const td_array *ends = &w->events.sensor_end, *times = &w->events.sensor_end_time;

@@ -1,14 +1,14 @@
 /* shared_fast.c: the search for shapes near the paths of fast bodies, by workers, each of which
  * takes TD_SHARE_FAST bodies at a time. Most fast bodies have no shape near. The bodies that have
  * one are swept by the calling thread in order, since stopping a body also stops the bodies that
- * joints tie to it. Stops only shorten motions, so that a body without a shape near its path needs
- * no second search. */
+ * joints tie to it. Stopping a body only shortens its motion, so that a body without a shape near
+ * its path needs no second search. */
 #include "detection/detection.h"
 #include "state/jobs.h"
 #include "state/shared_stages.h"
 
-/* Fast bodies from which on workers share the search: for fewer it ends before another thread has
- * woken. Chosen; not tuned. */
+/* Workers share the search if there are at least this many fast bodies. With fewer the calling
+ * thread finishes before another thread has woken up. Chosen; not tuned. */
 enum { SHARED_FAST_MIN = 1024 };
 
 /* Room for the hits of a query on a worker's stack, ints. A body with more hits counts as having a

@@ -97,8 +97,8 @@ static td_bounds wrap(const td_far_bounds *b) {
     return (td_bounds){wrapped(b->min_x), wrapped(b->min_y), wrapped(b->max_x), wrapped(b->max_y)};
 }
 
-/* A half extent in bounds quanta, at least the true one: 2 covers the rounding of the length and
- * of the place. Bounded by 2^60, which int64_t holds. */
+/* A half extent in bounds quanta, never less than the true one: 2 quanta are added for the rounding
+ * of the length and of the position. At most 2^60, which int64_t holds. */
 static double half_extent_quanta(const thud_world *w, double length) {
     return (double)(int64_t)td_min_double(length * w->to_coarse, 0x1p60) + 2.0;
 }

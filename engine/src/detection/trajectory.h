@@ -88,10 +88,10 @@ static inline int td_edge_candidate(int edge) {
     return edge / 2;
 }
 
-/* Upper bound of the turn of a body in a step, radians. With the bound of its motion,
- * THUD_PLACE_MAX length scales, it keeps places in the range of 64 bits and angles in that of
- * td_round64. Without the bound, impulses of motors and springs without a maximum force could give
- * any speed. Not-a-number is not changed. */
+/* Upper bound of the rotation of a body in one step, radians. Motors and springs without a maximum
+ * force could give any speed; this bound, and that of the motion of the centre, THUD_PLACE_MAX
+ * length scales, keep positions in the range of 64 bits and angles in that of td_round64. Clamping
+ * leaves not-a-number as it is. */
 #define TD_MOTION_TURN_MAX 1e9
 
 /* A motion in a step, clamped to its bounds: x and y (axes 0, 1) in lengths, the angle (axis 2) in
@@ -148,8 +148,9 @@ void td_trajectory_begin(thud_world *w, td_awake_slot slot, bool moved);
 /* A copy of the trajectory of any body. A body that is not awake has a trajectory without motion.
  */
 td_trajectory td_trajectory_of(const thud_world *w, td_body_index body);
-/* Appends the piece of a path from its `since` to `end` to scratch.legs, if the world has sensors.
- * If memory is short, the piece is lost, and sensors take the path as straight. */
+/* Appends a piece of a path, from trajectory.since to `end` (both shares of the step), to
+ * scratch.legs, if the world has sensors. If memory is short, the piece is lost, and sensors take
+ * the path as straight. */
 void td_leg_note(thud_world *w, const td_trajectory *trajectory, double end);
 
 /* The pose of an awake body at the start of the step, from that at the end and the motion. */

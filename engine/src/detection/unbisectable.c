@@ -6,10 +6,11 @@
 #include "geometry/shape_instance.h"
 #include "state/shape.h"
 
-/* The greatest distance from the centre of mass of a point that moves as the body turns; a circle
- * about it does not move. 0 if that distance is at most min_extent plus half of `thickness`, the
- * thickness of the thinnest shape: then no rotation takes a corner through the middle of another
- * shape, as in thud_geometry_is_bisectable. */
+/* The greatest distance from the centre of mass of any point that a rotation of the body moves. A
+ * circle about the centre of mass looks the same in every rotation, and does not count. 0 if that
+ * distance is at most min_extent plus half of `thickness`, the thickness of the thinnest shape:
+ * then no rotation takes a corner through the middle of another shape, as in
+ * thud_geometry_is_bisectable. */
 static double turning_reach(const thud_world *w, const td_body *body, double thickness) {
     double reach = 0.0;
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {

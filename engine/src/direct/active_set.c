@@ -26,7 +26,8 @@
 #define PENALTY 1e5
 #define PENALTY_MAX 1e9
 
-/* Hysteresis of the active set, as a share of the tolerance of speeds. Chosen. */
+/* A row enters or leaves the active set only when it is beyond the threshold by this share of the
+ * tolerance of speeds (update_row). Chosen. */
 #define HYSTERESIS 0.1
 
 /* A friction bound that is wrong by less than this factor is not recomputed: normal impulses of a
@@ -50,7 +51,8 @@ enum {
      * gaps of 23 bridges of 10 to 98 planks under a lorry are two to five times those at 8
      * (geometric means); at 10 a step of bridges under boxes takes two fifths longer. */
     FACTORINGS_OF_SEARCH = 8,
-    UPDATES_MAX = 12,      /* maximum number of updates of multipliers and friction bounds */
+    UPDATES_MAX =
+        12, /* maximum number of updates of multipliers and friction bounds in one solve */
     UPDATES_AGAIN = 4,     /* UPDATES_MAX for td_direct_solve_same_active_set, which does not factor
                             */
     CHANGED_PART = 6,      /* if more than one in CHANGED_PART rows changes its activity in a Newton
@@ -70,7 +72,8 @@ static double clamp(double x, double max) {
 /* Sets impulse and activity of a row from the impulse that its penalty gives. In a heap at rest
  * many contacts carry no load, or have friction just at its bound, and rounding would make them
  * enter and leave the active set forever. So a row keeps its activity within `hysteresis` of the
- * threshold: a speed, and times the effective mass an impulse. True if the activity changed. */
+ * threshold: `hysteresis` is a speed, and multiplied by the row's effective mass an impulse. True
+ * if the activity changed. */
 static bool update_row(td_direct_row *r, double impulse, double hysteresis) {
     bool before = r->active;
     double little = hysteresis * r->mass;
@@ -93,7 +96,7 @@ static bool update_row(td_direct_row *r, double impulse, double hysteresis) {
     return r->active != before;
 }
 
-/* The impulse that the penalty gives, y - D (J v - target), before it is clamped. */
+/* The impulse y - D (J v - target) of a row, before it is clamped; y is `multiplier`. */
 static double penalty_impulse(const td_direct_row *r, double multiplier) {
     return multiplier - r->weight * (r->speed - r->target_speed);
 }
@@ -173,8 +176,9 @@ typedef enum multiplier_update {
                         td_direct_restore */
 } multiplier_update;
 
-/* Sets the multipliers to the impulses. A sliding friction row whose bound has since grown by much
- * becomes active. True if no row changed its activity. */
+/* Sets the multipliers y of the head of this file to the present impulses. A sliding friction row
+ * whose bound has grown by more than a little since its last update becomes active. True if no row
+ * changed its activity. */
 static bool update_multipliers(td_direct *d, double hysteresis, multiplier_update how) {
     bool same = true;
     for (int i = 0; i < d->constraint_count; i++) {

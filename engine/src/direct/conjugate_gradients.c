@@ -22,8 +22,8 @@
 
 /* Maximum number of iterations. Chosen; each costs one solve with the present factor. */
 enum { ITERATIONS_MAX = 12 };
-/* Maximum of alpha: a larger one means that the active rows contradict each other along p, so that
- * no velocities satisfy all of them. Chosen. */
+/* Maximum of alpha. A larger alpha means that the active rows contradict each other along p: no
+ * velocities satisfy all of them, and the iteration is given up. Chosen. */
 #define STEP_MAX 100.0
 
 /* The residual of a row. A soft row has none: it is satisfied by its own stiffness. */

@@ -44,9 +44,10 @@ static double blur_of(const thud_world *w, const td_direct_row *r) {
     return (blur < max ? blur : max) + BLUR_MIN * (double)w->length_scale;
 }
 
-/* A body of the problem that does not turn gets lever arms of 0: any moment of inertia is then
- * correct for it (inertia_of, newton_step.c). A body outside of the problem keeps its arms, since
- * its given angular velocity moves the contact point. */
+/* A body of the problem that does not turn gets lever arms of 0. Its angular velocity then stays 0,
+ * whatever finite moment of inertia the matrix has for it (inertia_of, newton_step.c). A body
+ * outside of the problem keeps its arms, since its given angular velocity moves the contact point.
+ */
 bool td_contact_take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
                           td_direct_constraint *c) {
     int points = td_form_points(w->kinds[td_contact_at(w, block->constraint[lane])->kind]->form);

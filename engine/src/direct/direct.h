@@ -67,7 +67,8 @@ typedef struct td_direct_body {
      * island_step_joints.c. */
     double stiff;               /* sum of the geometric stiffness of the body's joints, which is
                                    added to its moment of inertia; 0 between two sums */
-    double former_angular;      /* angular velocity by the Newton iteration before, rad/s */
+    double former_angular;      /* angular velocity that the Newton iteration before this one found,
+                                   rad/s */
     double own_inverse_inertia; /* inverse_inertia without `stiff` */
     double gain[3];             /* what gravity, forces and damping add to the mean velocity in one
                                    part: half of what they add to the velocity by its end */
@@ -81,9 +82,10 @@ typedef struct td_direct_row {
     double a[3], b[3];   /* Jacobian: the part of body a, and that of body b */
     double target_speed; /* target speed along the row; for friction the relative speed of the
                             moving surfaces */
-    double known_speed;  /* speed that bodies outside of the problem give the row */
-    double impulse;      /* in: the warm start; out: the solution */
-    double warm_start;   /* copy of the impulse at the start of the solve */
+    double known_speed; /* the part of the speed along the row that comes from bodies outside of the
+                           problem, whose velocities are given */
+    double impulse;     /* in: the warm start; out: the solution */
+    double warm_start;  /* copy of the impulse at the start of the solve */
     double closing; /* islands with joints: speed at which the row closes a joint's gap within the
                        part of the step, or pushes apart a contact that overlaps as the step
                        begins */
@@ -122,8 +124,8 @@ typedef struct td_direct_constraint {
     bool b_later;    /* b is eliminated after a: the block's rows are b's, its columns a's */
     double friction; /* friction coefficient: the bound of the friction row per unit of normal
                         impulse */
-    double bound;    /* constant part of the friction row's bound, such as a motor's maximum
-                        impulse */
+    double bound;    /* constant part of the friction row's bound, such as the maximum impulse of a
+                        motor, whose row is treated like one of friction */
     bool from_soft;  /* a contact that acts by the soft solver's impulses; its rows only keep it
                         from closing further: joint_subsystems.c */
     double stiff[2]; /* of a joint: geometric stiffness against the rotation of a and b */
@@ -172,9 +174,8 @@ bool td_direct_solve_same_active_set(td_direct *d, double tolerance);
 /* line_search.c: a line search and damped updates of friction bounds. Without them the active set
  * may cycle where contacts slide. */
 typedef struct td_direct_search {
-    /* The length of the present Newton step, as a share of the whole step, 0 to 1: near the minimum
-     * of the augmented Lagrangian along it. Where td_direct.search is null, whole steps are
-     * taken. */
+    /* How much of the present Newton step to take, 0 to 1: up to near the minimum of the augmented
+     * Lagrangian along it. Where td_direct.search is null, whole steps are taken. */
     double (*part_of_step)(const td_direct *d);
     void (*update_bounds)(td_direct *d); /* in place of td_direct_update_friction */
 } td_direct_search;

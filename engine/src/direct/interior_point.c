@@ -44,7 +44,8 @@ enum { ITERATIONS_MAX = 40 };
  * as frictionless: its slacks would be divided by almost zero. Chosen. */
 #define FRICTION_MIN 1e-9
 
-/* Whether a row has neither slack nor bound: an equality, or a spring without a maximum force. */
+/* Whether a row has neither a slack nor a bound of its impulse: an equality, or a spring without a
+ * maximum force. */
 static bool is_unbound(const td_direct_row *r) {
     return r->kind == TD_ROW_EQUALITY ||
            (r->kind == TD_ROW_SOFT && !(r->max_impulse < __builtin_inf()));
@@ -121,7 +122,7 @@ static void start(td_direct *d) {
 }
 
 /* The mean, over all conditions, of the product of impulse and slack divided by the effective mass
- * (a speed squared), after a part of the step. */
+ * (a speed squared), after `part` of the step has been taken. */
 static double complementarity_gap(const td_direct *d, double part) {
     double sum = 0.0;
     int products = 0;

@@ -146,7 +146,8 @@ static void take_constraint(td_island_work *work, int i) {
     }
 }
 
-/* Where a time budget has lowered the number of substeps, island_work is lowered in proportion. */
+/* A time budget (solver/budget.c) may have lowered the number of substeps; island_work is then
+ * lowered in proportion. */
 int64_t td_island_work_left(const thud_world *w) {
     return w->quality.island_work / w->quality.substeps * w->substeps - w->stats.island_work;
 }
@@ -197,8 +198,8 @@ td_island_work td_island_set_up(thud_world *w, const td_island *island) {
         soft += impulses[TD_DIRECT_ROWS] > 0.0f;
         take_constraint(&work, i);
     }
-    /* At qualities that solve every island directly, impulses are the direct solver's from the
-     * first contact on. */
+    /* At qualities that solve every island directly (overlap_limit 0), the direct solver has found
+     * all impulses since a contact began, so that none comes from the soft solver. */
     work.problem.soft_warm_start =
         w->quality.overlap_limit > 0.0f && 2 * soft > island->constraints;
     return work;

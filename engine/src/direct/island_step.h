@@ -25,9 +25,10 @@ typedef struct td_island_work {
     int joints;              /* number of constraints that are not contacts: parts of joints */
     bool closed;             /* set if a part of the step has closed gaps of joints (closes_gaps,
                                 island_step_joints.c) */
-    double unbalanced;       /* greatest unbalanced_speed of island_step_joints.c, length/s */
-    double turn_max; /* greatest rotation in the step for which the contacts' lever arms of the
-                        start of the step are accurate enough, rad */
+    double unbalanced; /* greatest unbalanced_speed of island_step_joints.c so far in this step,
+                          length/s */
+    double turn_max;   /* greatest rotation in the step for which the contacts' lever arms of the
+                          start of the step are accurate enough, rad */
 } td_island_work;
 
 /* island_problem.c: stores velocities and impulses of all listed islands, before the soft solver

@@ -300,7 +300,8 @@ static void keep_lock_impulses(td_island_work *work) {
     }
 }
 
-/* Adds the kept impulses to those of the second problem. */
+/* Adds the kept impulses of equality rows (mean_impulse) to those that the second problem has
+ * found. */
 static void restore_lock_impulses(td_island_work *work) {
     for (int i = 0; i < work->island->constraints; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
@@ -326,9 +327,9 @@ static bool has_only_locks_and_springs(const td_island_work *work) {
  * v_before.
  * - Where gaps were closed, all rows are solved for anew, from the velocities without impulses.
  * - Otherwise the impulses of equality rows are kept, and the problem is solved for what has to be
- * added to them and for all other rows. With equality rows and springs alone, nothing is solved
- * unless the velocities violate a row by more than TD_END_ERROR_MAX g h. Returns the residual, as a
- * speed. */
+ * added to them and for all other rows. If the island has equality rows and springs alone, nothing
+ * is solved unless the velocities violate a row by more than TD_END_ERROR_MAX g h. Returns the
+ * residual, as a speed. */
 static double solve_end_velocity(td_island_work *work, double end, double tolerance) {
     td_direct *d = &work->problem;
     td_island_extrapolate(work);
@@ -476,7 +477,7 @@ static bool is_driven(const td_island_work *work) {
     return driven;
 }
 
-/* Whether a constraint joins the island to a body outside of it. */
+/* Whether a constraint joins the island to a body outside of it, which may take up its momentum. */
 static bool is_held(const td_island_work *work) {
     bool held = false;
     for (int i = 0; i < work->island->constraints; i++) {

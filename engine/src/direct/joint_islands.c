@@ -64,9 +64,9 @@ enum { EFFORT_OF_BODY = 4000, EFFORT_BODIES_MIN = 1000 };
 
 /* The sum of the shares of the budget of all listed islands that are not solved yet: EFFORT_OF_BODY
  * for each of their bodies. solve_found takes the shares of later islands out of the budget while
- * it solves an island, which so may spend its own share and what the islands before it have left of
- * theirs. Without this reserve, a heap that spent the whole budget would send all later islands to
- * the soft solver. */
+ * it solves an island, so that this island may spend its own share, and what the islands before it
+ * have left of theirs. Without this reserve, a heap that spent the whole budget would send all
+ * later islands to the soft solver. */
 static int64_t reserved_effort(const thud_world *w) {
     int64_t reserved = 0;
     for (int i = 0; i < w->islands.island.count; i++) {

@@ -60,8 +60,8 @@ static bool backs_off(const thud_world *w, td_awake_slot slot) {
     return w->steps % (1ull << td_min_int(failures, BACKOFF_MAX)) != 0;
 }
 
-/* Counts a failure of the linkage in slow_steps of its bodies, or sets the count to 0 if it was
- * solved. */
+/* Adds 1 to the number of failures of the linkage, which slow_steps of its bodies hold (backs_off),
+ * or sets it to 0 if the linkage was solved. */
 static void note_outcome(thud_world *w, const td_island *linkage, bool solved) {
     for (int i = 0; i < linkage->bodies; i++) {
         td_awake_slot slot = td_slot_in(&w->islands.slots, i);
@@ -153,8 +153,8 @@ static bool collect(thud_world *w, td_awake_slot seed, td_island *linkage) {
 
 /* ---- contacts ---- */
 
-/* Adds to a free mean velocity half of what an impulse along (x, y), spread evenly over the step,
- * adds by its end. */
+/* Adds to the mean velocity that a body has without joints (`free`) what an impulse along (x, y)
+ * gives that is spread evenly over the step: half of the change of velocity by its end. */
 static void add_impulse(td_direct_body *b, double x, double y, double cross, double impulse) {
     b->free[0] += 0.5 * b->inverse_mass * x * impulse;
     b->free[1] += 0.5 * b->inverse_mass * y * impulse;
@@ -203,8 +203,8 @@ static bool list_contacts(thud_world *w, td_island *linkage) {
     return true;
 }
 
-/* Sets up the rows that keep contacts from closing further: their impulses start from 0, come on
- * top of the known ones, and have no friction of their own. */
+/* Sets up the rows that keep contacts from closing further. Their impulses start from 0 and are
+ * added to the known ones. They have no friction, since that of the known impulses already acts. */
 static void set_contact_rows(td_island_work *work) {
     for (int i = 0; i < work->island->constraints; i++) {
         td_direct_constraint *c = &work->problem.constraints[i];

@@ -1,8 +1,8 @@
 /* joint_tree.c: eliminates the bodies of a tree of joints one after the other. */
 #include "direct/joint_tree.h"
 
-/* A pivot below this share of its element before elimination means that a row follows from the rows
- * before it, up to rounding. Chosen. */
+/* If a pivot is below this share of the element that stood in its place before elimination, the row
+ * follows from the rows before it, up to rounding, and cannot be solved for. Chosen. */
 #define PIVOT_MIN 1e-10
 /* Hysteresis of limits, as a share of the tolerance: a limit becomes active only if it is violated
  * by a higher speed than this. Chosen. */
@@ -61,7 +61,8 @@ static bool acts(const td_direct_row *r) {
     return r->used && (r->kind != TD_ROW_UNILATERAL || r->active);
 }
 
-/* The target speed of a row, less the part that bodies outside of the problem give it. */
+/* The speed along a row that the bodies of the problem have to reach: its target speed less the
+ * part that comes from bodies outside of the problem. */
 static double wanted(const td_direct_row *r) {
     return r->target_speed - r->known_speed;
 }
@@ -139,7 +140,8 @@ static void take_bodies(const td_tree *tree) {
         const td_direct_body *b = &tree->d->bodies[i];
         td_tree_body *t = &tree->bodies[place_of(tree, i)];
         double mass = 1.0 / b->inverse_mass;
-        /* A body that does not turn has no lever arms: any positive number will do. */
+        /* The rows of a body that does not turn have lever arms of 0, so that any positive moment
+         * of inertia is correct. */
         double inertia = b->inverse_inertia > 0.0 ? 1.0 / b->inverse_inertia : 1.0;
         t->mass[0] = t->mass[2] = mass;
         t->mass[1] = t->mass[3] = t->mass[4] = 0.0;
@@ -151,8 +153,8 @@ static void take_bodies(const td_tree *tree) {
     }
 }
 
-/* Lists the rows of the joint between every body and its parent. False where one has more than
- * three. */
+/* Lists the rows of the joint between every body and its parent. False where a joint has more than
+ * three rows. */
 static bool take_joints(const td_tree *tree) {
     for (int i = 0; i < tree->d->constraint_count; i++) {
         td_direct_constraint *c = &tree->d->constraints[i];
@@ -179,7 +181,7 @@ static bool take_joints(const td_tree *tree) {
 /* ---- elimination ---- */
 
 /* Finds a body's response to the rows of its joint, and their compliance. False where the rows
- * repeat each other. */
+ * depend on each other, so that S has no inverse. */
 static bool respond(td_tree_body *t) {
     double *s = t->compliance;
     s[0] = s[2] = s[5] = 1.0; /* for rows that the joint does not have */

@@ -52,8 +52,8 @@ typedef struct td_tree_body {
  * `bodies` is scratch memory, one for each body of the problem. False, with velocities and impulses
  * unchanged, where the joints do not form a tree, more than one body is joined to the outside, two
  * bodies are joined by more than three rows or by rows that repeat each other, where a row has
- * friction, a motor, or a spring beyond its maximum force, where limits do not settle within
- * `tolerance`, and where the budget of work is too small. */
+ * friction, a motor, or a spring beyond its maximum force, where no active set of limits is found
+ * that satisfies all of them to `tolerance`, and where the budget of work is too small. */
 bool td_joint_tree_solve(td_direct *d, td_tree_body *bodies, double tolerance, double *residual);
 
 #endif

@@ -47,7 +47,8 @@ void td_joint_island_solve(thud_world *w, const td_island *island) {
     }
     for (int i = 0; i < island->bodies; i++) {
         td_awake_slot slot = td_slot_in(&s->slots, island->first_body + i);
-        *td_island_local_at(w, slot) = TD_ISLAND_REFUSED; /* it replaces the body's number in the
-                                                             island */
+        *td_island_local_at(w, slot) =
+            TD_ISLAND_REFUSED; /* this value replaces the body's number in the island, which is not
+                                  needed any more */
     }
 }

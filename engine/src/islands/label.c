@@ -23,9 +23,9 @@ static bool moves(const thud_world *w, td_awake_slot slot) {
     return v[0] != 0.0f || v[1] != 0.0f || v[2] != 0.0f;
 }
 
-/* Unites the islands of two bodies that a constraint joins, if both are dynamic. With `keeps`, the
- * idle time of a body that is joined to a moving kinematic body becomes 0. Slot 0 stands for all
- * static bodies. */
+/* Unites the islands of two bodies that a constraint joins, if both are dynamic. With `keeps`
+ * (keep_awake of td_islands_label), the idle time of a body that is joined to a moving kinematic
+ * body becomes 0. Slot 0 stands for all static bodies. */
 static void join_islands(thud_world *w, td_awake_slot *parents, td_awake_slot a, td_awake_slot b,
                          bool keeps) {
     if (a.at == 0 || b.at == 0) {

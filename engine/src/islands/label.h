@@ -22,8 +22,8 @@ static inline td_awake_slot td_root_of(td_awake_slot *parents, td_awake_slot i) 
 bool td_join_trees(td_awake_slot *parents, td_awake_slot a, td_awake_slot b);
 
 /* Sets scratch.parents of each awake slot to the lowest slot of its island. False when memory is
- * short. With `keep_awake` the idle time of a dynamic body that touches a moving kinematic body, or
- * is joined to one, becomes 0, so that its island does not fall asleep. */
+ * short. `keep_awake`: the idle time of a dynamic body that touches a moving kinematic body, or is
+ * joined to one, becomes 0, so that its island does not fall asleep. */
 bool td_islands_label(thud_world *w, bool keep_awake);
 
 #endif

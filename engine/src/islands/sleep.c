@@ -1,10 +1,10 @@
 /* sleep.c: the stage of a step that puts islands to sleep, each as a whole.
  *
  * An island sleeps when every body of it has been idle for TD_SLEEP_TIME. The idle time of a body
- * is counted in solver/wide_finalize.c. Islands are labelled only when some body has been idle for
- * that long, and then in one of eight steps, so that it costs nothing in a world where no body
- * rests. The lanes of a sleeping island are moved, with their impulses, into bins that no stage
- * visits. */
+ * is counted in solver/wide_finalize.c. The islands are found (td_islands_label) only when some
+ * body has been idle for that long, and then only in every eighth step, so that a world where no
+ * body rests pays nothing. The constraints of a sleeping island keep their impulses: their lanes
+ * (constraint/lanes.h) are moved into bins that no stage visits. */
 #include "state/awake.h"
 #include "constraint/constraint.h"
 #include "constraint/lanes.h"
@@ -56,7 +56,8 @@ static void put_to_sleep(thud_world *w) {
         /* thud_world.rest_epoch counts changes of the set of resting shapes. If the rest_epoch of a
          * body is older than that of the world, the broadphase searches for the body's pairs when
          * the body wakes (wake.c). If the broadphase could not list all pairs in this step
-         * (scratch.crowded), the body gets an older epoch at once. */
+         * (scratch.crowded), the body gets an older epoch at once, so that its pairs are searched
+         * when it wakes. */
         td_body_at(w, td_body_in(bodies, i))->rest_epoch =
             w->rest_epoch - (w->scratch.crowded.count > 0);
     }

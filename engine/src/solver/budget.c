@@ -1,8 +1,9 @@
 /* budget.c: the controller of the time budget. Over each TD_BUDGET_STEPS steps it takes the median
  * of the step times. Substeps are halved where the median is over the budget. They are doubled, up
- * to the number that the def or the quality asks for, where the median of the step times plus the
- * solver's times, an estimate for twice the substeps, is below RISE_SHARE of the budget. The result
- * depends on the clock, so that worlds with a time budget are not deterministic. */
+ * to the number that the def or the quality asks for, where the estimated time of a step with twice
+ * the substeps is below RISE_SHARE of the budget. The estimate is the median of the step times to
+ * which the times of their solver are added once more. The result depends on the clock, so that
+ * worlds with a time budget are not deterministic. */
 #include "solver/budget.h"
 
 #include "solver/quality.h"

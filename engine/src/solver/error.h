@@ -1,6 +1,6 @@
 /* error.h: the error statistics of a step (td_errors, which thud_world_get_step_error returns):
- * overlaps of contacts, the speeds that rows miss (residual), the change of energy, and the longest
- * motion that detection cut off (shortfall).
+ * overlaps of contacts, the speeds by which constraints miss their targets (residual), the change
+ * of energy, and the longest motion that detection cut off (shortfall).
  *
  * The solver counts contact points in its last relax pass, and td_finalize sums up energies.
  * Detection (continuous.c, impacts.c), which runs after both, corrects the energy change and sets
@@ -17,10 +17,10 @@
  * A world has them by its def (thud_parts), or is given them by thud_world_use_step_error or a
  * snapshot, so that a program that does not read them does not link them. */
 typedef struct td_error_hooks {
-    /* Before the solver: resets the statistics but energy_decided, which prologues have added to.
-     * The energy change begins at minus the kinetic energy that bodies had before prologues decided
-     * velocities. At the end of the step td_finalize adds the kinetic energy that they have then,
-     * less the work of gravity. */
+    /* Before the solver: resets all statistics except energy_decided, to which prologues have added
+     * already. The energy change begins at minus the kinetic energy that bodies had before
+     * prologues decided velocities. At the end of the step td_finalize adds the kinetic energy that
+     * they have then, less the work of gravity. */
     void (*begin)(thud_world *w);
     td_tally_fn *tally[2];         /* td_tally_points, by thud_world.wide */
     td_tally_speeds_fn *speeds[2]; /* td_tally_speeds, likewise */

@@ -15,7 +15,7 @@
 
 #include <string.h>
 
-/* Whether the first three numbers are finite. */
+/* Whether the first three numbers of a record (x, y and rotation) are finite. */
 static bool row_finite(const float *row) {
     return td_finite((double)row[0] + (double)row[1] + (double)row[2]);
 }

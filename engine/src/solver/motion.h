@@ -30,21 +30,23 @@ typedef struct td_motion_context {
 } td_motion_context;
 
 /* The velocities of the first substep: the damped velocity plus what gravity and forces add. A free
- * body gets the velocity of the end of the whole step at once, and no later pass changes it. Each
- * substep adds this velocity times h to the body's delta; so delta begins with the difference
- * between its exact motion in the step and the sum of these products. */
+ * body (see the head of this file) gets its velocity at the end of the whole step at once, and no
+ * later pass changes it. Each substep adds this velocity times h to the body's delta, which would
+ * be too far. So delta begins with the difference between the body's exact motion in the step and
+ * the sum of these products. */
 typedef void td_begin_motion_fn(const td_motion_context *context);
 /* The velocities of a later substep: adds to each velocity its whole change in the substep before,
- * by forces and by constraints. Since anchors are fixed within a step, this is the warm start of
- * all constraints, and costs two vector operations a body instead of a pass over the constraints.
- */
+ * by forces and by constraints. The change by constraints is what their impulses of that substep
+ * would give again, since contact points and anchors are fixed within a step: so this starts all
+ * constraints from these impulses (warm start), by two vector operations a body instead of a pass
+ * over the constraints. */
 typedef void td_integrate_velocity_fn(const td_motion_context *context);
 /* delta += h v. */
 typedef void td_integrate_position_fn(const td_motion_context *context);
-/* After the positions of the last substep: moves those marked bodies to their exact path whose
- * constraints applied no impulse in this step. A bounce pass marks the bodies of contacts that may
- * bounce; semi-implicit Euler would take energy from a body that flies up from a bounce for as long
- * as it is near the other shape. */
+/* After the positions of the last substep: moves a marked body to its exact path if its constraints
+ * applied no impulse in this step. The bounce passes mark the bodies of contacts that may bounce.
+ * Without this pass, a body that flies up from a bounce would lose energy by semi-implicit Euler
+ * for as long as it is near enough to the other shape to have a contact. */
 typedef void td_end_flights_fn(const td_motion_context *context);
 struct thud_world;
 

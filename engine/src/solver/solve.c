@@ -119,7 +119,8 @@ void td_solve_begin(thud_world *w) {
 
 /* ---- the passes ---- */
 
-/* BRACE scales down impulses of torn joints; contacts have no such pass (td_brace, brace). */
+/* BRACE scales down the impulses of torn joints, whose gaps are too wide to close in a substep
+ * (td_brace, brace). Contacts have no such pass. */
 typedef enum pass { WARM_START, BRACE, SOLVE, RELAX, BOUNCE } pass;
 
 /* The arguments of a solve. Each worker has a copy, whose fields from `worker` on are its own
@@ -142,8 +143,9 @@ typedef struct solving {
 } solving;
 
 /* Solves the last blocks of a run. The last one may have empty lanes, which read the record of slot
- * 0 and write it back unchanged. Other runs of the phase may have such a block too, so that a lock
- * lets one worker at a time solve one. */
+ * 0 and write it back unchanged. Other runs of the same phase may end in such a block too, and two
+ * workers must not write the same record: a lock lets only one worker at a time solve such a block.
+ */
 static void solve_in_turn(const solving *s, td_solve_fn *solve, td_block *const *blocks,
                           int count) {
     solve(blocks, count - 1, &s->contacts);
@@ -212,7 +214,8 @@ static void solve_chunk(void *work, int index) {
     }
 }
 
-/* Runs the present pass on one part of the present phase (a td_chunk_fn). */
+/* Runs the present pass on one part of the present phase (td_phase: the work between two points at
+ * which workers wait for each other). A td_chunk_fn. */
 static void solve_part_of_phase(void *work, int part) {
     const solving *s = work;
     td_phase_run(s->w, s->phase, part, solve_chunk, work);

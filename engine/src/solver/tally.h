@@ -1,8 +1,8 @@
 /* tally.h: error statistics of contact points after the last relax pass.
  *
  * Sums are of whole numbers, so that the order in which workers add them does not matter. A lane
- * without a point has the separation TD_APART, which adds to no sum; the count of points looks at
- * the point's mass. */
+ * without a point has the separation TD_APART, which adds to no sum; it is not counted as a point,
+ * since its effective mass is 0. */
 #ifndef TD_TALLY_H
 #define TD_TALLY_H
 
@@ -20,8 +20,8 @@ typedef struct td_tally {
 } td_tally;
 
 typedef struct td_tally_context {
-    float skin;      /* distance at which contacts rest: a separation of 0 */
-    float overlap;   /* depth from which on a point is an overlap */
+    float skin; /* distance at which contacts rest, a length: points have a separation of 0 there */
+    float overlap;   /* a point that is deeper than this, a length, counts as an overlap */
     double to_fixed; /* position quanta in one unit of length */
 } td_tally_context;
 

@@ -4,10 +4,10 @@
  * Before the substeps, a point that closes faster than a threshold and will touch within the step,
  * or the substep after it, gets its impulse at once, one contact after the other (sequential
  * impacts), so that no pair gains energy. Passes are repeated while an impact makes another contact
- * close, so that a row of balls hands on what hits it. The soft solver then finds separating
- * contacts. Where it has stopped a pair all the same, as a body on ground without restitution, a
- * last pass after the substeps (TD_BOUNCE_LAST) gives the pair its speed back, with no more energy
- * than the pair had. */
+ * close, so that an impact at one end of a row of balls is passed on to its other end. The soft
+ * solver then finds separating contacts. Where it has stopped a pair all the same, as a body on
+ * ground without restitution, a last pass after the substeps (TD_BOUNCE_LAST) gives the pair its
+ * speed back, with no more energy than the pair had. */
 #include "solver/motion.h"
 #include "solver/wide_solve.h"
 
@@ -55,8 +55,8 @@ TD_INLINE void solve_impacts(const td_block *block, const sides *v, int points, 
     }
 }
 
-/* The friction impulse of an impact: it stops the sliding that is left after the normal impulses,
- * or is at Coulomb's bound of them. */
+/* The friction impulse of an impact: the one that stops the sliding that is left after the normal
+ * impulses, but at most friction times these (Coulomb's bound). */
 TD_INLINE f8 impact_friction(const td_solve_context *c, td_block *block, int points, const sides *v,
                              const f8 *normal) {
     f8 slip = centres_along(v, false, block->ny, -block->nx);
@@ -125,8 +125,8 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
                 hit[k] = bounced & (speed[k] < target[k]);
             } else {
                 target[k] = -share * speed[k];
-                /* It closes fast enough, and its gap at the end of bounce_time would be below
-                 * `fall`, g time_step^2, which gravity can close in addition. */
+                /* The point closes fast enough, and its gap at the end of bounce_time would be
+                 * below `fall`, g time_step^2, the distance that gravity can close in addition. */
                 hit[k] =
                     (speed[k] < slow) & (e > zero) &
                     (p->start_separation + speed[k] * f8_all(c->bounce_time) < f8_all(c->fall));
@@ -148,8 +148,8 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
         impulses change = {{zero, zero}, zero};
         solve_impacts(block, &v, points, hit, lacks, change.normal);
         if (last) {
-            /* An impulse p that changes the speed from u to u' adds p (u + u') to twice the energy.
-             */
+            /* An impulse p that changes the speed at its point from u to u' does the work p (u +
+             * u') / 2: it adds p (u + u') to twice the energy. */
             f8 gain = change.normal[0] * (speed[0] + target[0]), substeps = f8_all(c->substeps);
             if (points == 2) {
                 gain += change.normal[1] * (speed[1] + target[1]);

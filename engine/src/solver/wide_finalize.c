@@ -38,7 +38,7 @@ TD_INLINE u8 quanta_of(f8 radians) {
     return (u8)__builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-/* Appends the slots first + i of the bits i that are set. */
+/* Appends the slot first + i to the list for each bit i that is set. */
 static void list_lanes(td_array *list, td_awake_slot first, unsigned bits) {
     for (; bits; bits &= bits - 1) {
         td_push_slot(list, (td_awake_slot){first.at + __builtin_ctz(bits)});
@@ -82,7 +82,7 @@ TD_INLINE bounds8 tight_bounds(i8 x, i8 y, const td_rows *shape, f8 to_coarse) {
                      wrap_add(x, half_x + i8_all(1)), wrap_add(y, half_y + i8_all(1))};
 }
 
-/* Gives a shape that left its fat bounds new ones, and lists it as moved. */
+/* Gives a shape that left its fat bounds new fat bounds, and lists it as moved. */
 TD_INLINE void renew_bounds(thud_world *w, td_array *moved, int shape, f4 fat) {
     td_shape_mark_moved_in(w, moved, shape);
     __builtin_memcpy(td_fat_at(w, shape), &fat, sizeof fat);

@@ -45,7 +45,8 @@ static body_damping damping_over(float time) {
                           .of = {{0.0f, 1.0f, 0.5f}, {0.0f, 1.0f, 0.5f}}};
 }
 
-/* Sets *d to the damping of body i. Some body of the world is damped. */
+/* Sets *d to the damping of body i. Only called where some body of the world is damped (c->damping
+ * is not null). */
 static void set_damping(body_damping *d, const td_motion_context *c, int i) {
     for (int k = 0; k < 2; k++) {
         float rate = c->damping[i][k];
@@ -56,8 +57,8 @@ static void set_damping(body_damping *d, const td_motion_context *c, int i) {
     }
 }
 
-/* A value for all coordinates of the first body of a vector, and one for those of the second. The
- * fourth places hold no coordinates, and get `rest`. */
+/* A vector with `first` in all coordinates of its first body, and `second` in those of its second
+ * body. The fourth element of either body is no coordinate, and gets `rest`. */
 TD_INLINE f8 of_two(float first, float second, float rest) {
     return (f8){first, first, first, rest, second, second, second, rest};
 }

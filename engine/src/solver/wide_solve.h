@@ -62,7 +62,8 @@ typedef struct impulses {
     f8 normal[2], tangent;
 } impulses;
 
-/* Which impulses have lever arms, so that passes for simpler shapes do less arithmetic. */
+/* Which impulses have lever arms that may differ from 0, and so change the bodies' rotation. Passes
+ * for simpler shapes leave out the arithmetic of arms that are 0. */
 typedef enum td_arms {
     ARMS_ALL,     /* all */
     ARMS_TANGENT, /* only friction: normals go through the centres of mass (circles) */

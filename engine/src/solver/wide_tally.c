@@ -8,9 +8,10 @@ TD_INLINE d4 quanta_of(f8 length, double to_fixed) {
     return (d4_folded(length) * to_fixed + TD_ROUND_SHIFT) - TD_ROUND_SHIFT;
 }
 
-/* A point counts with min(separation, -skin), which is -skin less its penetration depth: depths are
- * summed as the difference from as many points that touch without overlap. The order of operands of
- * f8_min leaves separations out that are not a number. */
+/* Adds up min(separation, -skin) over the points, which for each is -skin minus its penetration
+ * depth. The sum of the depths is the difference between this sum and that of as many points
+ * without overlap, -skin each. The order of operands of f8_min leaves separations out that are not
+ * a number. */
 td_tally_fn TD_WIDE(td_tally_points);
 void TD_WIDE(td_tally_points)(td_tally *to, td_block *const *blocks, int count, int points,
                               const td_tally_context *c) {

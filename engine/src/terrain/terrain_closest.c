@@ -32,8 +32,8 @@ static void keep_nearer(const td_grown *k, const td_piece *e, thud_closest found
     *best = found;
 }
 
-/* The candidate z, an end of piece e or a point where two pieces meet. `inside`: the centre is in
- * the grown ground, and the distance is negative. */
+/* Tries the point z of the outline as the nearest one: an end of piece e, or a point where two
+ * pieces meet. `inside`: the centre is in the grown ground, and the distance is negative. */
 static void try_point(const td_grown *k, const td_piece *e, thud_pos z, bool inside,
                       thud_closest *best) {
     double length = __builtin_sqrt(z.x * z.x + z.y * z.y), sign = inside ? 1.0 : -1.0;
@@ -46,8 +46,8 @@ static void try_point(const td_grown *k, const td_piece *e, thud_pos z, bool ins
     keep_nearer(k, e, (thud_closest){.distance = -sign * length, .nx = n.x, .ny = n.y}, z, best);
 }
 
-/* The candidate at the foot of the perpendicular from the centre to piece e, if that is between x =
- * from and x = to. */
+/* Tries the foot of the perpendicular from the centre to piece e, if it lies between x = from and x
+ * = to. */
 static void try_foot(const td_grown *k, const td_piece *e, double from, double to,
                      thud_closest *best) {
     thud_pos n = td_piece_normal(e, (thud_pos){0.0, 0.0});
@@ -63,7 +63,7 @@ static void try_foot(const td_grown *k, const td_piece *e, double from, double t
     }
 }
 
-/* The candidate on the vertical side under the right end of the line. */
+/* Tries the nearest point of the vertical side under the right end of the line. */
 static void try_side(const td_grown *k, thud_closest *best) {
     thud_pos last = td_grown_vertex(k, k->terrain->count - 1);
     double x = last.x - k->under[0].x, top;
@@ -78,7 +78,7 @@ static void try_side(const td_grown *k, thud_closest *best) {
 
 /* ---- from outside: above and beside the ground ---- */
 
-/* The candidates on the pieces of vertex i. */
+/* Tries the pieces of vertex i. */
 static void try_vertex(const td_grown *k, int i, thud_closest *best) {
     for (int part = 0; part < TD_PIECES; part++) {
         td_piece e;
@@ -161,9 +161,10 @@ static bool overtakes(const td_piece *other, const td_piece *top, double x, doub
 }
 
 /* Tries the point where the outline changes from one piece to the next: in a valley, or at their
- * common end. x is rounded; so the height is taken from the flatter piece, whose height changes
- * less with x. The point on the ground is taken from the piece whose normal is nearer to the
- * direction from the shape's centre to this point, in which the shape would leave the ground. */
+ * common end. The height of the point is taken from the flatter piece: x is rounded, and that
+ * piece's height changes less with x. The point on the ground is taken from the piece whose normal
+ * is nearer to the direction from the shape's centre to this point, in which the shape would leave
+ * the ground. */
 static void try_corner(const td_grown *k, const td_piece *top, const td_piece *next, double x,
                        thud_closest *best) {
     bool flatter = td_piece_steepness(next, x) < td_piece_steepness(top, x);

@@ -12,8 +12,8 @@
 /* Points nearer to each other than this share of the shape's extent count as one point, and depths
  * that differ by less as equal. Larger than rounding errors; chosen, not tuned. */
 #define SAME_POINT 1e-9
-/* Tolerance for a normal outside of a ridge's wedge, sine of the angle. Larger than rounding
- * errors; chosen, not tuned. */
+/* A normal may lie outside of a ridge's wedge (try_ridge) by this angle, given as its sine. Larger
+ * than rounding errors; chosen, not tuned. */
 #define WEDGE_SLACK 1e-9
 
 /* A search for the point furthest from `from`. Points are relative to the shape's centre. */
@@ -38,7 +38,7 @@ static void keep_further(search *k, const thud_closest *c) {
     }
 }
 
-/* The candidates of a box's corners, each with the nearest point of the ground. */
+/* Tries each corner of a box, with the point of the ground that is nearest to it. */
 static void try_corners(search *k) {
     thud_geometry box = *k->shape,
                   point = {.kind = THUD_SHAPE_CIRCLE, .x = box.x, .y = box.y, .c = 1.0};
@@ -62,9 +62,9 @@ static thud_pos vertex_of(const search *k, int i) {
                       k->terrain->points[i].y - k->shape->y};
 }
 
-/* The candidate of vertex i, with the nearest point of the shape, if the vertex is a ridge and the
- * normal from it to the shape lies in the ridge's wedge, between the normals of the ground before
- * and after it, between the normals of the segments before and after it. */
+/* The candidate of vertex i, with the nearest point of the shape, if the vertex is a ridge (the
+ * line turns downwards there) and the normal from it to the shape lies in the ridge's wedge,
+ * between the normals of the segments before and after it. */
 static void try_ridge(search *k, int i) {
     const thud_terrain *t = k->terrain;
     td_segment before = {.ty = 1.0},

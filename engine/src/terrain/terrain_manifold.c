@@ -33,7 +33,9 @@ typedef struct query {
     bool endless, first, last; /* endless: a flat line; first, last: the segment's left or right end
                                   is an end of the line with an open side */
     td_segment s;
-    bool open_left, open_right; /* the end of the line at this side is not sealed */
+    bool open_left,
+        open_right; /* the line ends at this side, and no neighbour covers that end (`sealed` has no
+                       bit for it), so that shapes may touch its vertical side */
     double margin;
 } query;
 
@@ -61,7 +63,8 @@ typedef struct vertex {
     double before_x, before_y, after_x, after_y;
 } vertex;
 
-/* The sine of the angle by which the ground turns down: positive on a ridge. */
+/* The sine of the angle by which the line turns downwards at a vertex: positive on a ridge,
+ * negative in a valley. */
 static double ridge_of(const vertex *v) {
     return v->before_y * v->after_x - v->before_x * v->after_y;
 }
@@ -69,7 +72,8 @@ static double ridge_of(const vertex *v) {
 /* The vertex at the segment's left or right end. */
 static vertex vertex_of(const query *k, bool right) {
     const td_segment *s = &k->s;
-    if (right) { /* only called for the last segment: after its end comes the vertical side */
+    if (right) { /* at the right end of a segment it is called for the last one only, where the
+                    vertical side comes next */
         return (vertex){s->q, s->tx, s->ty, 0.0, -1.0};
     }
     if (k->first) {
@@ -237,7 +241,7 @@ static bool in_valley(const query *k, int owner, double x, double y) {
            (left ? past_q : past_p) <= 0.0;
 }
 
-/* The contact points of the box's corners with the segment. */
+/* Adds the contact points of the box's corners with the segment. */
 static void corners_on_segment(const query *k, td_terrain_manifold *out) {
     const td_segment *s = &k->s;
     out->nx = -s->ty;
@@ -257,7 +261,7 @@ static void corners_on_segment(const query *k, td_terrain_manifold *out) {
     }
 }
 
-/* The contact points of the box's corners with the vertical side under an end of the line. */
+/* Adds the contact points of the box's corners with the vertical side under an end of the line. */
 static void corners_on_side(const query *k, int side, td_terrain_manifold *out) {
     thud_pos end = side == LEFT_SIDE ? k->s.p : k->s.q;
     out->nx = side == LEFT_SIDE ? -1.0 : 1.0;
