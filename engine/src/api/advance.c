@@ -8,8 +8,9 @@
  * thud_world.gather copies the events of step n while step n + 1 reserves its memory, before any
  * body moves, and also reserves room for the events of step n + 1. So the copy at the end of the
  * call cannot run out of memory, and a call that runs one step copies nothing. The events of
- * quarantines are the exception: finalize.c makes their list longer as bodies are quarantined,
- * after that reservation, and drops an event for which there is no memory; so does the copy.
+ * quarantines (a body whose numbers are not finite is taken out of the world) are the exception.
+ * Their list grows in finalize.c, after that reservation; an event for which there is no memory
+ * then is dropped, there and in the copy.
  *
  * Forces: the forces that the caller applies between two calls act for the `elapsed` of the second
  * call. A step applies their mean over its own time:
@@ -73,8 +74,8 @@ static void clear_gathered_events(thud_world *w) {
     }
 }
 
-/* Appends the events of the last step to the gathered lists. There is room for all of them but the
- * quarantines, whose list is made longer here. */
+/* Appends the events of the last step to the gathered lists. There is room for all of them except
+ * for those of quarantines, whose list is made longer here. */
 static void append_events(thud_world *w) {
     td_event_copy copies[EVENT_KINDS];
     list_event_copies(w, copies);

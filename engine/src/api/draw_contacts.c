@@ -51,8 +51,8 @@ void td_draw_contacts(const td_drawing *d) {
         td_lane at = td_lane_of(w, contact);
         thud_contact seen = td_contact_view(w, at.block, at.lane);
         if (seen.point_count == 0) {
-            continue; /* td_surface_mute has removed its points in the last step: a prologue vetoed
-                         it, a rule let it through, or it bounced */
+            continue; /* the contact had no points in the last step (td_surface_mute): a prologue
+                         vetoed it, a rule let it through, or it bounced */
         }
         thud_vec2 p = td_drawing_local(d, td_place_from(w, seen.point));
         draw_point(d, p, THUD_STYLE_CONTACT);

@@ -123,8 +123,8 @@ static thud_pos half_bounds(const td_shape_proxy *proxy) {
     return proxy->turns == 0.0f ? (thud_pos){x, y} : (thud_pos){c * x + s * y, s * x + c * y};
 }
 
-/* Whether the tight bounds of a contact's shapes overlap; those of a terrain segment reach down
- * without end. */
+/* Whether the tight bounds of a contact's shapes overlap; the bounds of a terrain segment have no
+ * lower end, since the ground is solid below it. */
 static bool bounds_overlap(const td_drawing *d, const td_contact *contact) {
     const thud_world *w = d->w;
     const td_shape_proxy *a = td_shape_proxy_at(w, contact->shape_a),

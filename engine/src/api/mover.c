@@ -256,7 +256,8 @@ thud_result thud_mover_move(thud_world *w, thud_mover *mover, thud_vec2 velocity
     }
     m.solid = mover->filter;
     m.solid.sensors = false;
-    /* The edits made so far are seen by all casts of the move; those of `pass` by none. */
+    /* All casts of the move see the edits made so far. None sees an edit that the callback `pass`
+     * makes. */
     if (!td_query_prepare(w)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "mover: out of memory");
     }

@@ -16,9 +16,9 @@
 #include "thud/thud.h"
 #include "thud/thud_mover.h"
 
-/* Smallest component along `up` of a hit's normal, of length 1, by which the mover can stand on a
- * corner; below it the corner is a wall, which climb() may take as a step. Chosen: the normal is 84
- * degrees off `up`. It also bounds skin / rise in td_mover_settle to ten skins. */
+/* The mover can stand on a corner only if the component along `up` of the hit's unit normal is at
+ * least this; otherwise the corner is a wall, which climb() may take as a step. Chosen: the normal
+ * is 84 degrees off `up`. It also bounds skin / rise in td_mover_settle to ten skins. */
 #define TD_MIN_RISE 0.1
 
 /* A direction, a displacement (length) or a velocity (length/s). */

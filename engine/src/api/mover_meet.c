@@ -6,8 +6,8 @@
 #include "api/query.h"
 
 enum {
-    /* Hits of a cast that are looked at, nearest first. A mover passes through what lies behind 16
-     * shapes that do not stop it. Chosen; not tuned. */
+    /* Maximum number of hits of a cast that are examined, nearest first. If the first 16 do not
+     * stop the mover, shapes behind them do not either. Chosen; not tuned. */
     CAST_HITS_MAX = 16,
     /* Iterations that resolve overlap, one shape each. A mover in a corner needs two; what is left
      * after eight is reported as thud_mover_report.depth. Chosen; not tuned. */

@@ -5,8 +5,9 @@
 
 #include "base/base.h"
 
-/* Hits after which a walk or a flight ends. thud_mover.h promises four. Chosen: a convex corner
- * takes two; at one a mover would stop at each change of slope. */
+/* Hits after which a walk or a flight ends. thud_mover.h promises four. Chosen: going around a
+ * convex corner takes two hits; with a maximum of one a mover would stop at each change of slope.
+ */
 enum { HITS_MAX = 4 };
 
 /* Rounding may make a displacement along a plane point into the plane by up to this share of the

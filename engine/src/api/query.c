@@ -47,8 +47,10 @@ thud_result td_query_check(const thud_world *w, thud_pos center, const thud_geom
 
 thud_geometry td_query_instance(const thud_world *w, int index, td_position origin) {
     thud_geometry shape = td_shape_instance_of(w, index, td_preview_proxy(w, index), origin);
-    double scale = 1.5 - 0.5 * (shape.c * shape.c +
-                                shape.s * shape.s); /* Newton step for 1 / sqrt(x) at x = 1 */
+    double scale =
+        1.5 - 0.5 * (shape.c * shape.c +
+                     shape.s * shape.s); /* a Newton step for 1 / sqrt(x) from x = 1: scales (c, s)
+                                            to length 1 in double precision */
     shape.c *= scale;
     shape.s *= scale;
     return shape;

@@ -12,7 +12,7 @@
  * mask, group, sensors and ignore let it. A null filter sees everything but sensors. */
 bool td_query_passes(const thud_world *w, int shape, const thud_query_filter *filter);
 
-/* Refuses a filter that no shape can pass, as a zeroed one. */
+/* Refuses a filter that no shape can pass, such as one that is all zeros. */
 thud_result td_query_check_filter(const thud_world *w, const thud_query_filter *filter);
 
 /* THUD_OK if a query's own shape is valid, and it and `center`, relative to which its place is

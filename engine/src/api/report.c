@@ -217,8 +217,8 @@ thud_result thud_world_get_hash(const thud_world *w, uint64_t *out) {
         hash = mix(hash, pose->angle);
         hash = mix(hash, bits_of(v[0]) | bits_of(v[1]) << 32);
         hash = mix(hash, bits_of(v[2]));
-        hash ^=
-            hash >> 29; /* the product only carries bits upwards: fold high bits into low ones */
+        hash ^= hash >> 29; /* a product carries information from low bits to high ones only: this
+                               carries it from high bits to low ones */
     }
     *out = hash;
     return THUD_OK;

@@ -74,7 +74,8 @@ enum {
     TD_SNAPSHOT_GATHERED_IMPULSES,
     TD_SNAPSHOT_FORCE_RECORDS,
     TD_SNAPSHOT_PLACED_BINS,
-    TD_SNAPSHOT_BEGINS, /* this and ENDS: empty but after a step that ran out of memory */
+    TD_SNAPSHOT_BEGINS, /* this list and that of TD_SNAPSHOT_ENDS are empty, except after a step
+                           that ran out of memory */
     TD_SNAPSHOT_ENDS,
     TD_SNAPSHOT_PROXY_SETS,
     TD_SNAPSHOT_PARTS = TD_SNAPSHOT_PROXY_SETS + 2 * TD_SNAPSHOT_PROXY_SET_PARTS
@@ -115,8 +116,9 @@ typedef struct td_snapshot_slots {
 
 typedef struct td_snapshot_part {
     int32_t count; /* td_array.count */
-    int32_t used;  /* elements in the snapshot; more than count where wide kernels read padding, or
-                      where the array's length follows from another's */
+    int32_t used;  /* number of elements in the snapshot. It is more than `count` where the wide
+                      kernels also read the padding behind the elements, or where the array's length
+                      follows from that of another one */
 } td_snapshot_part;
 
 typedef struct td_snapshot_head {

@@ -3,8 +3,8 @@
  *
  * A step is a bijection of the running sum for a given word, and of the word for a given sum: two
  * snapshots of the same size that differ in one word only have different checksums. Words are in
- * the byte order of the machine, as the snapshot is. Snapshots have the result, so that any change
- * of it raises TD_SNAPSHOT_VERSION. */
+ * the byte order of the machine, as the snapshot is. The result is stored in snapshots, so that
+ * TD_SNAPSHOT_VERSION has to be raised if this function changes. */
 #include "api/snapshot.h"
 
 #include <string.h>
@@ -20,7 +20,7 @@ static uint64_t mix(uint64_t sum, uint64_t word) {
 }
 
 uint64_t td_snapshot_checksum(const void *bytes, size_t count) {
-    enum { LANES = 8 }; /* a single lane would wait for the latency of each product */
+    enum { LANES = 8 }; /* with a single lane, each product would have to wait for the one before */
     /* The start values are arbitrary, but not 0: mix(0, 0) is 0, so that a lane would stay 0
      * through any number of zero words at the beginning. */
     uint64_t lane[LANES] = {1, 2, 3, 4, 5, 6, 7, 8}, words[LANES], sum = count;
@@ -32,8 +32,8 @@ uint64_t td_snapshot_checksum(const void *bytes, size_t count) {
             lane[k] = mix(lane[k], words[k]);
         }
     }
-    /* The last bytes, filled up with zeros; the sum begins with the count, which tells zeros that
-     * the snapshot has from these. */
+    /* The last bytes, filled up with zeros. A snapshot that ends in zeros has another sum than a
+     * shorter one that is filled up, since the sum begins with the count of bytes. */
     memset(words, 0, sizeof words);
     memcpy(words, from + in_groups, count - in_groups);
     for (int k = 0; k < LANES; k++) {

@@ -356,8 +356,8 @@ thud_result thud_world_set_time_step(thud_world *w, double time_step) {
         return td_refuse(w, THUD_ERROR_LOCKED, "set time step: not inside a callback");
     }
     w->def.time_step = time_step;
-    w->drowsy_bodies =
-        w->body_of.count; /* with a longer step bodies may fall asleep earlier than planned */
+    w->drowsy_bodies = w->body_of.count; /* with a longer time step bodies may fall asleep in an
+                                            earlier step than drowsy_bodies counts on */
     w->substep_gain_stale = true;
     return THUD_OK;
 }

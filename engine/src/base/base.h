@@ -47,22 +47,23 @@
 
 #define TD_PI 3.14159265358979323846
 
-/* Speculative margin, L: a pair has contact points from this distance on, so that the solver can
- * stop bodies that close before they overlap. Chosen, the same as Box2D's
+/* Speculative margin, L: a pair has contact points as soon as its shapes are nearer than this, so
+ * that the solver can stop bodies before they overlap. Chosen, the same as Box2D's
  * B2_SPECULATIVE_DISTANCE. */
 #define TD_SPECULATIVE 0.02f
-/* Small overlap, L, that counts as none: half of the overlap at which continuous detection stops a
- * body, so that the next step finds a contact; and the depth from which on the error statistics
- * count an overlap. Chosen, the same as Box2D's B2_LINEAR_SLOP. */
+/* An overlap, L, that is too small to matter. Continuous detection lets a body stop with an overlap
+ * of at most twice this, so that the next step finds a contact; and the error statistics count
+ * overlaps that are deeper than this. Chosen, the same as Box2D's B2_LINEAR_SLOP. */
 #define TD_SLOP 0.005f
 /* Separation of a contact point that does not exist, a length: no motion makes it negative. */
 #define TD_APART 1e18f
 /* Distance, L, at which soft contacts rest in a world that is bisected or swept, so that bodies
  * under load do not overlap although the contacts give way. At qualities that solve all islands
- * directly it is TD_IMPACT_DISTANCE. Chosen: bodies that are placed touching are pushed apart so
- * far, which moves the top of a pyramid of 30 rows by 49 mm at default (continuous, by sinking,
- * 51). Measured: with 0.004 it moves by 84 mm; with 0.002, where the load presses the boxes of the
- * base into each other, by 101 mm. */
+ * directly it is TD_IMPACT_DISTANCE. Chosen: bodies that the caller places so that they touch are
+ * pushed apart by this distance, which moves the top of a pyramid of 30 rows by 49 mm at the
+ * quality default. (Under the detection continuous, without a skin, it sinks by 51 mm.) Measured:
+ * with 0.004 it moves by 84 mm; with 0.002, where the load presses the boxes of the base into each
+ * other, by 101 mm. */
 #define TD_SKIN 0.003f
 /* Whether the machine can fetch memory into its cache ahead of use. WebAssembly cannot, and code
  * that only prefetches is left out there. */
@@ -77,9 +78,9 @@ enum { TD_HAS_PREFETCH = 1 };
 #define TD_IMPACT_DISTANCE 0.001f
 /* When fat bounds are made, they exceed the tight bounds by TD_MARGIN + min(TD_MARGIN_MORE, extent
  * / 8), L. TD_MARGIN is a little more than half of TD_SPECULATIVE, so that the fat bounds of two
- * shapes overlap before they are as near as that. (Shapes then drift within their fat bounds, so
- * that the bounds of a touching pair may part: td_pairs_create.) Larger margins mean that bounds
- * are made less often, but that more pairs are kept that do not touch. Chosen. */
+ * shapes overlap before they are as near as that. (A shape then moves within its fat bounds, so
+ * that the bounds of a touching pair may stop overlapping: td_pairs_create.) Larger margins mean
+ * that bounds are made less often, but that more pairs are kept that do not touch. Chosen. */
 #define TD_MARGIN 0.0101f
 #define TD_MARGIN_MORE 0.02f
 /* A body is at rest below this speed, L/s, of its centre of mass, and by rotation of its farthest

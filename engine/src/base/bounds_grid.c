@@ -5,10 +5,10 @@
 #include <string.h>
 
 /* The widest cells are 2^30 quanta wide. A search begins one cell before its bounds, which are
- * narrower than 2^31 quanta, so that it never comes around to its first cell again. */
+ * narrower than 2^31 quanta, so that it never wraps around to its first cell. */
 enum { SHIFT_MAX = 30 };
-/* Up to so many boxes are tested one by one, since a search of cells looks into four at least: it
- * begins one cell before its bounds in both directions. */
+/* Up to this many boxes are tested one by one. A search by cells would look into at least four
+ * cells, since it begins one cell before its bounds in both directions. */
 enum { FEW_BOXES = 4 };
 
 /* The cell of a corner. */
@@ -104,8 +104,8 @@ static void test_box(const td_boxed *box, const td_bounds *b, td_array *ids) {
     }
 }
 
-/* Tests the boxes of one list that are in `cell`, since several cells may share a list; all of them
- * if it is null. */
+/* Tests the boxes of one list. Several cells may share a list, so that only its boxes that are in
+ * `cell` are tested; all of them if `cell` is null. */
 static void test_list(const td_bounds_grid *grid, int list, const grid_cell *cell,
                       const td_bounds *b, td_array *ids) {
     int end = td_int_at(&grid->ends, list);

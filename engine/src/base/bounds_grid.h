@@ -3,9 +3,9 @@
  * paths of bodies, and shapes that have moved since it ran.
  *
  * Each box belongs to the cell of its lower left corner. Cells are squares, at least twice as wide
- * as the mean box; boxes that are wider than a cell are in a list of their own, which each search
- * reads. Cells are kept in a hash table (after Teschner et al., Optimized Spatial Hashing for
- * Collision Detection of Deformable Objects, 2003). */
+ * as the boxes are on average. Boxes that are wider than a cell are in a list of their own, which
+ * each search reads. Cells are kept in a hash table (after Teschner et al., Optimized Spatial
+ * Hashing for Collision Detection of Deformable Objects, 2003). */
 #ifndef TD_BOUNDS_GRID_H
 #define TD_BOUNDS_GRID_H
 

@@ -5,8 +5,9 @@
  * is.
  *
  * Bounds are integers, in bounds quanta of L * 2^-14, which wrap around every 2^18 L. They are
- * compared by differences, so that a wrap can at worst make two distant shapes a pair, whose
- * separation the narrowphase then computes from their positions. */
+ * compared by differences. The worst effect of a wrap is that two distant shapes become a pair, and
+ * the narrowphase, which computes their separation from their positions, finds that they do not
+ * touch. */
 #ifndef TD_FIXED_H
 #define TD_FIXED_H
 
@@ -58,8 +59,8 @@ static inline int32_t td_wrap_sub(int32_t a, int32_t b) {
     return (int32_t)((uint32_t)a - (uint32_t)b);
 }
 
-/* The same modulo 2^64, for positions: a body that leaves their range, 2^31 L, comes in again at
- * the other end. */
+/* Sums and differences modulo 2^64, for positions: a body that leaves their range, 2^31 L either
+ * way, enters it again at the other end. */
 TD_INLINE_SMALL int64_t td_wrap_add64(int64_t a, int64_t b) {
     return (int64_t)((uint64_t)a + (uint64_t)b);
 }

@@ -68,8 +68,8 @@ typedef struct td_slots {
 void td_slots_init(td_slots *slots, int stride);
 /* Makes room for `more` records. False when memory is short. */
 bool td_slots_reserve(td_memory *memory, td_slots *slots, int more);
-/* Takes a record, for which there must be room, and returns its index. Its contents are those of
- * the record that was given back, or zeros. */
+/* Takes a record, for which there must be room, and returns its index. A record that was given back
+ * still has its old contents, except for its first int; one that was never taken is all zeros. */
 int td_slots_take(td_slots *slots);
 /* Gives a record back; its first int is overwritten. */
 void td_slots_give(td_slots *slots, int index);

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 enum {
-    TD_NAME_MAX = 64, /* characters of a name at most */
+    TD_NAME_MAX = 64, /* maximum number of characters of a name */
     TD_REASON_MAX =
         128 /* bytes of a text: a name, three numbers of at most 14, and the words between */
 };

@@ -2,9 +2,10 @@
 #include "base/trig.h"
 #include "base/base.h"
 
-/* pi / 2 as a sum of three doubles, for the argument reduction of Cody and Waite (Software Manual
- * for the Elementary Functions, 1980): the first two have 33 bits, so that their products with a
- * number of quarter turns below 2^20 are exact, and only the last subtractions round. */
+/* pi / 2 as a sum of three doubles, to subtract quarter turns from an angle without losing digits
+ * (the argument reduction of Cody and Waite, Software Manual for the Elementary Functions, 1980).
+ * The first two have 33 bits, so that their products with a number of quarter turns below 2^20 are
+ * exact, and only the last subtractions round. */
 #define QUARTER_1 0x1.921fb544p+0
 #define QUARTER_2 0x1.0b4611a6p-34
 #define QUARTER_3 0x1.3198a2e037073p-69

@@ -6,8 +6,8 @@
 #include "thud/thud_casts.h"
 
 /* Hits that td_walk_next finds before the callback is called for them. Chosen; not tuned. Smaller
- * batches test the candidates of a piece more often, larger ones test shapes behind a clip in vain.
- */
+ * batches test the candidates of a piece more often, larger ones test shapes needlessly that lie
+ * behind the place at which the callback clips the path. */
 enum { BATCH = 16 };
 
 /* Calls the callback for one hit; returns the new limit, a fraction of the path, which never grows.
@@ -59,7 +59,8 @@ static thud_result each(thud_world *w, td_path *way, thud_cast_fn *fn, void *con
     return THUD_OK;
 }
 
-/* A copy of the caller's filter, which the callback may change while the cast goes on. */
+/* A copy of the caller's filter, since the callback may change the original while the cast goes on.
+ */
 static thud_query_filter copied(const thud_query_filter *filter) {
     return filter ? *filter : thud_default_query_filter();
 }

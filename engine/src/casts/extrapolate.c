@@ -17,9 +17,10 @@
 /* From this z on exp(-z) is below the rounding of 1 in double precision: 2^-53 is exp(-36.7). */
 #define Z_MAX 40.0
 
-/* p and r. Below Z_MAX they follow from q = (exp(z) - 1) / z and d = (q - 1) / z, which are
- * Taylor's series at x = z / 2^n <= 1/8 (the first term left out, x^11 / 13!, is below the rounding
- * of d), after n doublings of x: q becomes q (1 + x q / 2), and d becomes d / 2 + q^2 / 4. */
+/* p and r. Below Z_MAX they follow from q = (exp(z) - 1) / z and d = (q - 1) / z. These are
+ * computed by Taylor's series for x = z / 2^n <= 1/8 in place of z (the first term left out, x^11 /
+ * 13!, is below the rounding of d), and then by n doublings of x, in each of which q becomes q (1 +
+ * x q / 2), and d becomes d / 2 + q^2 / 4. */
 static void damped(double z, double *p, double *r) {
     if (z > Z_MAX) {
         *p = 1.0 / z;

@@ -7,8 +7,8 @@
 
 /* The flight of one body from where it is now. Coordinates are x, y and the rotation. */
 typedef struct td_flight {
-    bool moves; /* false: the body is not awake. It stays where it is; only velocity and body are
-                   read */
+    bool moves; /* false: the body is not awake and stays where it is; then only `velocity` and
+                   `body` are used */
     double velocity[3];  /* at the start, length/s, rad/s */
     double gain[3];      /* acceleration, length/s^2 */
     double damping[3];   /* 1/s */

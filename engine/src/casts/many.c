@@ -8,8 +8,8 @@
 #include "thud/thud_casts.h"
 
 enum {
-    /* From this number of casts on workers are used. Chosen: fewer are done before another thread
-     * has woken; thud_casts.h promises 64. */
+    /* Workers are used if there are at least this many casts. Chosen: with fewer the calling thread
+     * finishes before another thread has woken up; thud_casts.h promises 64. */
     SHARED_CASTS_MIN = 64,
     /* Casts that a worker takes at once. Chosen; not tuned: four workers share the smallest batch
        evenly. */

@@ -50,7 +50,8 @@ bool td_point_meets(const thud_world *w, int index, const td_path *way, thud_ray
 
 /* The closest features at an impact are computed this far before it, in extents of the moving
  * shape: where shapes touch exactly the vector between them is zero and has no direction. Chosen:
- * nine digits above rounding, and too little to change a normal visibly. */
+ * about 10^9 times the rounding error of double precision, and too little to change a normal
+ * visibly. */
 #define LOOK_BACK 1e-7
 
 /* The displacement at a fraction of the path, less LOOK_BACK. */

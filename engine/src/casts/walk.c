@@ -1,7 +1,8 @@
 /* walk.c: finds the hits of a path in order, a few at a time. State between calls is the last hit
  * that was returned (`last`): a call searches for hits after it. A path is searched in pieces
  * (path.h). Terrains are not in the broadphase; the first hit on any of them (`ground`) is found by
- * testing all of them, and searched again each time the walk has returned it. See walk.h. */
+ * testing all of them, and the next one is searched in the same way each time the walk has returned
+ * `ground`. See walk.h. */
 #include "casts/walk.h"
 
 #include "state/handles.h"

@@ -39,8 +39,9 @@ typedef struct td_shape_proxy {
     td_bounds fat;        /* bounds with that margin */
 } td_shape_proxy;
 
-/* A contact point of eight lanes; wide_solve.h has the equations. The solver is bound by memory
- * traffic, so that the fields that it reads in each pass stand together, in three cache lines. */
+/* A contact point of eight lanes; wide_solve.h has the equations. The solver spends most of its
+ * time on loading and storing blocks. So the fields that it reads in each pass stand together, in
+ * three cache lines. */
 typedef struct td_point {
     f8 separation;       /* present separation of the shapes minus the skin (thud_world.skin);
                             negative: overlap. The relax pass writes it for the next solve pass.
@@ -67,7 +68,8 @@ typedef struct td_brace_rows {
     f8 group; /* number of the lane's group of bodies that locks and rods connect */
     union {
         f8 work_without; /* work at the speeds without the impulses: p.u */
-        f8 kept_share;   /* afterwards: the share of the impulses that is kept */
+        f8 kept_share;   /* set after work_without and work_with: the share of the impulses that is
+                            kept */
     };
     float torn; /* 1 where the group of a lane has a torn joint, else 0: bracing passes over
                    the block. Valid after the first bracing of a step */
@@ -404,8 +406,9 @@ typedef enum td_brace {
 #define TD_SPRING_PHASE 1.0f
 
 /* Maximum number of bounce passes before the substeps. A pass propagates an impact along a row of
- * bodies by at least two contacts, since neighbouring contacts have different colours, which a pass
- * solves one after the other. The 64 passes reach through a row of 128 bodies. Chosen. */
+ * bodies by at least two contacts: neighbouring contacts share a body, so they have different graph
+ * colours (lanes.h), which a pass solves one after the other. The 64 passes reach through a row of
+ * 128 bodies. Chosen. */
 enum { TD_BOUNCE_PASSES = 64 };
 
 /* Arguments of the solver's passes: constants of the step, then the state of the present pass. */
@@ -419,7 +422,8 @@ typedef struct td_solve_context {
     float substeps;                 /* number of substeps of the step */
     float push_speed;               /* maximum speed at which overlap is corrected, length/s */
     float joint_closing_speed;      /* TD_JOINT_CLOSING_SPEED, length/s */
-    float bounce_speed;  /* <= 0, length/s: a pair bounces if its normal velocity is below this */
+    float bounce_speed;  /* <= 0, length/s: a pair bounces if its normal velocity, which is negative
+                            where it closes, is below this */
     float elastic_speed; /* bounce_speed for pairs with a restitution of 1 or more */
     /* A pair bounces in this step if it meets within this time, s: a step and a substep, since the
      * last relax pass would otherwise stop a pair that meets in the substep after the step. */

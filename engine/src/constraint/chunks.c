@@ -14,10 +14,11 @@ int td_body_chunk(const thud_world *w, int workers) {
     return slots >= workers * UNITS_MIN * SLOTS_UNIT ? SLOTS_UNIT : SLOTS_UNIT_SMALL;
 }
 
-/* A boundary between two workers is moved to an end of its place if no more than a twelfth of a
- * worker's blocks change their worker by that. The blocks of a place are in the order in which
- * their contacts began, so that two workers that share a place write the same cache lines. Chosen.
- */
+/* A boundary between the ranges of two workers is moved to the begin or end of its place (a range
+ * of awake slots, lanes.h) if that gives no more than this fraction, a twelfth, of a worker's
+ * blocks to the other. If two workers shared a place they would write the same cache lines, since
+ * the blocks of a place are in the order in which their contacts began, whatever their bodies.
+ * Chosen. */
 enum { UNEVEN = 12 };
 
 /* The awake slots of a place. */
@@ -141,7 +142,8 @@ static int end_of_colour(const thud_world *w, int first) {
 static void share_chunks(thud_world *w, td_phase *phase, int first, int count, int workers) {
     int *order = w->scratch.chunk_order.data, at = first;
     for (int k = 0; k < workers; k++) {
-        int blocks = TD_CHUNK_BLOCKS; /* of the part; full, so that a part begins */
+        int blocks = TD_CHUNK_BLOCKS; /* blocks in the present part; it begins as full, so that the
+                                         first chunk begins a new part */
         for (int i = first; i < first + count; i++) {
             const td_chunk *chunk = chunk_at(w, i);
             if (chunk->worker != k) {

@@ -11,7 +11,8 @@ struct thud_world;
 
 struct td_direct_constraint;
 /* Sets the rows of a lane for the direct solver. `impulses`: the warm start of the points and the
- * tangent, each summed over the step. direct/rows.h has the rest of the contract. */
+ * tangent, each summed over the step. direct/rows.h says what else the function sets, and what its
+ * caller sets. */
 typedef bool td_take_rows_fn(const struct thud_world *world, td_block *block, int lane,
                              const float *impulses, struct td_direct_constraint *constraint);
 
@@ -51,9 +52,10 @@ typedef struct td_lane_ops {
     /* Adds the residuals of a block's lanes to the step's error statistics, after the direct solver
      * has changed velocities; null for contacts, which solver/error.c counts itself. */
     void (*count)(struct thud_world *world, const td_block *block);
-    /* Returns the load of a lane: its impulse of a substep over the lighter side's mass, length/s.
-     * *off is set to the length by which the joint is open. Rotations are multiplied by `size`, the
-     * size of the smaller body, to become lengths. Null for contacts. */
+    /* Returns the load of a lane, length/s: its impulse of a substep, divided by the mass of the
+     * lighter of its two bodies. *off is set to the length by which the joint is open. Rotations
+     * are multiplied by `size`, the size of the smaller body, to become lengths. Null for contacts.
+     */
     float (*load)(const struct thud_world *world, const td_block *block, int lane, float size,
                   float *off);
     /* Null for contacts: direct/rows.h names their function, so that a program without the direct

@@ -23,12 +23,13 @@ typedef struct td_bracing {
     /* Runs a pass of bracing over all blocks of locks and rods; `solver` is its argument. */
     void (*pass)(void *solver, td_brace stage);
     void *solver;
-    atomic_bool *adds; /* flag of the next bracing, for all workers: impulses may have added energy.
-                          Those of the bracings after it follow. A worker that is late may still
-                          read the flag of the one before, so that each bracing has its own */
-    bool first;        /* the present substep is the first one of the step */
-    bool relaxed;      /* the present bracing is the one after the substep's relax pass, not the one
-                          before its solve pass */
+    atomic_bool *
+        adds;   /* flag of the next bracing, common to all workers: impulses may have added energy.
+                   The flags of the bracings after it follow in memory. Each bracing has a flag of its
+                   own, since a worker that is late may still read the flag of the bracing before */
+    bool first; /* the present substep is the first one of the step */
+    bool relaxed; /* the present bracing is the one after the substep's relax pass, not the one
+                     before its solve pass */
 } td_bracing;
 
 typedef struct td_joint_hooks {

@@ -3,8 +3,9 @@
  * A constraint gets the lowest colour that is free at both of its bodies (td_colours). Static and
  * kinematic bodies take no colour, since the solver does not change them. So several blocks of a
  * colour may contain the same kinematic body, and one worker alone solves their run
- * (td_block.shared). Their constraints get colours from TD_KINEMATIC_COLOUR on, which others rarely
- * need, so that few others are in such runs. */
+ * (td_block.shared). Their constraints get colours from TD_KINEMATIC_COLOUR on. Other constraints
+ * rarely need colours that high, so that few of them are in runs that a single worker has to solve.
+ */
 #include "constraint/lanes.h"
 
 #include "constraint/chunks.h"
@@ -235,9 +236,9 @@ static bool reserve_blocks(thud_world *w, const int more[TD_FORM_COUNT]) {
     return true;
 }
 
-/* Lanes that move to the bin of sleeping lanes become free in their own bins, one for one. A kind
- * needs more blocks than it uses now only because blocks may be partly filled: at most the last
- * block of each bin that loses lanes, and that of the bin of sleeping lanes. */
+/* Each lane that moves to the bin of sleeping lanes becomes free in its own bin. So a kind needs
+ * more blocks than it uses now only because blocks may be partly filled: the last block of each bin
+ * that loses lanes, and the last one of the bin of sleeping lanes. */
 bool td_lanes_reserve_sleeping(thud_world *w) {
     int more[TD_FORM_COUNT] = {0};
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
@@ -382,9 +383,9 @@ void td_lane_renew(thud_world *w, int index) {
     td_lane_ops_of(w, constraint->kind)->renew(w, at.block, at.lane, index);
 }
 
-/* Prefetches the block that was eight elements further on when the list was last made: it is most
- * likely there again, while following the links between scattered blocks would wait for each of
- * them. */
+/* Prefetches the block that stood eight places further on when the list was last made: most likely
+ * it will stand there again. To find it by the links between the blocks, which are scattered in
+ * memory, the loop would have to wait for each block on the way. */
 static void prefetch_listed(const td_array *blocks) {
     int ahead = blocks->count + 8;
     if (ahead < blocks->capacity) {

@@ -4,12 +4,12 @@
  * clipped to the width of the reference face, and its up to two ends are the contact points. */
 #include "contact/box_faces.h"
 
-/* Largest ratio of the overlap along the best open axis to the smallest overlap along any axis,
- * with the speculative margin allowed beyond it; a contact that overlaps deeper is dropped.
- * Measured with 10^5 heaps of test_internal_edges_random: with 1.25 no body is flung away or falls
- * through the ground; with 2 two bodies are flung away along a much deeper axis; with 0 (the margin
- * alone) one body falls through the ground. Separations above 0, which are at most the margin, are
- * compared by the same formula. */
+/* The contact is dropped if the overlap along the best open axis is more than this many times the
+ * smallest overlap along any axis, plus the speculative margin (the distance below which shapes
+ * have a contact). Measured with 10^5 heaps of test_internal_edges_random: with 1.25 no body is
+ * flung away or falls through the ground; with 2 two bodies are flung away along an axis along
+ * which they overlap much deeper; with 0 (the margin alone) one body falls through the ground. The
+ * same formula is used where the boxes are apart, by at most the margin. */
 #define OPEN_DEPTH_RATIO_MAX 1.25
 
 /* Clips the incident edge of the box `incident`, the edge that is most opposed to the outward

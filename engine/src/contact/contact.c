@@ -95,7 +95,7 @@ void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_
 bool td_contact_end_reserve(thud_world *w, int more) {
     td_event_lists *e = &w->events;
     int sensed = e->sensor_end.count + 2 * td_min_int(more, w->constraint_count[TD_PAIR_SENSOR]);
-    /* Room for 32 at least, so that few steps allocate. Chosen. */
+    /* Makes room for at least 32 events, so that few steps have to allocate memory. Chosen. */
     int ends = e->end.count + td_max_int(more, 32);
     return more == 0 || ((!w->def.contact_events || td_array_reserve(&w->memory, &e->end, ends)) &&
                          td_array_reserve(&w->memory, &e->sensor_end, sensed) &&
@@ -137,8 +137,8 @@ void td_sensor_tell(thud_world *w, td_array *list, td_array *times, int a, int b
     }
 }
 
-/* Adds the begin or end event of a contact. thud_world_def.contact_events, when false, does not
- * silence sensors. */
+/* Adds the begin or end event of a contact. Events of sensors are added even where
+ * thud_world_def.contact_events is false. */
 static void add_event(thud_world *w, const td_contact *contact, bool begins) {
     td_event_lists *e = &w->events;
     int a = contact->shape_a, b = contact->shape_b;

@@ -38,8 +38,8 @@ void td_contact_destroy(thud_world *w, int constraint);
 /* Destroys the contacts of the body, or only those of one of its shapes (`shape` not TD_NONE); with
  * `joints` also the constraints of its joints. */
 void td_contacts_destroy(thud_world *w, td_body_index body, int shape, bool joints);
-/* Makes room for the end events of `more` contacts; for 0 it does nothing. False when memory is
- * short. */
+/* Makes room for the end events of `more` further contacts; for 0 it does nothing. False when
+ * memory is short. */
 bool td_contact_end_reserve(thud_world *w, int more);
 /* Whether edits that wait for the next step will end the contact, or the constraint of a joint. */
 bool td_contact_is_ending(const thud_world *w, const td_constraint *constraint);

@@ -1,7 +1,7 @@
 /* contact_lanes.c: the lane operations of contacts (td_lane_ops): they write what a contact keeps
  * in its lane, which is its shapes, its surface (friction, restitution, surface speed) and its mark
- * of internal edges, and set td_block.has_offsets where the block needs the passes that know lever
- * arms. */
+ * of internal edges, and set td_block.has_offsets where the solver has to use the passes that
+ * compute with lever arms. */
 #include "constraint/lanes.h"
 #include "contact/internal_edges.h"
 #include "rules/rule_hooks.h"
@@ -28,7 +28,8 @@ static void fill(thud_world *w, td_block *block, int lane, int index) {
     block->shape_a[lane] = contact->shape_a;
     block->shape_b[lane] = contact->shape_b;
     td_contact_settle(w, block, lane, index);
-    /* A shape with `centred` 2 is about the centre of mass and not turned against its body. */
+    /* `centred` is 2 for a shape whose centre is its body's centre of mass and that is not turned
+     * relative to its body. */
     block->has_offsets |= a->centred + b->centred < 2 * 2 || b->internal_edges ||
                           (a->internal_edges && td_body_at(w, a->body)->kind != THUD_BODY_STATIC);
     block->mark[lane].internal_edges = td_internal_edges_of(a, b);

@@ -17,7 +17,7 @@ thud_contact td_contact_view(const thud_world *w, td_block *block, int lane) {
         .body_a = td_body_handle(w, contact->body[0]),
         .body_b = td_body_handle(w, contact->body[1]),
         .normal = {block->nx[lane], block->ny[lane]},
-        .separation = FLT_MAX, /* stays so in a muted lane, which has no points */
+        .separation = FLT_MAX, /* this value remains in a muted lane, which has no points */
     };
     float nx = view.normal.x, ny = view.normal.y, cross_n = 0.0f;
     for (int k = 0; k < points; k++) {
@@ -27,7 +27,8 @@ thud_contact td_contact_view(const thud_world *w, td_block *block, int lane) {
         }
         cross_n += p->cross_b[lane];
         view.point_count++;
-        /* The solver's separations are less the skin, and so 0 where a contact rests. */
+        /* The solver subtracts the skin from its separations, so that they are 0 where a contact
+         * rests. It is added again here. */
         view.separation = td_min_float(view.separation, p->separation[lane] + w->skin);
         view.normal_impulse += td_history_of(block, points)[k].total[lane];
     }

@@ -69,8 +69,9 @@ thud_geometry td_neighbour_instance(const td_neighbourhood *s, int neighbour) {
 }
 
 /* Whether a vertex is the first or last one of a line and stands at x. `at` is the vertex's x. Such
- * an end does not count as ground that rises past a box's corner: the box that seals the end may
- * stand at the same place, and then its corner is the one that is met. */
+ * an end does not count as ground that rises past a box's corner. The box may stand at the end of
+ * the line and cover it: then its corner is not hidden by the line, and other shapes can touch it.
+ */
 static bool is_line_end(const td_neighbourhood *s, const thud_terrain *t, int vertex, double at,
                         double x) {
     bool end = t->kind != THUD_TERRAIN_FLAT && (vertex == 0 || vertex == t->count - 1);
@@ -116,7 +117,7 @@ bool td_neighbour_extends(const td_neighbourhood *s, int neighbour, const thud_g
                       s->length_scale; /* Ground further away gives contacts of its own. */
         int first, last;
         thud_terrain_segments(&terrain, x - n->x - near, x - n->x + near, &first, &last);
-        bool higher = ny < 0.0; /* the solid below a line has no end downwards */
+        bool higher = ny < 0.0; /* the ground below a line is solid down to any depth */
         for (int i = first; i <= last; i++) {
             td_segment t = td_terrain_segment(&terrain, i, x - n->x - s->length_scale,
                                               x - n->x + s->length_scale);
@@ -130,9 +131,9 @@ bool td_neighbour_extends(const td_neighbourhood *s, int neighbour, const thud_g
     return past + td_half_along(n, nx, ny) > level;
 }
 
-/* Calls `fn` for shape n unless n is the shape itself, or no ground beside a static shape, or
- * cannot hide edges from `other`: the two do not collide, or a one-way rule lets `other` through n.
- */
+/* Calls `fn` for shape n, except where n is the shape itself; where the shape is static and n is
+ * not (td_is_ground); and where n cannot hide edges from `other`, because n and `other` do not
+ * collide, or a one-way rule lets `other` pass through n. */
 static bool visit(const td_neighbourhood *s, int n, td_neighbour_fn *fn, void *context) {
     return n != s->shape && (s->moves || td_is_ground(s->w, n)) &&
            (s->other == TD_NONE ||

@@ -20,11 +20,11 @@
 #include "contact/box_faces.h"
 #include "state/shape.h"
 
-/* A neighbour that extends less than this past a corner, length scales, does not hide it. Chosen;
+/* A neighbour hides a corner only if it extends past it by at least this, in length scales. Chosen;
  * not tuned. */
 #define CORNER_RISE_MIN 1e-4
-/* Sine of the angle to a face's normal up to which a normal counts as the face's. Above the
- * rounding of single precision; chosen, not tuned. */
+/* A normal counts as that of a face if the sine of the angle between the two is at most this.
+ * Larger than the rounding error of single precision; chosen, not tuned. */
 #define FACE_SINE_MAX 1e-5
 /* FACE_SINE_MAX for two boxes that both have neighbours, if the normal is that of a face of one,
  * and is compared with the faces of the other. It is larger, since two boxes that rest flat on each
@@ -33,8 +33,8 @@
 /* The part of a face that must be covered is longer at each end than the part that the other shape
  * takes up, by this share of that shape's half thickness. Chosen; not tuned. */
 #define COVER_MARGIN 0.05
-/* Least cosine of the angle between two normals at which impulses are taken over from one to the
- * other. Chosen: about 26 degrees. */
+/* A contact takes over the impulses of another one (transfer_impulses) only if the cosine of the
+ * angle between their normals is at least this: about 26 degrees. Chosen. */
 #define SAME_NORMAL_COSINE_MIN 0.9f
 
 /* ---- which normals are hidden ---- */
@@ -65,9 +65,10 @@ static bool is_covered(const td_neighbourhood *s, probe *p) {
 }
 
 /* Whether neighbours cover all of a face between the coordinates `from` and `to` along it. Four
- * places are tested, twice TD_NEIGHBOUR_GAP outside of the face: both ends, with a margin, the
- * middle, and the coordinate `deepest` of the other shape's deepest point. Coordinates are in the
- * frame of the box. */
+ * places are tested: both ends, with a margin, the middle, and the coordinate `deepest` of the
+ * other shape's deepest point. They lie outside of the face by twice TD_NEIGHBOUR_GAP, where a
+ * neighbour whose own face is in line with this one does not reach. Coordinates are in the frame of
+ * the box. */
 static bool face_hidden(const td_neighbourhood *s, int face, double from, double to,
                         double deepest) {
     double half = face % 2 ? s->a.hx : s->a.hy, out = face % 2 ? s->a.hy : s->a.hx;
@@ -181,7 +182,8 @@ typedef struct sides {
     const td_internal_edge_pair *pair;
     int count;
     td_neighbourhood neighbourhood[2];
-    double sign[2]; /* makes a normal from shape 0 to shape 1 point out of this side's shape */
+    double sign[2]; /* 1 or -1: the factor by which a normal from shape 0 to shape 1 is multiplied
+                       to point out of this side's shape */
 } sides;
 
 /* Terrains are left out: terrain_manifold.c takes their sealed ends into account. */
@@ -238,13 +240,15 @@ static void clear_points(td_block *block, int points, int lane) {
     block->touching &= ~(1u << lane);
 }
 
-/* The effective mass for k, the inverse mass along a row; 0 where both bodies are immovable. */
+/* The effective mass 1 / k, for the inverse mass k along a row; 0 where k is 0, since neither body
+ * can be moved. */
 static float inverse_or_zero(float k) {
     return k > 0.0f ? 1.0f / k : 0.0f;
 }
 
 /* Writes a manifold into a lane, as td_write_points (wide_collide.h) does for eight. Places in `c`
- * are relative to the centre of shape a. Impulses stay where the normal has hardly changed. */
+ * are relative to the centre of shape a. Impulses of the lane are kept if the normal has hardly
+ * changed. */
 static void write_lane(thud_world *w, td_block *block, int kind, int lane,
                        const td_internal_edge_contact *c) {
     int points = td_form_points(w->kinds[kind]->form);

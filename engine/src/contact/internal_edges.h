@@ -67,8 +67,8 @@ typedef struct td_internal_edge_ops {
      * manifold along an axis that is not hidden, or loses its points and its bit of
      * td_block.touching. */
     void (*amend)(thud_world *w, td_block *block, int kind);
-    /* Calls `amend` for all blocks of the step whose lanes may have internal edges. Adds the blocks
-     * in which a lane stops touching to scratch.separated, which has room. */
+    /* Calls `amend` for all blocks of the step with lanes that may be at internal edges. Adds the
+     * blocks in which a lane stops touching to scratch.separated, which has room. */
     void (*amend_all)(thud_world *w);
     /* Whether the unit normal, from the first shape to the second, belongs to a hidden face or
      * corner. */

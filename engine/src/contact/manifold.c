@@ -27,7 +27,8 @@ thud_manifold td_manifold_of(const thud_world *w, const td_contact *contact) {
             continue;
         }
         /* The lever arm r from b's centre of mass, by its cross products with normal and tangent,
-         * as in contact_view.c. Both points have the same r x t. */
+         * as in contact_view.c. Both points lie on one line along t, so that r x t is the same for
+         * both, and is stored once. */
         float cn = p->cross_b[lane];
         td_position at = {pose->center.x + td_length_from(w, cn * ny - ct * nx),
                           pose->center.y + td_length_from(w, -cn * nx - ct * ny)};

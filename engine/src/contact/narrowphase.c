@@ -50,7 +50,8 @@ static bool begin_contacts(thud_world *w) {
         return true;
     }
     const int *list = begins->data;
-    /* Contacts before `first` have begun already, in a try of this step that ran out of memory. */
+    /* The contacts at indices below `first` have begun already, in an earlier attempt at this step
+     * that ran out of memory. */
     int first = 0;
     while (first < begins->count && td_contact_at(w, list[first])->state == TD_TOUCHING) {
         first++;
@@ -110,7 +111,8 @@ static void collide_chunk(void *world, int index) {
                           chunk->count, separated, &chunk->separated);
 }
 
-/* Computes the manifolds of one part of a phase (a td_chunk_fn). */
+/* Computes the manifolds of one part of a phase, which is the work between two points at which
+ * workers wait for each other (td_phase). A td_chunk_fn. */
 static void collide_part(void *work, int part) {
     const colliding_phase *c = work;
     td_phase_run(c->w, c->phase, part, collide_chunk, c->w);
@@ -178,8 +180,9 @@ static bool part_contacts(thud_world *w) {
         int contact = td_int_at(ends, i);
         td_constraints_fetch(w, ends->data, ends->count, i);
         td_contact_part(w, contact);
-        /* After a teleport the bounds may have parted as well. The broadphase has dropped such a
-         * pair already. */
+        /* After a teleport even the fat bounds may no longer overlap. Then the contact is
+         * destroyed, since a contact of shapes that do not touch exists only while they do
+         * (broadphase.c). */
         if (!td_contact_bounds_meet(w, td_contact_at(w, contact))) {
             td_contact_destroy(w, contact);
         }
@@ -228,6 +231,7 @@ bool td_narrowphase(thud_world *w) {
     while (w->narrowed < PARTS && parts[w->narrowed](w)) {
         w->narrowed++;
     }
-    /* Part 5 leaves another sequence of blocks, and a restore none. */
+    /* Part 5 has changed the sequence of blocks, and after a restore there is none: it is listed
+     * again. */
     return w->narrowed == PARTS && td_lanes_sequence(w);
 }

@@ -3,8 +3,8 @@
  * too.
  *
  * The rows are in groups. The functions of a group are in one wide file, which defines their tables
- * by TD_DEFINE_PAIR. The first shape of a kind adds the groups that it needs to its world
- * (state/kind_*.c), so that a program links no others. */
+ * by TD_DEFINE_PAIR. A world gets the groups that a kind of shape needs with its first shape of
+ * that kind (state/kind_*.c), so that a program links no others. */
 #ifndef TD_PAIR_KINDS_H
 #define TD_PAIR_KINDS_H
 
@@ -86,7 +86,8 @@ enum {
 
 /* Values in the table of td_pairing_of beside pair kinds. */
 enum {
-    TD_PAIR_SWAPS = 0x80, /* added to a pair kind: unless one is static, the shapes are swapped */
+    TD_PAIR_SWAPS =
+        0x80, /* added to a pair kind: the two shapes are swapped, unless one of them is static */
     TD_PAIR_NEVER = TD_PAIR_SENSOR /* no such pair: a terrain is never side b, nor meets another */
 };
 

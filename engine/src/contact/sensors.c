@@ -21,8 +21,8 @@ bool td_sensor_overlaps(const thud_world *w, int shape_a, int shape_b) {
  * as many as exist already. Both chosen: a pair takes about 250 bytes. */
 enum { EXPECTED_PAIRS_MIN = 256, EXPECTED_PAIRS_BASE = 512 };
 
-/* With terrains there is no bound of one pair for each sensor and shape, since a shape may be near
- * several segments. */
+/* The number of sensors times that of shapes is an upper bound only without terrains: a shape may
+ * be near several segments of a terrain, each of which makes a pair. */
 int td_sensors_expect(const thud_world *w) {
     int64_t likely =
         (int64_t)EXPECTED_PAIRS_BASE + w->body_of.count + w->constraint_count[TD_PAIR_SENSOR];

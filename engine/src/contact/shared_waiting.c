@@ -5,8 +5,8 @@
 #include "state/jobs.h"
 #include "state/shared_stages.h"
 
-/* Waiting contacts from which on workers share them: fewer are tested before another thread has
- * woken. Chosen; not tuned. */
+/* Workers share the test if there are at least this many waiting contacts. With fewer the calling
+ * thread finishes before another thread has woken up. Chosen; not tuned. */
 enum { SHARED_WAITING_MIN = 1024 };
 
 /* The arguments of the test; each worker has a copy, in which `thread` is its own number. */

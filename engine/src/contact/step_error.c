@@ -1,6 +1,6 @@
 /* step_error.c: the error statistics of a step (solver/error.h) where detection changed motions
- * after the solver. The solver's separations are then no longer true, so that contact points are
- * counted anew, when a caller reads the statistics. */
+ * after the solver. The separations that the solver has stored are then out of date, and contact
+ * points are counted anew when a caller reads the statistics. */
 #include "solver/error.h"
 
 #include "constraint/lanes.h"

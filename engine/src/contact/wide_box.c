@@ -26,8 +26,8 @@ TD_INLINE void swap_where(i8 mask, f8 *a, f8 *b) {
     *a = t;
 }
 
-/* Turns the frame so that the reference face's normal is +x: by a quarter where the y axis was
- * chosen, then by a half where the other box is on the negative side. */
+/* Turns the frame so that the reference face's normal is +x: by a quarter turn where the y axis was
+ * chosen, then by half a turn where the other box is on the negative side. */
 TD_INLINE void rotate_to_face(reference_frame *t, i8 by_y) {
     f8 x = f8_pick(by_y, t->y, t->x), y = f8_pick(by_y, -t->x, t->y);
     f8 c = f8_pick(by_y, t->s, t->c), s = f8_pick(by_y, -t->c, t->s);

@@ -52,9 +52,9 @@ TD_INLINE td_rows td_gather_proxies(const td_collide_context *c, const int32_t *
 
 /* Differences of the centres (b less a) of two pairs, in position quanta, as doubles: x, y, x, y.
  * AVX2 has no conversion from int64: TD_ROUND_BITS are the bits of the double TD_ROUND_SHIFT, to
- * whose low bits the difference is added (base/fixed.h). Exact below 2^51 quanta, 2^19 length
- * scales. A greater difference comes out wrong, but not below 2^51 quanta, or not as a number, so
- * that the pair does not touch. */
+ * whose low bits the difference is added (base/fixed.h). Exact for differences below 2^51 quanta,
+ * 2^19 length scales. For a greater difference the result is wrong, but it is either at least 2^51
+ * quanta or not a number, so that the pair does not touch. */
 TD_INLINE d4 td_center_differences(const td_shape_proxy *a0, const td_shape_proxy *b0,
                                    const td_shape_proxy *a1, const td_shape_proxy *b1) {
     l4 bits = {b0->center.x - a0->center.x, b0->center.y - a0->center.y,
@@ -131,9 +131,10 @@ TD_INLINE i8 td_used_mask(const td_block *block) {
 }
 
 /* Stores which lanes touch, and appends the block to c->separated, whose contacts give their lanes
- * back (narrowphase.c), unless all lanes in use touch. Without a branch: the block is always
- * written, and counted if so. Sets c->has_offsets if the block has offsets: blocks without them are
- * solved by passes with less arithmetic (td_arms, wide_solve.h). */
+ * back (narrowphase.c), unless all lanes in use touch. It does so without a branch: the block is
+ * always written behind the list, and the list's count grows only if it belongs there. Sets
+ * c->has_offsets if the block has offsets: blocks without them are solved by passes with less
+ * arithmetic (td_arms, wide_solve.h). */
 TD_INLINE void td_set_touching(td_block *block, unsigned touching, const td_collide_context *c) {
     block->touching = touching;
     c->separated[*c->separated_count] = block;

@@ -13,9 +13,9 @@
 
 #include "contact/wide_collide.h"
 
-/* Maximum rotation of either body since the manifold was computed: its sine, about three degrees.
- * The kept normal does not rotate with the body, so that an impulse along it may have a part of
- * this share across the true normal. Chosen. */
+/* A manifold is kept only while neither body has rotated by more than the angle with this sine,
+ * about three degrees, since it was computed. The kept normal does not rotate with the body, so
+ * that up to this share of an impulse along it acts across the true normal. Chosen. */
 #define TD_KEEP_TURN 0.05f
 /* Maximum relative motion since then: the lesser of TD_KEEP_SHARE of the smallest half extent and
  * TD_KEEP_MARGINS times the speculative margin. For a lane with one point it is only

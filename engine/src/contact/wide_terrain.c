@@ -69,8 +69,9 @@ enum { PLACE_SHIFT = 8 };
 
 /* The places of the centres of mass of the bodies b, rounded down to units of place, modulo 2^32.
  * The difference of two is the motion between them, within one unit, however far from the origin
- * they are. A motion by just 256 length scales would be taken for none: a teleport, which may be
- * that long, has the body's contacts with terrain computed anew (state/changes.c). */
+ * they are. A motion by exactly 256 length scales would look like none. Only a teleport may be that
+ * long; it makes the next narrowphase compute the body's contacts with terrain anew
+ * (state/changes.c). */
 TD_INLINE void read_mass_centres(const thud_world *w, const td_block *block, i8 *x, i8 *y) {
     int32_t px[TD_LANES], py[TD_LANES];
     for (int i = 0; i < TD_LANES; i++) {
@@ -123,8 +124,8 @@ TD_INLINE void terrain_blocks(thud_world *w, td_block *const *blocks, int count,
         f8 cosine = proxy.x, sine = proxy.y, half_x = proxy.z, half_y = proxy.w;
         i8 x, y;
         read_mass_centres(w, block, &x, &y);
-        /* Of terrain, dx and dy of the cache have the bits of the place of b (td_manifold_cache).
-         */
+        /* In contacts with terrain, dx and dy of the cache hold the bits of integers, the place of
+         * b (td_manifold_cache). */
         i8 cached_x = (i8)cache->dx, cached_y = (i8)cache->dy;
         f8 unit = f8_all((float)(1 << PLACE_SHIFT) * c->quantum), separation[2];
         td_moved moved = {.dx = unit * __builtin_convertvector(i8_wrap_sub(x, cached_x), f8),

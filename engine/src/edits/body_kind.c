@@ -34,9 +34,10 @@ static const char *shape_error(const thud_world *w, const td_body *body, int kin
     return NULL;
 }
 
-/* Why the body's joints do not allow the kind, or null. A body with joints neither becomes static
- * nor ceases to be. It does not become kinematic where one of its joints is a gear, joins it to a
- * body that is not dynamic, or is a wheel or target joint of which it is the second body. */
+/* Why the body's joints do not allow the kind, or null. A body with joints cannot become static,
+ * and a static body with joints cannot become anything else. It does not become kinematic where one
+ * of its joints is a gear, joins it to a body that is not dynamic, or is a wheel or target joint of
+ * which it is the second body. */
 static const char *joint_error(const thud_world *w, td_body_index index, int kind) {
     const td_body *body = td_body_at(w, index);
     for (int e = body->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
@@ -132,7 +133,8 @@ thud_result thud_body_set_kind(thud_world *w, thud_body_id id, thud_body_kind ki
         return td_refuse(w, THUD_ERROR_MEMORY, "set kind: out of memory");
     }
     td_edit_end_contacts(w, index, TD_NONE, true);
-    td_deferred_apply(w); /* edits of callbacks were meant for the body with its old kind */
+    td_deferred_apply(
+        w); /* edits that callbacks have deferred were meant for the body with its old kind */
     if (w->joint_hooks) {
         w->joint_hooks->suspend(w, index);
     }

@@ -86,8 +86,8 @@ void td_edit_settle_contacts(thud_world *w, int shape) {
     }
 }
 
-/* Terrain has no bounds in the broadphase: every shape that its filter lets meet the terrain
- * searches for it. */
+/* Terrain has no bounds in the broadphase. So every shape that the filters let collide with the
+ * terrain is marked to search for its pairs. */
 static void search_for_terrain(thud_world *w, int line) {
     for (int i = 0; i < w->shapes.count; i++) {
         const td_shape *shape = td_shape_at(w, i);

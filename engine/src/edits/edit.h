@@ -16,8 +16,8 @@ static inline bool td_edit_concerns(const td_constraint *constraint, int shape) 
            (shape == TD_NONE || constraint->shape_a == shape || constraint->shape_b == shape);
 }
 
-/* Wakes, with the next step, the body and all bodies that touch this shape of it (any of its
- * shapes: TD_NONE). */
+/* Makes the next step wake the body and all bodies that touch this shape of it (TD_NONE: any of its
+ * shapes). */
 void td_edit_wake(thud_world *w, td_body_index body, int shape);
 
 /* Ends the contacts of a body's shape (TD_NONE: of all its shapes) that its filter no longer
@@ -35,9 +35,10 @@ void td_edit_settle_contacts(thud_world *w, int shape);
 /* Makes the broadphase of the next step search for new pairs of the shape. */
 void td_edit_look_around(thud_world *w, int shape);
 
-/* Recomputes the mass of the body; inv_mass and inv_inertia are the inverses before the edit. Where
- * the body has become lighter its warm-start impulses are scaled by the ratio of masses (or of
- * inertias, the smaller): impulses that carried the old weight would throw the body up. */
+/* Recomputes the mass of the body; inv_mass and inv_inertia are the inverses before the edit. If
+ * the body has become lighter, the impulses with which its constraints start the next step are
+ * scaled by the ratio of the new mass to the old one (or of the moments of inertia, if that ratio
+ * is smaller): the impulses that carried the old weight would throw the body up. */
 void td_edit_weigh(thud_world *w, td_body_index body, float inv_mass, float inv_inertia);
 
 #endif

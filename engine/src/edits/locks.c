@@ -12,7 +12,8 @@
 
 /* Largest distance along x or y of a body from its anchor, length scales. Joint frames are in
  * single precision (24 bits), so that the locked place is rounded to 1024 / 2^24 = 6e-5 length
- * scales at most. Chosen: halved, worlds have more anchors; doubled, the rounding doubles. */
+ * scales at most. Chosen: with half of it worlds have more anchors; with twice as much the rounding
+ * error doubles. */
 #define ANCHOR_DISTANCE_MAX 1024.0
 
 /* The joint that locks a body, or TD_NONE. */
@@ -79,7 +80,9 @@ static thud_result make_lock(thud_world *w, td_body_index index, bool x, bool y)
         def.body_a = td_body_handle(w, (td_body_index){anchor});
     }
     def.body_b = td_body_handle(w, index);
-    def.frame_a.angle = x ? TD_PI / 2 : 0.0; /* the axis along which a wheel is free: y, or x */
+    def.frame_a.angle =
+        x ? TD_PI / 2
+          : 0.0; /* the axis along which a wheel lets the body move: y if x is locked, else x */
     def.collide_connected = true;
     int old = lock_of(w, index);
     result = result == THUD_OK ? thud_joint_create(w, &def, NULL) : result;

@@ -35,7 +35,8 @@ thud_explosion thud_default_explosion(void) {
 
 /* ---- cover ---- */
 
-/* Whether a hit of a ray to a shape of `target` is cover, by the def's setting. */
+/* Whether a shape that a ray hits on its way to a shape of `target` shields it, by the def's
+ * setting `cover`. */
 static bool is_cover(const blast *b, const thud_ray_hit *hit, td_body_index target) {
     td_body_index body = td_shape_at(b->world, (int)hit->shape.index1 - 1)->body;
     return !td_same_body(body, target) && (b->def->cover == THUD_COVER_ALL ||

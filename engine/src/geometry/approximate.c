@@ -97,8 +97,8 @@ static bool keep_better(const work *w, const search *s, candidate *best, thud_ge
     return true;
 }
 
-/* Tries to move the circle, or to change its radius, by a step, and keeps what is better. Whether
- * anything was. */
+/* Tries to move the circle, or to change its radius, by a step, and keeps each change that improves
+ * the score. Returns whether one did. */
 static bool improve_circle(const work *w, const search *s, candidate *best, double step) {
     bool better = false;
     for (int i = 0; i < 6; i++) {
@@ -147,8 +147,8 @@ static void corners_beside(const work *w, double c, double k, double at, double 
 }
 
 /* Moves the sides of a box by a step, and to the next two corners of the polygon in both
- * directions. Two, since moving to the first may add nothing: where two bars cross, only the second
- * does. */
+ * directions. It tries two corners, since moving to the first may add no area: where the polygon is
+ * a cross of two bars, only moving to the second does. */
 static bool improve_box(const work *w, const search *s, candidate *best, double step) {
     bool better = false;
     for (int side = 0; side < 4; side++) {
@@ -462,8 +462,8 @@ static void prepare(work *w, const thud_pos *points, int count) {
     }
 }
 
-/* Whether the shapes of a search are better than the result with fewer shapes, and worse in no
- * respect. */
+/* Whether the shapes of a search are better than the result with fewer shapes: their wrong area
+ * (missed + extra) is smaller, and their distance is not larger. */
 static bool is_better(const search *s, const thud_approximation *than) {
     return s->errors.missed + s->errors.extra < than->missed + than->extra &&
            s->errors.distance <= than->distance;

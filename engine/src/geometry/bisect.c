@@ -58,9 +58,9 @@ static double thickness(const thud_geometry *shape) {
 }
 
 /* The allowance for a shape's rotation, length: an upper bound of the distance by which it moves a
- * point of the shape. It is 0 if the shape does not turn, and if no point is further from its
- * centre than half of the sum of the two shapes' thicknesses, since rotation then carries no point
- * through the middle of the other shape. */
+ * point of the shape. It is 0 if the shape does not turn. It is 0 also if no point of it is further
+ * from its centre than half of the sum of the two shapes' thicknesses, since rotation then carries
+ * no point through the middle of the other shape. */
 static double turning_reach(const thud_geometry *shape, thud_motion m, const thud_geometry *other) {
     double radius = __builtin_sqrt(shape->hx * shape->hx + shape->hy * shape->hy);
     bool far = radius > 0.5 * (thickness(shape) + thickness(other));

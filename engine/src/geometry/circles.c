@@ -48,7 +48,8 @@ static bool overlap(const thud_geometry *a, const thud_geometry *b) {
     return are_valid(a, b) && closest.distance <= 0.0;
 }
 
-/* The relative path of b's centre against the circle of both radii, which is the Minkowski sum. */
+/* The circles meet when the centre of b, on its path relative to a, enters the circle about a's
+ * centre whose radius is the sum of both: their Minkowski sum. */
 static thud_result time_of_impact(const thud_geometry *a, thud_motion ma, const thud_geometry *b,
                                   thud_motion mb, double target, bool *hit, double *time) {
     double x = b->x - a->x, y = b->y - a->y, radius = a->hx + b->hx + target, nx, ny;

@@ -105,7 +105,7 @@ static double distance_from(const td_convex *set, thud_pos p) {
 
 /* ---- bounds ---- */
 
-/* Bounds of the greatest distance of a piece's points from the union, from above and below. */
+/* An upper and a lower bound of the greatest distance of a piece's points from the union. */
 typedef struct bounds {
     double upper, lower;
 } bounds;

@@ -57,7 +57,8 @@ static td_interval cut_shape(const thud_geometry *shape, double y) {
         double half = __builtin_sqrt(td_max_double(shape->hx * shape->hx - v * v, 0.0));
         return (td_interval){shape->x - half, shape->x + half};
     }
-    /* |c x + s v| <= hx and |c v - s x| <= hy; nearly horizontal sides do not bound x. */
+    /* Solves |c x + s v| <= hx and |c v - s x| <= hy for x, relative to the shape's centre. Sides
+     * that are nearly horizontal do not bound x. */
     double c = shape->c, s = shape->s, from = -4.0, to = 4.0;
     if (td_abs(c) > 1e-9) {
         double a = (-shape->hx - s * v) / c, b = (shape->hx - s * v) / c;

@@ -4,11 +4,11 @@
  * solver's contacts come from contact/wide_box.c and its siblings. */
 #include "geometry/shape_instance.h"
 
-/* A face's normal and the contact normal count as equal up to this tangent of the angle between
- * them. Larger than the rounding error of a normal that was computed from two corners; chosen, not
- * tuned. */
+/* A face's normal and the contact normal count as equal if the tangent of the angle between them is
+ * at most this. Larger than the rounding error of a normal that was computed from two corners;
+ * chosen, not tuned. */
 #define FACE_TANGENT_MAX 1e-7
-/* Points nearer to each other than this share of the smaller box's extent count as one point.
+/* Two points count as one if their distance is less than this share of the smaller box's extent.
  * Larger than rounding errors; chosen, not tuned. */
 #define SAME_POINT 1e-9
 
@@ -125,7 +125,8 @@ thud_result thud_geometry_contacts(const thud_geometry *a, const thud_geometry *
         !(margin >= 0.0 && margin <= THUD_COORDINATE_MAX)) {
         return THUD_ERROR_INVALID;
     }
-    /* Relative to a, since rounding far from the origin would be too large. */
+    /* Both shapes are moved so that a's centre is the origin: far from the origin rounding errors
+     * would be too large. */
     thud_geometry here = *a, there = *b;
     here.x = here.y = 0.0;
     there.x -= a->x;

@@ -43,8 +43,8 @@ static bool turns(const thud_geometry *shape, const thud_motion *m) {
     return td_kind_turns(shape->kind) && m->turn != 0.0;
 }
 
-/* A corner that may cross the gap first: its coordinate along the direction, from its shape's
- * centre, and its speed. */
+/* A corner that may be the first to cross the gap: its coordinate along the direction, from its
+ * shape's centre, and its speed along it. */
 typedef struct corner {
     double along, speed;
 } corner;
@@ -182,7 +182,8 @@ void td_time_of_near_impact(const thud_geometry *a, thud_motion ma, const thud_g
         translating(a, &ma, b, &mb, target, hit, time);
         return;
     }
-    /* Relative to a, since coordinates far from the origin are too coarse. */
+    /* Both shapes are moved so that a's centre is the origin: far from the origin rounding errors
+     * would be too large. */
     thud_geometry here = *a, there = *b;
     here.x = here.y = 0.0;
     there.x -= a->x;

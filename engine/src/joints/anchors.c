@@ -33,15 +33,16 @@ static void set_anchors(const thud_world *w, const td_joint *joint, td_anchor_ro
     rows->turn[lane] = (int32_t)joint->turn;
 }
 
-/* The factor of coordinates of turn: -1 where the joint's sides are swapped, so that the
- * coordinates are those of the caller's order of bodies (joint.h); else 1. */
+/* The factor by which the coordinate of turn is multiplied: -1 where the joint's sides are swapped,
+ * so that the coordinates are those of the caller's order of bodies (joint.h); else 1. */
 static float sign_of(const td_joint *joint) {
     return joint->swapped ? -1.0f : 1.0f;
 }
 
 /* Sets a lane of locked directions. rows->frame_turns is 0 where both along and across are locked:
- * the frame then has the world's axes, so that an impulse that carries a weight keeps its
- * components from step to step, and is a good warm start. */
+ * the frame then has the world's axes. So the impulse of a joint that carries a weight has the same
+ * components in each step even if its bodies turn, and the impulse of the last step is a good first
+ * guess (warm start) for this one. */
 static void set_lock(const thud_world *w, td_block *block, int lane, const td_joint *joint) {
     td_lock_rows *rows = td_lock_rows_of(block);
     float sign = sign_of(joint);

@@ -5,10 +5,11 @@ TD_DECLARE_WIDE(const td_solve_ops, td_solve_drive_line);
 TD_DECLARE_WIDE(const td_solve_ops, td_solve_drive_axis);
 TD_DECLARE_WIDE(const td_solve_ops, td_solve_drive_turn);
 
-/* td_lane_ops.load: the impulse of the limit in a substep over the lighter side's mass, a speed.
- * *off: by how much the limit is exceeded, a length. Impulses of springs and motors do not count as
- * load, since a spring is meant to be displaced, and a motor to miss its speed where its force does
- * not suffice. Angles are multiplied by `size` to become lengths. */
+/* td_lane_ops.load: the impulse of the limit in a substep, divided by the mass of the lighter of
+ * its two bodies: a speed. *off: by how much the limit is exceeded, a length. Impulses of springs
+ * and motors do not count as load, since it is no error that a spring is displaced, or that a motor
+ * whose force is too small misses its target speed. Angles are multiplied by `size` to become
+ * lengths. */
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = &block->point[0];
     bool turns = td_constraint_at(w, block->constraint[lane])->kind == TD_CONSTRAINT_DRIVE_TURN;

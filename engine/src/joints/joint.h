@@ -61,7 +61,8 @@ const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_
 static inline bool td_joint_break_valid(td_reason *why, const char *name, float x) {
     return td_in(why, name, (double)x, 0.0, (double)THUD_JOINT_FORCE_MAX);
 }
-/* Copies a drive; limits that are not used become 0, and padding is not copied. */
+/* Converts a drive to the form that the joint stores. Limits that are not used, and may be any
+ * number, become 0; padding bytes are not copied. */
 td_drive td_drive_of(const thud_drive *d);
 /* The td_joint of a def, without parts; a static body becomes body[0]. */
 td_joint td_joint_of_def(const thud_world *w, const thud_joint_def *d, td_body_index a,
@@ -85,8 +86,8 @@ bool td_joint_reserve(thud_world *w, int kind);
  * and wakes its bodies. */
 void td_joint_update_parts(thud_world *w, int index);
 
-/* joint_end.c. After a change of the joint: wakes its bodies, and marks its lanes, which copy it
- * again in the next step. */
+/* joint_end.c. After a change of the joint: wakes its bodies, and marks its lanes, so that the next
+ * step copies the joint's settings to them again. */
 void td_joint_wake(thud_world *w, const td_joint *joint);
 /* Destroys the joint, and wakes its bodies. */
 void td_joint_end(thud_world *w, int index);
@@ -107,7 +108,7 @@ td_joint_reading td_joint_read(const thud_world *w, const td_joint *joint);
 td_joint_load td_joint_load_of(const thud_world *w, const td_joint *joint);
 /* Forces of a direction's limits, spring and motor. */
 thud_drive_forces td_joint_drive_forces(const thud_world *w, const td_joint *joint, int direction);
-/* Whether the joint acts: one of its parts has a lane, and is awake. */
+/* Whether the joint acts: one of its parts has a lane in the blocks of awake bodies. */
 bool td_joint_acts(const thud_world *w, const td_joint *joint);
 
 /* Whether the joint has a maximum force or torque at which it breaks or reports an event. */
@@ -161,8 +162,8 @@ td_joint_place td_joint_place_of(const thud_world *w, const td_joint *joint);
  * (0, 1) if they coincide. */
 float td_joint_line(const td_joint_place *place, float *x, float *y);
 
-/* The factor that turns a constant in length scales or radians into a bound of a gap: the length
- * scale for lengths, 1 for angles. */
+/* The factor by which a constant in length scales or radians is multiplied to bound a gap in the
+ * caller's units: the length of a length scale for lengths, 1 for angles. */
 static inline double td_gap_unit(const thud_world *w, bool is_angle) {
     return is_angle ? 1.0 : (double)w->length_scale;
 }

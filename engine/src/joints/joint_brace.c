@@ -19,10 +19,11 @@
  *     E(1) = p.(u + u') / 2
  * E has its minimum at s = -p.u / p.(u' - u), and is 0 again at twice that share.
  *
- * After the warm start, p are the impulses of the substep before. Where E(1) > 0, the group keeps
- * the share at which E has its minimum, clamped to 0 .. 1. Large groups may add some energy
- * (tolerated_gain): one share for all of their impulses takes from each lock the load that it
- * carries, and joints would come apart faster than the passes build the load up again.
+ * After the warm start, p are the impulses of the substep before. Where E(1) > 0, they would add
+ * energy: the group keeps the share at which E has its minimum, clamped to 0 .. 1. Large groups may
+ * add some energy (tolerated_gain): one share for all of their impulses also takes away those by
+ * which each lock carries a load, and joints would come apart faster than the passes can build
+ * these impulses up again.
  *
  * After the relax pass, p are all impulses that the locks applied in the substep. A group with a
  * lock that is wide open and E(1) > 0 keeps the share with E = 0; a second relax pass over all
@@ -55,8 +56,8 @@ static td_brace_group *group_at(const thud_world *w, float index) {
 /* Visits a block of locks or rods; `which`: an argument of the visitor's own. */
 typedef void visit_fn(thud_world *w, td_block *block, int which);
 
-/* Blocks lie anywhere in memory: their data of bracing are prefetched so many blocks ahead.
- * Chosen. */
+/* Blocks lie anywhere in memory. So that the data of bracing are in the cache when a loop comes to
+ * a block, it prefetches those of the block this many places ahead. Chosen. */
 enum { FETCH_AHEAD = 6 };
 
 /* Calls `visit` for each block of locks and rods. */
@@ -164,8 +165,8 @@ static void number_groups(thud_world *w) {
 
 /* Adds the work p.u (`which` WORK_WITHOUT) or p.u' (WORK_WITH) of a block's lanes to the sums of
  * their groups, and with p.u' the energy that they exchange. Marks blocks with a lane whose group
- * is torn (td_brace_rows.torn). The passes of bracing leave the others out, whose work is then that
- * of an earlier pass; it goes to groups that are not braced. */
+ * is torn (td_brace_rows.torn). The passes of bracing skip all other blocks: the values of work in
+ * those are out of date, but are added only to groups that are not braced. */
 static void add_work(thud_world *w, td_block *block, int which) {
     const float *group = lane_groups(block);
     td_brace_rows *rows = td_brace_rows_of(block);

@@ -19,7 +19,8 @@ static void add_event_if_overloaded(thud_world *w, int index) {
     td_joint_load load = td_joint_load_of(w, joint);
     float force = length_of(load.force), torque = td_joint_abs(load.torque);
     if (force > joint->break_force || torque > joint->break_torque) {
-        /* Snapshots copy the padding between the members as well: it must be defined. */
+        /* Snapshots copy the whole struct with the padding bytes between its members, which must
+         * therefore have a defined value. */
         thud_joint_event *event = td_at(&w->broken, w->broken.count++);
         __builtin_memset(event, 0, sizeof *event);
         event->joint = td_joint_handle(w, index);

@@ -12,8 +12,8 @@ bool td_joint_frame_valid(const thud_world *w, td_reason *why, const thud_joint_
            td_in(why, "joint: angle of a frame", f->angle, -THUD_ANGLE_MAX, THUD_ANGLE_MAX);
 }
 
-/* The error of a drive in a direction that the kind of joint does not drive; null if the drive has
- * no effect. */
+/* The error message for a drive in a direction that this kind of joint does not drive; null if the
+ * drive is all default, and so has no effect. */
 static const char *undrivable_error(int direction, const thud_drive *d) {
     static const char *const none[TD_JOINT_DIRECTIONS] = {
         "joint drive: this kind of joint has no drive along",

@@ -1,5 +1,5 @@
-/* joint_engage.c: when the constraints of joints take lanes of blocks and give them back; see
- * joint_hooks.h.
+/* joint_engage.c: gives lanes (places in blocks of eight constraints) to the constraints of joints,
+ * and takes them back; see joint_hooks.h.
  *
  * The constraint of a joint waits until both bodies are in the world and enabled. As the next step
  * begins, it takes a lane, its bodies are woken, and contacts between them are ended, unless the
@@ -101,8 +101,8 @@ static bool engage_kind(thud_world *w, int kind) {
         td_constraint_rest(w, td_int_at(list, i));
     }
     remove_filters(w, list);
-    /* If memory is short, the constraints wait again in the same order as before, so that the next
-     * attempt gives them the same lanes. */
+    /* If memory is short, the constraints are put back into the list in the same order as before,
+     * so that the next attempt gives them the same lanes. */
     if (!td_lanes_place(w, list->data, list->count)) {
         for (int i = 0; i < list->count; i++) {
             td_constraint_wait(w, td_int_at(list, i));

@@ -7,8 +7,8 @@
 /* Whether a joint needs a part, by the directions that it locks and drives. */
 static bool has_part(const td_joint *joint, int part) {
     unsigned driven = joint->driven;
-    /* A joint that locks and drives nothing, such as a filter, has this part all the same, so that
-     * it is in its bodies' lists of constraints. */
+    /* A joint that locks and drives nothing, such as a filter, still has the part for locked
+     * directions, so that it is in its bodies' lists of constraints. */
     return part == TD_JOINT_LOCK ? joint->locked || !driven : driven >> part & 1u;
 }
 

@@ -56,8 +56,9 @@ td_joint_reading td_joint_read(const thud_world *w, const td_joint *joint) {
     return r;
 }
 
-/* Adds the impulse (x, y, and the moment of turn) of a part on side b in the last substep. The
- * moment of (x, y) about the centre of mass is left out, except for gears. */
+/* Adds the impulse (x, y, and the moment of turn) of a part on side b in the last substep. Of gears
+ * the moment about b's centre of mass is complete; of all other parts the moment of (x, y) about
+ * that centre is left out. */
 static void add_impulse(const thud_world *w, const td_constraint *part, double impulse[3]) {
     if (part->state != TD_TOUCHING) {
         return;

@@ -6,8 +6,8 @@
  * island with joints into parts, since directions turn (direct/step_parts.c). td_*_update_rows
  * recomputes the rows for a part of duration h, from the motions of both sides since the start of
  * the step: up to the start of the part (a[0], b[0]) and, by the present iteration, up to its end
- * (a[1], b[1]): td_span. With h = 0 the rows are ordinary Jacobians for the poses at the end of a
- * part.
+ * (a[1], b[1]): td_span. With h = 0 the rows are ordinary Jacobians, the derivatives of q, for the
+ * poses at the end of a part.
  *
  * With the poses x[0] and x[1] of both bodies at the start and at the end of the part, the
  * Jacobians J of a part are discrete gradients of the joint's coordinate q, so that locked rows do
@@ -19,7 +19,8 @@
  * (target_speed_for_gap).
  *
  * The velocity at the end of a part is 2 v - v_before, where v is the mean velocity that the
- * problem solves for. So the impulses of the problem are half of those of the part: hence the
+ * problem solves for. An impulse of the part changes the mean velocity by half of what it changes
+ * the velocity at the end. So the impulses of the problem are half of those of the part: hence the
  * factors 0.5.
  *
  * turn_sign is -1 where the block's sides are the caller's b and a, so that coordinates of turn are
@@ -275,11 +276,11 @@ bool td_lock_take_rows(const thud_world *w, td_block *block, int lane, const flo
 
 /* Chooses the limit (lower or upper) for which a step is solved: the one that is nearer at the
  * start of the step, or the other one if the soft solver has chosen that, and ended nearer to it
- * than the coordinate was to the nearer limit at the start, or with an impulse. So the lane keeps
- * the side of the soft solver's impulse, which stays in it if the direct result is refused. Sets
- * limit_side (1 lower, -1 upper, 0 no limits), limit, and start_separation, the separation from it
- * at the start of the step. Returns whether the nearer one was chosen: only then the impulse of the
- * last step is a warm start. */
+ * than the coordinate was to the nearer limit at the start, or with an impulse. In the second case
+ * the lane stays on the side to which the soft solver's impulse belongs, since that impulse is used
+ * if the direct result is refused. Sets limit_side (1 lower, -1 upper, 0 no limits), limit, and
+ * start_separation, the separation from it at the start of the step. Returns whether the nearer one
+ * was chosen: only then the impulse of the last step is a warm start. */
 static bool choose_limit(td_block *block, int lane) {
     td_drive_rows *r = td_drive_rows_of(block);
     td_point *p = &block->point[0];
@@ -296,9 +297,10 @@ static bool choose_limit(td_block *block, int lane) {
     return !other;
 }
 
-/* The row of a limit; `along` is the driven direction. A limit that is not reached gets the target
- * speed that just reaches it at the end of the step (as a speculative contact does); equal limits
- * give an equality row. `unit`: td_gap_unit of the direction. */
+/* The row of a limit; `along` is the driven direction. If the limit is not reached yet, the row's
+ * target speed is the one that just reaches it at the end of the step (as for a contact whose
+ * shapes are still apart). If the lower and the upper limit are equal, it is an equality row.
+ * `unit`: td_gap_unit of the direction. */
 static void take_limit(const thud_world *w, td_block *block, int lane, const float *impulses,
                        td_direct_row *row, const td_direct_row *along, double unit) {
     const td_drive_rows *r = td_drive_rows_at(block);

@@ -24,8 +24,8 @@ static bool fixes_body(const thud_world *w, const td_joint *joint) {
     return joint->kind != THUD_JOINT_DISTANCE && !td_joint_is_lock(w, joint, joint->body[1]);
 }
 
-/* Marks a body that is alone in its group as fixed. Slot 0 stands for all static bodies and is left
- * out. */
+/* Marks a body that is alone in its group as fixed to a static or kinematic body: sets its
+ * td_tied_link to TD_NONE. Slot 0 stands for all static bodies and is left out. */
 static void mark_fixed(const thud_world *w, td_awake_slot slot) {
     if (td_tied_link(w, slot)->at == slot.at && slot.at > 0) {
         td_tied_link(w, slot)->at = TD_NONE;

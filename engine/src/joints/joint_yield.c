@@ -12,8 +12,9 @@
  * - where one of its motors misses its target speed although its force is below its maximum, a
  *   contact with a static shape touches, and a lock has opened or such a contact is too deep; or
  * - where a limit of length was far exceeded as the step began (a rope that is much too short), and
- *   a contact with a static shape touches. Solved soft, such a contact turns a part of the speed at
- *   which the rope closes into another direction, and the relax passes leave it there.
+ *   a contact with a static shape touches. The soft solver's result of such a step has a fault: the
+ *   contact turns a part of the speed at which the rope closes into another direction, and the
+ *   relax passes, which take closing speeds out of the velocities, leave this part there.
  *
  * A row's value is J x, where J is its Jacobian and x first the motions of the group's bodies in
  * this step (thud_world.delta), then their velocities. Where the value has to change by c, with the
@@ -48,10 +49,10 @@
  * floor_bears_what_is_reeled_in (test_distances.c) and
  * motor_stalls_at_a_wall_and_its_hinge_stays_closed (test_joints_held.c) test it. */
 #define DEPTH_SHARE_MAX 0.1f
-/* Overlap, as a share of that extent, above which a joint yields; if its group yielded in the last
- * step, DEPTH_SHARE_MAX is used instead. DEPTH_SHARE_DETECT is larger because impacts press limbs
- * of ragdolls in further than DEPTH_SHARE_MAX for a few steps, where their joints must not yield.
- * Chosen; thud_joint.h states it, and floor_bears_what_is_reeled_in fails at twice this. */
+/* A joint yields if the overlap is above this share of that extent; if its group yielded in the
+ * last step, DEPTH_SHARE_MAX is used instead. DEPTH_SHARE_DETECT is larger because impacts press
+ * limbs of ragdolls in further than DEPTH_SHARE_MAX for a few steps, where their joints must not
+ * yield. Chosen; thud_joint.h states it, and floor_bears_what_is_reeled_in fails at twice this. */
 #define DEPTH_SHARE_DETECT 0.4f
 /* A contact that overlaps by more than the limit as a step begins, such as that of a body created
  * inside of a shape, has to separate at this share of the world's push_speed. Measured: at half and
@@ -249,7 +250,7 @@ static void correct_rod(const tied_group *g, const td_lane *at) {
                 td_gap_unit(g->w, false));
 }
 
-/* The frame of a lock's lane after the motion of the step, as far as it is corrected by now. */
+/* The frame of a lock's lane after the motion of the step with the corrections made so far. */
 static td_joint_frame frame_of(const tied_group *g, const td_lane *at) {
     double a[3], b[3];
     const td_point *p = at->block->point;
@@ -323,9 +324,9 @@ static bool motor_below_max_force(const thud_world *w, const td_lane *at) {
            max_force * (float)(w->def.time_step / w->substeps);
 }
 
-/* Corrects a motor whose force is below its maximum: a motion or velocity against its target speed
- * becomes 0. Locks and contacts, which are corrected after it, may still move its bodies that way.
- */
+/* Corrects a motor whose force is below its maximum: if the coordinate moves against the motor's
+ * target speed, that motion (or speed) becomes 0. Locks and contacts, which are corrected after it,
+ * may still move its bodies that way. */
 static void correct_motor(const tied_group *g, const td_constraint *constraint) {
     if (!is_drive(constraint->kind)) {
         return;
@@ -499,7 +500,7 @@ enum {
     MARK_EXCEEDED = 4 /* a limit was far exceeded as the step began */
 };
 
-/* Adds bits to the mark of a body; slot 0, which stands for static bodies, is never marked. */
+/* Sets bits of the mark of a body. Slot 0, which stands for all static bodies, is never marked. */
 static void mark_body(thud_world *w, td_awake_slot slot, int mark) {
     td_awake_slot *marks = w->scratch.parents.data;
     marks[slot.at].at |= slot.at > 0 ? mark : 0;

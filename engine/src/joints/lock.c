@@ -3,8 +3,9 @@
 
 TD_DECLARE_WIDE(const td_solve_ops, td_solve_lock);
 
-/* td_lane_ops.load: the impulses of a substep over the lighter side's mass, a speed. *off: the gap,
- * a length. Angles are multiplied by `size` to become lengths. */
+/* td_lane_ops.load: the impulses of a substep, divided by the mass of the lighter of the joint's
+ * two bodies: a speed. *off: the gap, a length. Angles are multiplied by `size` to become lengths.
+ */
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = block->point;
     const td_lock_rows *rows = td_lock_rows_at(block);

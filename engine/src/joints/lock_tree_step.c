@@ -17,8 +17,9 @@
 
 #include <string.h>
 
-/* What a solution costs for each body, in operations on 3 x 3 blocks: thud_quality.island_work.
- * Measured by counting the instructions of a tree that is solved alone in its vector. */
+/* The work of one solution for each body of a tree, in operations on 3 x 3 blocks, the unit of
+ * thud_quality.island_work. Measured by counting the instructions that a tree takes that is alone
+ * in the lanes of its vectors. */
 enum { TREE_COST = 1 };
 /* Number of solutions that a part is expected to take. take_trees counts the expected cost of each
  * tree; where the budget of the step does not suffice, the trees that are left over stay with the
@@ -87,7 +88,9 @@ static bool list_joints(const thud_world *w, const td_island *island, td_listed_
     return true;
 }
 
-/* Puts a body of the list at an index of the tree. `joint`: that to its parent, or TD_NONE. */
+/* Puts a body at an index of the tree. `number`: the body's number in the island; `parent`: the
+ * index of its parent in the tree; `joint`: the number of the joint to the parent in the island, or
+ * TD_NONE. */
 static void place(td_listed_body *list, int number, int index, int parent, int joint) {
     list[number].place = index;
     list[index].number = number;
@@ -96,8 +99,9 @@ static void place(td_listed_body *list, int number, int index, int parent, int j
 }
 
 /* Numbers the bodies so that each comes after its parent. The root is the body that is joined to
- * the outside, or else the first of the list. On the path from the root to the first body the links
- * of the list are reversed: the parent of list[n].before is n. */
+ * the outside, or else the first of the list. Links (`before`) lead from each body towards the
+ * first body of the list. On the path from the root to that body they have to be reversed: there
+ * body n is the parent of list[n].before. */
 static void set_order(td_listed_body *list, int count, int held, int hold) {
     int placed = 0, joint = hold;
     for (int n = held == TD_NONE ? 0 : held; n != TD_NONE; n = list[n].before) {
@@ -426,9 +430,9 @@ static td_listed_body *list_at(const thud_world *w, const td_island *island) {
 }
 
 /* Reads all listed islands as trees, into td_islands.listed. Sets td_island.parts of those that are
- * to be solved, and td_island.tree of the others to the reason why they are not. Trees are counted
- * with the cost that they are expected to have, not with the cost that they turn out to have: so
- * which trees the budget suffices for does not depend on which of them are solved side by side. */
+ * to be solved, and td_island.tree of the others to the reason why they are not. The budget is
+ * reduced by the expected cost of each tree, not by its actual cost: so which trees are within the
+ * budget does not depend on which of them are solved side by side. */
 static void take_trees(thud_world *w) {
     int64_t left = td_island_work_left(w);
     for (int i = 0; i < w->islands.island.count; i++) {
@@ -443,7 +447,7 @@ static void take_trees(thud_world *w) {
     }
 }
 
-/* Islands after the first of a group among which the others are looked for. Chosen. */
+/* Trees for a group are searched among this many islands after its first one. Chosen. */
 enum { ISLANDS_AHEAD = 64 };
 
 /* Adds islands to the group, from island `first` on, until it is full: those whose trees have the

@@ -3,8 +3,8 @@
 
 TD_DECLARE_WIDE(const td_solve_ops, td_solve_rod);
 
-/* td_lane_ops.load: the impulse of a substep over the lighter side's mass, a speed. *off: the gap,
- * a length. */
+/* td_lane_ops.load: the impulse of a substep, divided by the mass of the lighter of the rod's two
+ * bodies: a speed. *off: the gap, a length. */
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = &block->point[0];
     float mass = td_joint_max_inverse_mass(w, block, lane);

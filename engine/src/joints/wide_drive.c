@@ -99,10 +99,10 @@ TD_INLINE void solve_motor(td_block *block, const td_drive_rows *r, const td_sol
 }
 
 /* Chooses the limit that is nearer at the end of the substep; `ahead` is the displacement in the
- * substep at the present speed. If the limit changes, the impulse changes its sign: along the
- * direction it stays what the velocities contain, but as an impulse of the new limit it is
- * negative, and solve_limit then removes it. Sets limit, limit_side, start_separation and
- * separation. */
+ * substep at the present speed. If the other limit becomes the nearer one, the sign of the impulse
+ * is changed, since both limits push in opposite directions: it is still the impulse that the
+ * velocities contain, but for the new limit it is negative, and solve_limit then removes it. Sets
+ * limit, limit_side, start_separation and separation. */
 TD_INLINE void choose_limit(td_block *block, td_drive_rows *r, const direction8 *n, f8 ahead) {
     td_point *p = &block->point[0];
     f8 one = f8_all(1.0f), value = n->value + ahead;
@@ -118,9 +118,9 @@ TD_INLINE void choose_limit(td_block *block, td_drive_rows *r, const direction8 
 /* The maximum of a limit's bias, a speed. Angles exceed their limits by a few radians at most, so
  * that a constant maximum is enough. A limit of length may be exceeded at the start of a step by so
  * much that its bias would be above TD_JOINT_CLOSING_SPEED, as in a rope that is much too short.
- * The limit then closes at that speed, plus the bias that its load needs (LOAD_BIAS). A higher bias
- * would do harm: a contact in the way turns a part of the closing speed into another direction, and
- * the bodies keep that part after the gap has closed. */
+ * The limit then closes at that speed, plus the bias that it needs to carry its present load
+ * (LOAD_BIAS, wide_joint.h). A higher bias would do harm: a contact in the way turns a part of the
+ * closing speed into another direction, and the bodies keep that part after the gap has closed. */
 TD_INLINE f8 max_limit_bias(const td_point *p, const td_solve_context *c, f8 k, drive_kind which) {
     if (which == TURN) {
         return f8_all(TD_JOINT_CLOSING_FACTOR * TD_JOINT_CLOSING_SPEED);
@@ -131,9 +131,9 @@ TD_INLINE f8 max_limit_bias(const td_point *p, const td_solve_context *c, f8 k, 
            f8_keep(far, f8_all((TD_JOINT_CLOSING_FACTOR - 1.0f) * c->joint_closing_speed));
 }
 
-/* Solves limits: like a contact, speculative while it is not reached (the gap may close by the end
- * of the substep), soft while it is exceeded; if both limits are equal, as an equality row. `soft`:
- * solve pass, false: relax pass. */
+/* Solves limits like contacts. While a limit is not reached, the coordinate may just reach it by
+ * the end of the substep; while it is exceeded, it acts as a damped spring. If both limits are
+ * equal, it is an equality row. `soft`: solve pass, false: relax pass. */
 TD_INLINE void solve_limit(td_block *block, td_drive_rows *r, const td_solve_context *c,
                            const direction8 *n, bool a_static, drive_kind which, bool soft,
                            sides *v) {

@@ -39,9 +39,9 @@ TD_INLINE f8 gap_share(f8 closing_factor) {
                    f8_all(GAP_SHARE_BRACED));
 }
 
-/* A soft row that carries a load at rest, of impulse L in each substep, has a bias of LOAD_BIAS K
- * L, where K is the inverse of its effective mass: the bias then restores what the impulse scale
- * takes from the impulse. */
+/* A row in a solve pass loses the share IMPULSE_SCALE of its impulse. If it carries a load at rest
+ * that needs the impulse L in each substep, it settles at the gap at which its bias restores just
+ * this loss: the bias is then LOAD_BIAS K L, where K is the inverse of its effective mass. */
 #define LOAD_BIAS (IMPULSE_SCALE / (1.0f - IMPULSE_SCALE))
 
 /* Maximum bias of a joint's limit or of a gear, a speed: the bias that its present impulse needs
@@ -52,8 +52,8 @@ TD_INLINE f8 max_bias(float closing, f8 k, f8 impulse) {
 
 /* Adding and then subtracting 1.5 * 2^23 rounds a float to a whole number. */
 #define ROUNDING_SHIFT 12582912.0f
-/* Rotations in a step are clamped to this, rad: at this size a float has a rounding error of 0.004
- * rad, and rounding to whole turns still works. */
+/* Rotations in a step are clamped to this, rad. A float of this size has a rounding error of 0.004
+ * rad, and its number of whole turns can still be rounded by ROUNDING_SHIFT. */
 #define STEP_TURN_MAX 1e5f
 
 /* Cosine and sine of a rotation within a step, by their Taylor polynomials of degree 8 and 9:

@@ -149,9 +149,9 @@ TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_con
     }
 }
 
-/* Whether the passes skip blocks whose lanes are all solved already (td_block.solved). Steps that
- * brace their joints skip none, since bracing reads the impulses that these passes leave in all
- * blocks. */
+/* Whether the passes skip blocks whose lanes were all solved before the soft solver, in islands
+ * that are trees (td_block.solved). Steps that brace their joints (joint_brace.c) skip none, since
+ * bracing reads the impulses that these passes leave in all blocks. */
 TD_INLINE bool skips_solved_blocks(const td_solve_context *c) {
     return c->passes_over && !atomic_load_explicit(c->torn, memory_order_relaxed);
 }

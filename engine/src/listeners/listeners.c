@@ -124,8 +124,8 @@ static void store_normal_velocity(const thud_world *w, const lane *l) {
 }
 
 /* Applies an answer that differs from the pair's own settings, or follows one that did: sets the
- * lane's marks, settings and veto. The lane is passed by value, so that the address of the loop's
- * own lane does not escape, and that lane stays in registers. */
+ * lane's marks, settings and veto. The lane is passed by value: no pointer to the lane of the
+ * calling loop exists, so that the compiler can keep that lane in registers. */
 static void apply_answer(thud_world *w, lane one, const thud_contact_settings *own,
                          const thud_contact_settings *settings, bool yes) {
     const lane *l = &one;
@@ -143,8 +143,8 @@ static void apply_answer(thud_world *w, lane one, const thud_contact_settings *o
     }
 }
 
-/* Applies an answer. The common case, that the pair's own settings were confirmed in this step and
- * the last one, needs nothing. */
+/* Applies an answer. Nothing is to be done in the common case, that the answer is the pair's own
+ * settings in this step and was so in the last one. */
 TD_INLINE void apply_if_changed(thud_world *w, const lane *l, const thud_contact_settings *own,
                                 const thud_contact_settings *answer, bool yes) {
     bool was_yes = !(l->block->mark[l->index].rule & (TD_LANE_ALTERED | TD_LANE_REFUSED));

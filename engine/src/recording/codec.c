@@ -445,7 +445,8 @@ bool td_codec_read(const thud_world *w, td_reader *from, const td_recorded_call 
         if (is_array(f)) {
             out->values[i].pointer = read_elements(w, from, f->codec, count, out);
         } else if (f->code == TD_CODE_OUT_HANDLES) {
-            /* As many handles as the call was given shapes; their number was read before. */
+            /* The call returns one handle for each shape that it was given; the number of shapes
+             * has been read before. */
             out->listed = from->broken ? 0 : td_max_int(count, 0);
             out->values[i].pointer =
                 take_block(out, (size_t)out->listed * sizeof(thud_body_id) + 1);

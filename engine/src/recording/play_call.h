@@ -26,7 +26,8 @@ typedef struct td_play {
     bool short_of_memory;
 } td_play;
 
-/* Whether records can be played on. */
+/* Whether the next record can be played: no result differed, memory was not short, and the bytes
+ * read so far were valid. */
 static inline bool td_play_goes_on(const td_play *p) {
     return !p->differs && !p->short_of_memory && !p->from.broken;
 }
@@ -36,7 +37,7 @@ thud_result td_play_call(td_play *p, thud_world *w, int call, td_decoded *d);
 
 /* ---- play_callbacks.c ---- */
 
-/* Sets `next` of the frame from the record that comes next. */
+/* Sets `next` of the frame by reading the number of callbacks from the record that comes next. */
 void td_play_next_callback(td_play *p, td_play_frame *frame);
 /* Sets the world's listeners and filter to functions of the player, without the effects that the
  * API calls for this have (which wake bodies). `calls`: the TD_CALLS_... that the recorded world

@@ -460,8 +460,8 @@ static void begin_records(thud_player *p, const segment *s) {
     p->play.from = (td_reader){p->records.data, 0, fits ? (size_t)count : 0, !fits};
 }
 
-/* Begins the next segment. A keyframe is skipped, since the world has that state already. In the
- * end segment the hash is compared, if it has one. */
+/* Begins the next segment. The contents of a keyframe are skipped, since the world is in that state
+ * already after the records before it. In the end segment the hash is compared, if it has one. */
 static void begin_segment(thud_player *p) {
     segment s;
     if (!read_segment(p->bytes, p->count, p->next, &s)) {
@@ -482,8 +482,8 @@ static void begin_segment(thud_player *p) {
     }
 }
 
-/* Whether a hash comes next. It belongs to the steps before it, so it is compared before playing
- * stops there. */
+/* Whether a hash comes next. It is that of the world after the steps before it, so that it is
+ * compared even if playing is to stop at this step. */
 static bool is_before_hash(const thud_player *p) {
     const td_reader *from = &p->play.from;
     return p->waiting == 0 && from->at < from->end &&

@@ -431,7 +431,8 @@ thud_result thud_recorder_salvage(thud_recorder *r, thud_bytes *out) {
         frame = frame->outer;
     }
     if (frame && frame->opened) {
-        r->records.count = frame->start; /* a call without its end cannot be played */
+        r->records.count = frame->start; /* removes the records of the call under way: without its
+                                            end it cannot be played */
     }
     if (r->world && !r->failed) {
         if (frame && is_step(frame->call)) {

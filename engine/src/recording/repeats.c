@@ -61,8 +61,8 @@ bool td_repeats_read(td_reader *from, uint8_t *out, size_t count) {
         if (from->broken || same > count - at || distance == 0 || distance > at) {
             return false;
         }
-        for (uint64_t i = 0; i < same;
-             i++, at++) { /* byte by byte, since a repeat may overlap the bytes that it copies */
+        for (uint64_t i = 0; i < same; i++, at++) { /* byte by byte: a repeat may reach into the
+                                                       bytes that it has just written */
             out[at] = out[at - (size_t)distance];
         }
     }

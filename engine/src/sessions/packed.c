@@ -13,7 +13,7 @@
 
 #define MAGIC "thudpack"
 
-/* To be raised whenever the same snapshot gets other packed bytes: if the format changes, or a
+/* To be raised whenever the same snapshot is packed to different bytes: if the format changes, or a
  * prediction of packed_known.c. */
 enum { PACKED_VERSION = 1 };
 

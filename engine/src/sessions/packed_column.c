@@ -11,7 +11,8 @@
  * ZEROS_MAX. */
 enum { MASKED = 64, ZEROS = 128, ZEROS_MAX = 128 };
 
-/* Groups of a column, spread over it, by whose size its guess is chosen. Chosen; not tuned. */
+/* The guess of a column is the one with which this many of its groups, spread over the column, take
+ * the fewest bytes. The number is chosen; not tuned. */
 enum { SAMPLE = 6 };
 
 void td_packed_put(td_packed_stream *t, uint8_t byte) {

@@ -10,9 +10,10 @@
 /* Values for options of 0, as the header promises; 60 steps are a second at 60 Hz. */
 enum { PLAYERS_DEFAULT = 2, DEPTH_DEFAULT = 60 };
 
-/* Each lead that arrives moves the smoothed lead by this share of the difference. Chosen: after a
- * second of messages at 60 Hz a lead has 2 % of its weight left, so that the jitter of a network
- * averages out. */
+/* The lead of a player is by how many steps a peer is ahead of that player's inputs. Each value
+ * that arrives moves the smoothed lead by this share of the difference. Chosen: a value has 2 % of
+ * its weight left after a second of messages at 60 Hz, so that the jitter of a network averages
+ * out. */
 static const double LEAD_SHARE = 1.0 / 16;
 
 /* The length of the ring `saved`: one more than the depth, since the prediction for the earliest
@@ -265,7 +266,8 @@ thud_result thud_rollback_input(thud_rollback *r, int player, int64_t step, uint
     td_player_inputs *k = &r->players[player];
     int at = (int)(step % input_count(r));
     bool is_forgotten =
-        step < r->steps - r->options.depth - 1; /* its place in the ring has been used again */
+        step < r->steps - r->options.depth -
+                   1; /* the step is so long ago that another one has taken its place in the ring */
     if (!is_forgotten && k->is_known[at] && k->inputs[at] != input) {
         return td_refuse(r->world, THUD_ERROR_INVALID, "rollback: two inputs for one step");
     }

@@ -8,8 +8,8 @@
 /* The number of elements that the arrays need for so many bodies, all awake: one more for the
  * dummy, and eight more since the wide kernels work on whole groups of eight. */
 int td_awake_capacity(int bodies);
-/* Makes room for every live body and `more`, so that waking a body never needs memory. False when
- * memory is short. */
+/* Makes room for every live body and `more` further ones, so that waking a body never needs memory.
+ * False when memory is short. */
 bool td_awake_reserve(thud_world *w, int more);
 /* Gives the body, which has none, a slot, with the velocity of its record. */
 void td_awake_add(thud_world *w, td_body_index body);

@@ -4,8 +4,8 @@
  * A line of this list is all that declares an array: its field in thud_world, its stride, growth,
  * copying from slot to slot, freeing and its part of snapshots follow from it. The first value of
  * an element is set in td_awake_add, or in td_awake_refresh where it follows from the body; until
- * then a slot has the values of the body that had it before. A value that must survive sleep also
- * needs a field in td_body, as `direct_steps` has, that td_awake_remove sets. */
+ * then a slot has the values of the body that had it before. A value that must survive while the
+ * body sleeps also needs a field in td_body that td_awake_remove sets, as `direct_steps` has. */
 #ifndef TD_AWAKE_ARRAYS_H
 #define TD_AWAKE_ARRAYS_H
 
@@ -25,7 +25,9 @@ enum {
     X(substep_gain, float[4], TD_STATE) /* velocity that forces add in a substep */               \
     X(damping, float[2], TD_STATE)      /* linear, angular */                                     \
     X(idle, float, TD_STATE)            /* time at rest, s */                                     \
-    X(direct_steps, uint8_t, TD_STATE)  /* steps for which its island is still direct */          \
+    X(direct_steps, uint8_t,                                                                      \
+      TD_STATE) /* number of further steps for which the direct solver solves its island          \
+                   (TD_DIRECT_STEPS), or of its cooldown */                                       \
     X(slow_steps, uint16_t, TD_STATE) /* two counts of slow steps of its island: TD_SLOW_STEPS */ \
     X(reach, float[2], TD_STATE)      /* td_body.min_extent and .max_extent */                    \
     X(mass, float, TD_STATE)                                                                      \

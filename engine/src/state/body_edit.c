@@ -78,7 +78,8 @@ void td_edit_apply(thud_world *w, td_body_index index, td_deferred_kind what, co
     }
 }
 
-/* A shape that a callback has made takes part from now on; of a quarantined body, too. */
+/* From now on a shape that a callback has made has mass and contacts, even if its body is
+ * quarantined. */
 static void put_shape(thud_world *w, td_body_index index, int shape) {
     td_shape_at(w, shape)->flags &= (uint8_t)~TD_SHAPE_WAITS;
     if (td_body_at(w, index)->kind != THUD_BODY_STATIC) {
@@ -95,9 +96,10 @@ void td_deferred_apply(thud_world *w) {
         if (!(body->flags & TD_BODY_LIVE) || body->generation != edit.generation) {
             continue;
         }
-        /* A force deferred by a callback acts for one whole step. Applied before the step has
-         * begun, it would be taken for one made between two calls of thud_world_advance, which acts
-         * for the elapsed time; so it stays deferred, and only wakes the body. */
+        /* A force deferred by a callback acts for one whole step. If it were applied before the
+         * step has begun, it would count as a force given between two calls of thud_world_advance,
+         * which acts only for the time that passes in the call. So it stays deferred, and only
+         * wakes the body now. */
         if (edit.what == TD_PUT_SHAPE) {
             put_shape(w, edit.body, (int)edit.value[0]);
         } else if (edit.what == TD_PUT_FORCE && !w->locked) {

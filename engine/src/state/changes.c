@@ -15,8 +15,8 @@
 #include <string.h>
 
 /* Wakes every sleeping body that has an open contact or a joint with this one. A body that only
- * lies in a sensor sleeps on, since sensors exert no force; their contact becomes TD_WAITING, so
- * that it is tested again. False when memory is short. */
+ * overlaps a sensor stays asleep, since sensors exert no force; their contact becomes TD_WAITING,
+ * so that its overlap is tested again. False when memory is short. */
 static bool wake_touching(thud_world *w, td_body_index body) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
@@ -155,7 +155,7 @@ static bool apply_changes(thud_world *w, td_body_index index) {
     int changes = body->changes;
     int edits = TD_CHANGE_LEAVE | TD_CHANGE_SHAPES | TD_CHANGE_PLACE | TD_CHANGE_ENABLE;
     if (!reserve_ends(w, index) ||
-        /* A body that has just been created has no neighbours to tell. */
+        /* A body that has just been created covers no faces of its neighbours yet. */
         ((changes & edits) && !(changes & TD_CHANGE_ENTER) && w->internal_edges &&
          !w->internal_edges->lose(w, index)) ||
         ((changes & edits || body->kind == THUD_BODY_KINEMATIC) && !wake_touching(w, index)) ||
@@ -171,7 +171,8 @@ static bool apply_changes(thud_world *w, td_body_index index) {
     }
     if (changes & (edits | TD_CHANGE_ENTER)) {
         td_proxy_set_forget(rests ? &w->rest_shapes : &w->awake_shapes);
-        if (w->rest_shapes.woken) { /* it may still have the shapes of this body */
+        if (w->rest_shapes
+                .woken) { /* the set of resting shapes may still contain the shapes of this body */
             td_proxy_set_forget(&w->rest_shapes);
         }
         w->rest_epoch += rests;
@@ -181,8 +182,8 @@ static bool apply_changes(thud_world *w, td_body_index index) {
         return true;
     }
     if (changes & TD_CHANGE_ENTER) {
-        /* Not when it is created: that may be in a callback, in a step that has reserved memory for
-         * other detections only. */
+        /* The world gets the body's detection here, and not when the body is created: that may
+         * happen in a callback, in a step that has reserved memory for other detections only. */
         w->detections[body->detection->rank] = body->detection;
     }
     if (changes & TD_CHANGE_WAKE && w->ground) {
@@ -212,7 +213,7 @@ static bool apply_changes(thud_world *w, td_body_index index) {
     return true;
 }
 
-/* Drops freed shapes, whose marks are cleared, from the moved list. */
+/* Removes freed shapes, which are recognised by their cleared marks, from the moved list. */
 static void drop_freed_from_moved(thud_world *w) {
     int *moved = w->moved.data, count = 0;
     for (int i = 0; i < w->moved.count; i++) {

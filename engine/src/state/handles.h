@@ -1,8 +1,9 @@
 /* handles.h: converts handles to indices of slots and back, and refuses calls: every refusal goes
  * through td_refuse, so that the world's log gets its reason.
  *
- * A handle is an index plus 1, so that zero is none, and the slot's generation plus a tag of the
- * world. The generation rises when the slot is freed, so that stale handles are recognised. */
+ * A handle consists of two numbers: the index of a slot plus 1, so that zero names nothing, and the
+ * slot's generation plus a number of the world's own (td_tag). The generation rises when the slot
+ * is freed, so that stale handles are recognised. */
 #ifndef TD_HANDLES_H
 #define TD_HANDLES_H
 

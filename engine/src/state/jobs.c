@@ -10,8 +10,9 @@ void td_job_begin_shared(td_job *job) {
 }
 
 /* Takes and runs chunks of one part of the phase, [first, end), until none is left. Returns how
- * many. The part's counter is at least `before` now, and greater than `before` plus the size of the
- * part only where the other workers are in a later phase already. */
+ * many. `before`: the number of chunks of this part in all earlier phases. The part's counter is at
+ * least that now, and greater than `before` plus the size of the part only where other workers are
+ * in a later phase already. */
 static int run_part(atomic_int *taken, int before, int first, int end, td_chunk_fn *run,
                     void *work) {
     int ran = 0, next = atomic_load_explicit(taken, memory_order_relaxed);
@@ -35,9 +36,10 @@ static int chunks_left(atomic_int *taken, int before, int size) {
  * long as a chunk takes. */
 enum { POLLS_BEFORE_STEALING = 32 };
 
-/* Takes chunks of another worker's part: at once while that has more than a quarter of its part to
- * do, but the last ones only where that worker has not taken one for a while, since in the next
- * phase the data of a stolen chunk travel back to their owner's processor. Returns how many. */
+/* Takes chunks of another worker's part, and returns how many. While more than a quarter of that
+ * part is left, it takes them at once. The last ones it takes only if the other worker has taken
+ * none for a while (POLLS_BEFORE_STEALING): the data of a stolen chunk move to this processor, and
+ * in the next phase back again. */
 static int steal_part(atomic_int *taken, int before, int first, int end, td_chunk_fn *run,
                       void *work) {
     int size = end - first, ran = 0, polls = 0;

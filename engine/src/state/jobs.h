@@ -44,16 +44,16 @@ typedef struct td_worker {
 /* Runs one chunk of a phase. */
 typedef void td_chunk_fn(void *work, int chunk);
 
-/* Points of blocks (td_scratch.points) from which on a task over them is shared, where the job
- * system does not say (thud_job_system.share_from). Sharing costs time in each phase, since the
- * data of bodies move between the caches of processors. Two threads take as long as one at about
- * 900 points in a pyramid, 2,600 on terrain and 4,000 in a tumbler, whose bodies have mixed
- * (measured with two processors, at several sizes of these scenes). A greater value leaves more
- * worlds to one thread.
+/* A task over blocks is shared among workers if the blocks have at least this many contact points
+ * in all (td_scratch.points), unless the job system sets another number
+ * (thud_job_system.share_from). Sharing costs time in each phase, since the data of bodies move
+ * between the caches of processors. Two threads take as long as one at about 900 points in a
+ * pyramid, 2,600 on terrain and 4,000 in a tumbler, whose bodies have mixed (measured with two
+ * processors, at several sizes of these scenes). A greater value leaves more worlds to one thread.
  */
 enum { TD_SHARED_POINTS_MIN = 2048 };
 
-/* The points from which on the world shares a task. */
+/* The number of points from which on this world shares a task among workers. */
 static inline uint32_t td_share_from(const thud_world *w) {
     uint32_t from = w->def.job_system.share_from;
     return from ? from : TD_SHARED_POINTS_MIN;
@@ -73,8 +73,8 @@ enum { TD_BODIES_A_POINT = 4 };
 /* How many workers shall share the passes of the solver, and the stages of a step that are shared
  * on demand (shared_stages.h): in a step whose solver one thread runs, the other threads have
  * fallen asleep, and the data are in the cache of that one, so that sharing another stage takes
- * longer than it saves (measured with 2,000 to 4,000 bodies). Before the blocks of a step are
- * listed, those of the step before count. */
+ * longer than it saves (measured with 2,000 to 4,000 bodies). Before the blocks of this step are
+ * listed, the points of the step before are counted. */
 static inline int td_workers_for_bodies(const thud_world *w) {
     bool many =
         TD_HAS_THREADS && (uint32_t)w->body_of.count / TD_BODIES_A_POINT >= td_share_from(w);

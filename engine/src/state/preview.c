@@ -60,7 +60,8 @@ bool td_preview_make(thud_world *w) {
     return true;
 }
 
-/* Drops from the hits the shapes that have a copy, which is found by its own bounds. */
+/* Removes from the hits the shapes that have a copy: they were found by the bounds of the world,
+ * and a copy is searched by its own bounds. */
 static void drop_previewed(const thud_world *w, td_array *hits) {
     int kept_count = 0, number;
     for (int i = 0; i < hits->count && w->preview.shape.count > 0; i++) {

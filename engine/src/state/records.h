@@ -12,10 +12,13 @@
 enum {
     TD_COLOURS = 64, /* colours of the constraint graph; the last is overflow: one lane a block */
     TD_OVERFLOW = TD_COLOURS - 1,
-    TD_KINEMATIC_COLOUR = 48, /* the first colour of constraints of kinematic bodies. Chosen: others
-                                 use it only where a body has so many constraints */
-    TD_BINS_A_KIND = 2 * TD_COLOURS + 1, /* two moving bodies by colour, one static, asleep */
-    TD_SLEEPING = 2 * TD_COLOURS         /* the bin of sleeping lanes */
+    TD_KINEMATIC_COLOUR =
+        48, /* the first colour of constraints of kinematic bodies. Chosen: other constraints use a
+               colour that high only where a body has as many constraints as that */
+    TD_BINS_A_KIND =
+        2 * TD_COLOURS + 1, /* one bin a colour for constraints of two moving bodies, one a colour
+                               for those with a static body, and one for those of sleeping bodies */
+    TD_SLEEPING = 2 * TD_COLOURS /* the bin of sleeping lanes */
 };
 
 /* A place is a range of so many awake slots. The first colours of two moving bodies, which hold
@@ -54,7 +57,7 @@ typedef struct td_body {
     int32_t first_shape, shape_count;
     int32_t first_constraint; /* first edge of the list (td_edge_of) */
     float velocity[3];        /* while the body has no awake slot: x, y, turn */
-    float force[3];           /* in the next step: x, y, torque */
+    float force[3];           /* forces that act in the next step: x, y, torque */
     float mass, inertia, inv_mass, inv_inertia;
     float center_x, center_y;     /* centre of mass, in the body's frame */
     float min_extent, max_extent; /* half thickness of the thinnest shape; greatest distance of a
@@ -80,9 +83,11 @@ enum {
 
 /* thud_world.marks */
 enum {
-    TD_MARK_MOVED = 1,  /* in thud_world.moved; previous_fat has its bounds before */
+    TD_MARK_MOVED = 1,  /* the shape is in thud_world.moved; thud_world.previous_fat has the fat
+                           bounds that it had before */
     TD_MARK_FRESH = 2,  /* new, has no contacts yet; previous_fat is not set */
-    TD_MARK_WOKEN = 4,  /* pairs may be missing: the broadphase looks up each one */
+    TD_MARK_WOKEN = 4,  /* contacts of the shape may be missing: the broadphase searches the contact
+                           lists for each of its pairs */
     TD_MARK_CROWDED = 8 /* with TD_MARK_WOKEN: the world was crowded (broadphase.c) */
 };
 

@@ -19,20 +19,21 @@ typedef struct td_scratch {
     td_array bodies, constraints; /* int: of an island that wakes or falls asleep */
     td_array blocks;              /* td_block *: in the order of solving */
     td_array runs;                /* td_run: sequences of `blocks` of one bin */
-    int points;                   /* of all `blocks`, one or two each: a measure of their work */
-    bool sequenced;               /* `blocks` and `runs` list all blocks of the awake bins */
-    int bin_end[3];               /* colours (td_run.bin) from here on have no lanes: [0] of two
-                                     moving bodies, [1] of a static one, [2], asleep, is not read */
-    int placed_end;               /* bins by place from here on have no lanes */
-    td_array separated;           /* td_block *: with a lane whose shapes no longer touch */
-    td_array chunks;              /* td_chunk: pieces of `runs`, each for one worker */
-    td_array chunk_order;         /* int: indices of `chunks`, by phase and worker; after these the
-                                     beginnings of parts (td_phase) */
-    td_array phases;              /* td_phase: constraint/chunks.h */
-    td_array bounds;              /* int, by worker: the first of its awake slots */
-    td_array begins, ends;        /* int: contacts that begin or end in this step */
-    td_array parents;             /* td_awake_slot, by awake slot: union-find, see label.h */
-    td_array lane_bins;           /* int: see td_lanes_place */
+    int points; /* number of points of all `blocks`, one or two a block: a measure of the work of
+                   solving them */
+    bool sequenced;     /* `blocks` and `runs` list all blocks of the awake bins */
+    int bin_end[3];     /* from this colour (td_run.bin) on, no colour has lanes: [0] of two moving
+                           bodies, [1] with a static one; [2], of sleeping lanes, is not read */
+    int placed_end;     /* bins by place from here on have no lanes */
+    td_array separated; /* td_block *: with a lane whose shapes no longer touch */
+    td_array chunks;    /* td_chunk: pieces of `runs`, each for one worker */
+    td_array chunk_order;      /* int: indices of `chunks`, by phase and worker; after these the
+                                  beginnings of parts (td_phase) */
+    td_array phases;           /* td_phase: constraint/chunks.h */
+    td_array bounds;           /* int, by worker: the first of its awake slots */
+    td_array begins, ends;     /* int: contacts that begin or end in this step */
+    td_array parents;          /* td_awake_slot, by awake slot: union-find, see label.h */
+    td_array lane_bins;        /* int: see td_lanes_place */
     td_array test_blocks;      /* td_block of the contacts' largest form: waiting pairs to test */
     td_array test_list;        /* td_block *: pointers to those of test_blocks */
     td_array fast;             /* td_awake_slot: dynamic bodies that moved further than half
@@ -54,11 +55,12 @@ typedef struct td_scratch {
     td_array legs;         /* td_leg, parts of paths in the order of time: sensing.c */
     td_array first_legs;   /* int, by awake slot: the first of its legs, or TD_NONE */
     td_array sensing;      /* td_awake_slot: awake bodies with sensors */
-    td_bounds_grid sensed; /* of awake sensors: the paths of their bodies, by awake slot, in
-                              sensing_awake.c; then their fat bounds, by shape, in sensed_pairs.c */
-    int sensed_room;       /* new sensor pairs for which this step has reserved memory; 0:
-                              it began without sensors */
-    td_array order;        /* any type: while a proxy set is sorted, or chunks are cut */
+    td_bounds_grid
+        sensed; /* grid of awake sensors. sensing_awake.c fills it with the paths of their bodies
+                   (id: awake slot), later sensed_pairs.c with their fat bounds (id: shape) */
+    int sensed_room; /* new sensor pairs for which this step has reserved memory; 0:
+                        it began without sensors */
+    td_array order;  /* any type: while a proxy set is sorted, or chunks are cut */
 } td_scratch;
 
 #endif

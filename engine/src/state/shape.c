@@ -326,8 +326,8 @@ thud_result thud_shape_get_terrain(const thud_world *w, thud_shape_id id, thud_t
 
 /* ---- the rest of a shape's life ---- */
 
-/* Frees the rotation of a body whose last AABB was destroyed. Its inertia follows in the next step,
- * as its mass does; one that the caller set (TD_BODY_MASS_GIVEN) acts at once. */
+/* Lets a body rotate again whose last AABB was destroyed. Its moment of inertia is computed in the
+ * next step, with its mass. One that the caller has set (TD_BODY_MASS_GIVEN) acts at once. */
 static void free_rotation(const thud_world *w, td_body *body) {
     body->aabbs = 0;
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {

@@ -60,8 +60,8 @@ static inline float td_thickness(const td_shape *shape) {
  * none. */
 float td_thinnest(thud_world *w);
 
-/* Puts a shape onto the list `moved`, if it is marked as on none, and stores its present fat bounds
- * as those of the last broadphase. */
+/* Puts a shape onto the list `moved`, unless its mark (TD_MARK_MOVED) says that it is on one, and
+ * stores its present fat bounds as those of the last broadphase. */
 void td_shape_mark_moved_in(thud_world *w, td_array *moved, int shape);
 /* The same for the world's moved list; also makes the awake proxy set out of date. */
 void td_shape_mark_moved(thud_world *w, int shape);
@@ -103,7 +103,8 @@ typedef struct td_ground_ops {
     bool (*overlap)(const thud_world *w, int line, const thud_geometry *shape);
     void (*time_of_impact)(const thud_world *w, int line, const thud_geometry *shape,
                            thud_motion motion, bool *hit, double *time);
-    /* The point of the line below the shape's centre, as a pair of closest points. */
+    /* The point of the line above or below the shape's centre, in the form of a pair of closest
+     * points. */
     thud_closest (*below)(const thud_world *w, int line, const thud_geometry *shape);
     /* Whether the bounds of the sweep reach down to any segment; those of most falling bodies do
      * not. */

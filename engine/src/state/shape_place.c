@@ -64,9 +64,10 @@ void td_shape_mark_moved(thud_world *w, int index) {
 }
 
 /* A half extent along an axis, in bounds quanta, never less than the exact one. Up to 512 length
- * scales (2^23 quanta) single precision is off by at most half a quantum, and the conversion drops
- * less than one: together less than the 2 that are added. For larger shapes the error is less than
- * the margin. wide_finalize.c has the same. */
+ * scales (2^23 quanta) the error of single precision is at most half a quantum, and the conversion
+ * to an integer drops less than one quantum: together less than the 2 that are added. For larger
+ * shapes the error is less than the margin between tight and fat bounds. wide_finalize.c has the
+ * same. */
 static int32_t coarse_extent(const thud_world *w, float length) {
     return (int32_t)(length * (float)w->to_coarse) + 2;
 }

@@ -35,16 +35,16 @@ typedef struct td_finalize_share {
     int room[3][TD_SHARE_BODIES]; /* memory of odd, fast and moved */
 } td_finalize_share;
 
-/* Shapes whose pairs a worker searches at once, and room for their pairs. In a heap of equal
- * circles a shape has about 6 neighbours, which are 3 pairs a shape, since each pair is found once;
- * so there is room for 4. Chosen. */
+/* TD_SHARE_SHAPES: the number of shapes whose pairs a worker searches before it takes more;
+ * TD_SHARE_PAIRS: room for their pairs. In a heap of equal circles a shape has about 6 neighbours,
+ * which are 3 pairs a shape, since each pair is found once; so there is room for 4. Chosen. */
 enum { TD_SHARE_SHAPES = 256, TD_SHARE_PAIRS = 4 * TD_SHARE_SHAPES };
 
 /* The pairs that the shapes of one part have. */
 typedef struct td_sweep_share {
     bool done;            /* false: the calling thread has to search the part */
-    int count, new_count; /* elements of `pairs`; new_count: the first so many have been tested and
-                             are new, which means without a contact */
+    int count, new_count; /* count: elements of `pairs`. The first new_count of them have been
+                             tested and have no contact yet */
     int64_t overlaps, tested;
     td_new_pair pairs[TD_SHARE_PAIRS];
 } td_sweep_share;

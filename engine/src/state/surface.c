@@ -32,7 +32,7 @@ thud_contact_settings td_surface_of_impact(const thud_world *w, const thud_conta
     return s;
 }
 
-/* Whether an impact within the step is resolved, by the rules and then the prologue. */
+/* Asks the rules and then the prologue whether an impact within the step is to be resolved. */
 bool td_surface_meet(thud_world *w, const thud_contact *seen, thud_contact_settings *settings) {
     return !(w->rule_hooks && w->rule_hooks->lets_through(w, seen)) &&
            (!w->asks || w->listener_hooks->ask_one(w, seen, settings));
@@ -50,8 +50,8 @@ void td_surface_set(thud_world *w, td_block *block, int points, int lane,
     block->bouncy |= s->restitution > 0.0f;
     surface->speed[lane] = s->surface_speed;
     if (s->friction == 0.0f) {
-        /* The relax pass skips the friction of a block in which no lane has any (relax_blocks), and
-         * the warm start would go on applying the impulse. */
+        /* The relax pass skips the friction of a block in which no lane has any (relax_blocks). If
+         * the old impulse stayed here, the warm start would apply it again in every step. */
         block->tangent_impulse[lane] = 0.0f;
     }
 }

@@ -133,7 +133,8 @@ static void wake_reached(thud_world *w, int terrain_shape, const splice *s) {
 
 /* ---- the line ---- */
 
-/* The splice without equal vertices at its ends, which would wake bodies for nothing. */
+/* The splice without those vertices at its ends that it would replace by equal ones: bodies near
+ * these need not wake. */
 static splice trimmed(const td_terrain_record *record, splice s) {
     const thud_pos *old = record->points.data;
     while (s.removed && s.count && old[s.first].x == s.points->x && old[s.first].y == s.points->y) {

@@ -102,8 +102,8 @@ struct thud_world {
     float quantum;        /* length of a position quantum, in the caller's unit */
     double to_fixed;      /* position quanta per unit of length of the caller */
     double to_coarse;     /* bounds quanta per unit of length of the caller */
-    thud_quality quality; /* in force: the def's quality, with the fields that the def and the
-                             detection replace */
+    thud_quality quality; /* the quality that is used: the def's, with the fields that the def and
+                             the detection replace */
     int substeps;         /* of the next step */
     const thud_detection *detections[TD_RANK_COUNT]; /* by rank: the detection, if the world or a
                                                         body ever chose it; else null */
@@ -147,14 +147,14 @@ struct thud_world {
     double kinetic;                            /* kinetic energy of the awake bodies */
     bool kinetic_stale;                        /* `kinetic` must be recomputed */
     int idle_bodies;                           /* bodies at rest for TD_SLEEP_TIME or longer */
-    int drowsy_bodies;                         /* bodies that are at rest so long, or will be after
-                                                  one more step */
-    float thinnest;                            /* thickness of the thinnest shape: td_thinnest */
-    bool thinnest_stale;                       /* `thinnest` must be recomputed */
+    int drowsy_bodies; /* bodies that are at rest for TD_SLEEP_TIME, or will be after one more step
+                        */
+    float thinnest;    /* thickness of the thinnest shape: td_thinnest */
+    bool thinnest_stale; /* `thinnest` must be recomputed */
     td_proxy_set awake_shapes, rest_shapes;
     bool vast; /* so wide that bounds may wrap around: is_vast in broadphase.c */
-    /* Progress of a step that ran out of memory, valid until the next edit: its broadphase is done,
-     * and so many parts of its narrowphase are. */
+    /* Progress of a step that ran out of memory, valid until the next edit. `paired`: its
+     * broadphase is done; `narrowed`: the number of parts of its narrowphase that are done. */
     bool paired;
     int narrowed;
     td_event_lists events;    /* since the last whole step */
@@ -181,10 +181,10 @@ struct thud_world {
     struct thud_recorder *recorder;
 };
 
-/* Shapes above which loops that read records all over memory prefetch them: the records of fewer
- * shapes are in a near cache, where prefetching costs more than it saves. Measured in gases of
- * circles: with prefetching the broadphase took 2 % longer for 16,000 of them, and a fifth less
- * time for 256,000. Chosen between both. */
+/* Loops that read records all over memory prefetch them if the world has more shapes than this. The
+ * records of fewer shapes are in a cache near the processor, where prefetching costs more time than
+ * it saves. Measured in gases of circles: with prefetching the broadphase took 2 % longer for
+ * 16,000 of them, and a fifth less time for 256,000. Chosen between both. */
 enum { TD_FETCH_SHAPES_MIN = 20000 };
 
 static inline bool td_fetches(const thud_world *w) {

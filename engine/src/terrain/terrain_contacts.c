@@ -9,8 +9,8 @@
  * from each other describe best how the shape is supported. */
 #include "terrain/terrain.h"
 
-/* Points nearer to each other than this share of the shape's extent count as one point, and depths
- * that differ by less as equal. Larger than rounding errors; chosen, not tuned. */
+/* Two points count as one if their distance is less than this share of the shape's extent, and two
+ * depths as equal if they differ by less. Larger than rounding errors; chosen, not tuned. */
 #define SAME_POINT 1e-9
 /* A normal may lie outside of a ridge's wedge (try_ridge) by this angle, given as its sine. Larger
  * than rounding errors; chosen, not tuned. */

@@ -131,9 +131,10 @@ static void join_thread(thread_handle thread) {
 
 /* ---- the pool ---- */
 
-/* Polls before a thread sleeps, with a pause of the processor each. With fewer, threads sleep
- * between two tasks of a step, and waking them takes longer than a small task; with more, they
- * occupy their processors for longer after a step. Chosen; not tuned. */
+/* A thread that waits tests this many times whether there is work, with a short pause of the
+ * processor each time, before it sleeps. With fewer tests, threads sleep between two tasks of a
+ * step, and waking them takes longer than a small task; with more, they keep their processors busy
+ * for longer after a step. Chosen; not tuned. */
 enum { POLLS_BEFORE_SLEEP = 1 << 14 };
 
 struct thud_threads {
