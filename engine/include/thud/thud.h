@@ -87,7 +87,8 @@ typedef struct thud_contact_settings {
                             -normal.x), which is +x if b lies on top of a */
 } thud_contact_settings;
 
-/* What a world has from the start, of what it may do without; see thud_default_small_world_def. */
+/* The optional parts of the engine that a world has from the start; see
+ * thud_default_small_world_def. */
 typedef struct thud_parts thud_parts;
 
 /* What a world is created from. */
@@ -156,8 +157,8 @@ THUD_API thud_world_def thud_default_world_def(void);
 /* The defaults with another quality. A program that only uses qualities without an island solver,
  * such as thud_quality_draft, and this call, does not link the island solver. */
 THUD_API thud_world_def thud_default_world_def_of(const thud_quality *quality);
-/* The same for small programs: what a world may do without is linked only where a call needs it.
- * All else is the same, bit for bit.
+/* The same for small programs: the parts that follow are linked only if the program calls a
+ * function that needs them. Everything else behaves the same, bit for bit.
  *
  * Sensors: a thud_shape_def whose `sensor` is true is refused (THUD_ERROR_INVALID) until
  * thud_shape_set_sensor has made a shape of the world a sensor, or a snapshot of one with sensors
@@ -190,12 +191,13 @@ THUD_API void thud_world_destroy(thud_world *world);
  * path of its acceleration and damping, at every quality, to the rounding of its velocity to a
  * float. On THUD_ERROR_MEMORY no body has moved and no event is reported, but edits have taken
  * effect, and bodies that the step was going to wake may be awake. If the step is run again, it has
- * the same results, bit for bit, and the same events. One shortage ends otherwise: under bisect and
- * swept, a step needs more memory while bodies move if the pairs on their ways that the broadphase
- * did not foresee are over 256, plus one for each body and one for each body and line of ground, as
- * where bodies cross thousands of length scales in a step. Without that memory the step succeeds,
- * stops these bodies on their ways (thud_stats.held_bodies), and so has other results than with it.
- * THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback. */
+ * the same results, bit for bit, and the same events. There is one exception. Under bisect and
+ * swept, bodies may meet shapes on their paths that the broadphase did not expect, for example
+ * where they cross thousands of length scales in a step. If there are more such pairs than 256,
+ * plus one for each body and one for each body and line of ground, the step allocates memory while
+ * bodies move. If that fails, the step succeeds, but stops these bodies on their paths
+ * (thud_stats.held_bodies), and so has other results than with enough memory. THUD_ERROR_NULL;
+ * THUD_ERROR_LOCKED inside a callback. */
 THUD_API thud_result thud_world_step(thud_world *world);
 
 /* Advances the world by `elapsed` seconds, in [0, THUD_ADVANCE_MAX]: runs the whole steps that fit
@@ -288,7 +290,8 @@ typedef struct thud_body_def {
                                exp(-damping * t) */
     float angular_damping;  /* 1/s, >= 0; default 0; the same for the angular velocity */
     bool fixed_rotation; /* no torque turns the body; default false. It keeps the angular_velocity
-                            of this def; thud_body_set_velocity gives a dynamic one none */
+                            of this def; thud_body_set_velocity does not give a dynamic body another
+                            one */
     bool may_sleep;      /* default true */
     const thud_detection *detection; /* default null: the world's */
     uint64_t user_data;              /* the caller's own; default 0 */
@@ -318,10 +321,10 @@ typedef struct thud_body_state {
     float cosine, sine;     /* of the angle */
     thud_vec2 velocity;     /* of the centre of mass, length/s */
     float angular_velocity; /* rad/s */
-    float mass;    /* 0 for static and kinematic bodies; a dynamic body whose shapes have no mass
-                      has mass 1. Shapes for which sqrt(mass * inertia) (the mass where rotation is
-                      fixed) would leave 2^-90..2^90, about 1e-27..1e27, weigh as if of another
-                      density */
+    float mass; /* 0 for static and kinematic bodies; a dynamic body whose shapes have no mass has
+                   mass 1. Shapes for which sqrt(mass * inertia) (the mass where rotation is fixed)
+                   would leave 2^-90..2^90, about 1e-27..1e27, get a mass and an inertia that are
+                   scaled into this range, as if the shapes had another density */
     float inertia; /* about the centre of mass, mass * length^2; 0 for static and kinematic bodies,
                       and where rotation is fixed */
     float gravity_scale;
@@ -364,10 +367,11 @@ THUD_API thud_result thud_body_apply_center_force(thud_world *world, thud_body_i
                                                   thud_vec2 force);
 /* The same with a torque, mass * length^2 / s^2, finite. */
 THUD_API thud_result thud_body_apply_torque(thud_world *world, thud_body_id body, float torque);
-/* For a dynamic body, else THUD_ERROR_INVALID: true wakes it. False: it need not wait for 0.5 s,
- * but falls asleep with its island as soon as all bodies of that are at rest, itself too. That has
- * no effect on a body that moves faster than the speed at thud_world_def.sleeping, with may_sleep
- * false, or if another edit of the body follows before the step. */
+/* For a dynamic body, else THUD_ERROR_INVALID: true wakes it. False: the body counts as if it had
+ * been at rest for 0.5 s already, so that its island falls asleep as soon as all bodies of it, this
+ * one too, are at rest. This has no effect on a body that moves faster than the speed at
+ * thud_world_def.sleeping, on one with may_sleep false, or if another edit of the body follows
+ * before the step. */
 THUD_API thud_result thud_body_set_awake(thud_world *world, thud_body_id body, bool awake);
 /* False removes the body and its shapes from the simulation, as if it were destroyed: its contacts
  * end, and no body, query or joint acts on it. True brings it back at its pose, with the velocity
@@ -392,7 +396,7 @@ typedef struct thud_filter {
                       whatever category and mask are; default 0: no group */
 } thud_filter;     /* an all-zero filter collides with nothing, which is logged */
 
-/* What a shape is created from, beside its size and place. */
+/* What a shape is created from, apart from its size and position. */
 typedef struct thud_shape_def {
     float density;     /* mass / length^2, [0, THUD_DENSITY_MAX]; default 1 */
     float friction;    /* coefficient, [0, THUD_FRICTION_MAX]; default 0.6. A pair has the geometric
@@ -520,17 +524,17 @@ THUD_API const char *thud_stage_name(thud_stage stage);
 
 /* Counts and times of a world and of its last step. */
 typedef struct thud_stats {
-    uint64_t steps;            /* steps that the world has run */
-    int bodies, shapes;        /* created and not destroyed */
-    int awake_bodies;          /* dynamic and kinematic ones */
-    int pairs;                 /* pairs of shapes whose bounds overlap, with the margin of these */
-    int contacts;              /* pairs of shapes that touch */
-    int colours;               /* groups into which the solver sorts constraints, so that no two
-                                  constraints of a group share a moving body */
-    int blocks;                /* blocks of eight constraints, which the solver takes at once */
-    int substeps;              /* of the last step; see time_budget */
-    uint64_t bytes;            /* memory that the world holds */
-    uint64_t step_allocations; /* allocations of the last step */
+    uint64_t steps;     /* steps that the world has run */
+    int bodies, shapes; /* created and not destroyed */
+    int awake_bodies;   /* dynamic and kinematic ones */
+    int pairs;          /* pairs of shapes whose bounds, extended by a margin, overlap */
+    int contacts;       /* pairs of shapes that touch */
+    int colours;        /* groups into which the solver sorts constraints, so that no two
+                           constraints of a group share a moving body */
+    int blocks;     /* blocks of up to eight constraints, which the solver solves side by side */
+    int substeps;   /* of the last step; see time_budget */
+    uint64_t bytes; /* memory that the world holds */
+    uint64_t step_allocations;              /* allocations of the last step */
     double stage_seconds[THUD_STAGE_COUNT]; /* of the last step; 0 without a clock */
     double step_seconds;                    /* of the whole step; 0 without a clock */
     /* Islands solved directly in the last step, also because of joints, see thud_joint.h. */

@@ -21,7 +21,7 @@ typedef enum thud_style {
     THUD_STYLE_BOUNDS,               /* box: fat bounds of a shape */
     THUD_STYLE_CELL,                 /* box: cell of the grid broadphase */
     THUD_STYLE_CONTACT,              /* point: the middle of a contact */
-    THUD_STYLE_NORMAL,               /* line from it along the normal */
+    THUD_STYLE_NORMAL,               /* line from the middle of a contact along its normal */
     THUD_STYLE_INTERVAL,             /* line: the interval along x of a shape's bounds */
     THUD_STYLE_INTERVAL_OVERLAPPING, /* the same, if it overlaps the interval of another shape */
     THUD_STYLE_PAIR,                 /* line between two centres: tight bounds overlap */
@@ -30,10 +30,11 @@ typedef enum thud_style {
     THUD_STYLE_PAIR_CANDIDATE,       /* line between two centres: only the fat bounds overlap */
     THUD_STYLE_DIRECT,   /* line between two centres: the pair's island was solved directly */
     THUD_STYLE_MANIFOLD, /* point: one contact point */
-    THUD_STYLE_DEPTH,    /* line from that point along the normal, as long as the penetration */
-    THUD_STYLE_IMPULSE,  /* line from that point along the normal: the distance that its impulse of
-                            one step alone would move the lighter body in a second */
-    THUD_STYLE_COLOUR,   /* line between two centres: the pair has graph colour 0 of the solver */
+    THUD_STYLE_DEPTH,   /* line from a contact point along the normal, as long as the penetration */
+    THUD_STYLE_IMPULSE, /* line from a contact point along the normal, as long as the distance by
+                           which the point's impulse of one step alone would move the lighter body
+                           in a second */
+    THUD_STYLE_COLOUR,  /* line between two centres: the pair has graph colour 0 of the solver */
     THUD_STYLE_COLOUR_LAST =
         THUD_STYLE_COLOUR + 15, /* the same for colour 15 and all further ones */
     THUD_STYLE_JOINT,      /* line from a body's centre to its anchor of a joint, or between the two

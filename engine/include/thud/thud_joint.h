@@ -37,9 +37,10 @@
  * joints may not bring shapes closer together than in the soft solver's result. If joints and
  * contacts cannot both be satisfied so, a tree of hinges and welds is solved without regard to
  * contacts, which may then overlap more until the next step; of others, and where the result would
- * gain energy, the soft solver's result is kept. Where closing gaps lifts bodies, their kinetic
- * energy pays for it, so that a bridge or a rope that gives way does not swing up by itself; not so
- * in islands with motors or springs, or joined to a body that the caller moves.
+ * gain energy, the soft solver's result is kept. If closing gaps lifts bodies, which adds potential
+ * energy, their kinetic energy is reduced by as much, so that a bridge or a rope that gives way
+ * does not swing up by itself. This is not done in islands with motors or springs, or joined to a
+ * body that the caller moves.
  *
  * Detection (thud_detection.h). If detection stops a body within a step, all bodies that locked
  * directions connect to it stop at the same fraction of their motions, and lose the speed that

@@ -31,11 +31,12 @@ typedef struct thud_bytes {
 } thud_bytes;
 
 /* Packs a snapshot into `buffer` of `capacity` bytes; *out_bytes is the packed size. With a null
- * buffer, and a capacity of 0, only *out_bytes is written, which takes as long. The packed size is
- * never more than the snapshot's, an eighth of it and 2048 bytes.
+ * buffer and a capacity of 0 the call only writes *out_bytes, which takes as long as packing. The
+ * packed size is never more than the snapshot's, an eighth of it and 2048 bytes.
  *
- * `base` is a snapshot that the one who unpacks has, too, of the same world some steps before: the
- * closer, the smaller the packed bytes; or {NULL, 0}: none. The three must not overlap in memory.
+ * `base` is an earlier snapshot of the same world, which the program that unpacks must have as
+ * well; the fewer steps lie between the two, the fewer the packed bytes. {NULL, 0}: none. The three
+ * must not overlap in memory.
  *
  * THUD_ERROR_NULL for a null world, snapshot or out_bytes; THUD_ERROR_LOCKED inside a callback;
  * THUD_ERROR_INVALID where the base or the snapshot is damaged, or of another version or build of

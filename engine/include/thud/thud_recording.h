@@ -17,10 +17,10 @@
  *     }
  *
  * What is recorded are the calls of source files that include thud_recorded.h. Those of other files
- * are not, and cost nothing: a step, restore or rollback among them is noticed by the number of
- * steps, and the recording then has a snapshot of the world as it is now; another call makes the
- * recording differ when it is played, which its hashes tell. A refused call is recorded as refused,
- * without its arguments.
+ * are not recorded, and cost nothing. If one of them is a step, restore or rollback, the recorder
+ * notices it by the number of steps, and adds a snapshot of the world as it is then. Any other such
+ * call makes the played world differ from the recorded one, which a hash in the recording shows. A
+ * refused call is recorded as refused, without its arguments.
  *
  * Listeners and filters of the world are recorded by their answers, and by the calls that they
  * make, and are not needed to play the recording. Not recorded: the log, the clock, the allocator,
@@ -67,8 +67,8 @@ typedef struct thud_recorder_options {
     int keyframe_steps; /* steps from one keyframe to the next, [0, THUD_RECORDING_STEPS_MAX]: a
                            packed snapshot, from which a player can start; default (0) none but the
                            first, or with ring_steps a quarter of it */
-    int ring_steps;     /* [0, THUD_RECORDING_STEPS_MAX]: keeps the last so many steps, up to a
-                           keyframe more; default (0) all */
+    int ring_steps; /* [0, THUD_RECORDING_STEPS_MAX]: keeps only the last steps: at least this many,
+                       and at most those from one keyframe to the next more; default (0) all */
     thud_recording_sink_fn *sink; /* receives the recording, piece by piece, at every hash, and
                                      keeps no memory for it; not with ring_steps. Default null: the
                                      recording is kept in memory */
@@ -103,9 +103,9 @@ THUD_API thud_result thud_recorder_get_bytes(thud_recorder *recorder, thud_bytes
  * recorder with a sink; THUD_ERROR_MEMORY, also if memory was short before. */
 THUD_API thud_result thud_recorder_salvage(thud_recorder *recorder, thud_bytes *out);
 
-/* Adds the caller's own bytes, under a name, at this place: inputs, a message, the state of a game.
- * THUD_ERROR_NULL for a null recorder or name, or null bytes of a count; THUD_ERROR_LOCKED inside a
- * recorded call; THUD_ERROR_MEMORY as above. */
+/* Adds bytes of the caller to the recording, under a name, after the calls so far: inputs, a
+ * message, the state of a game. THUD_ERROR_NULL for a null recorder or name, or null bytes of a
+ * count; THUD_ERROR_LOCKED inside a recorded call; THUD_ERROR_MEMORY as above. */
 THUD_API thud_result thud_recorder_add_chunk(thud_recorder *recorder, const char *name,
                                              thud_bytes bytes);
 
@@ -133,17 +133,17 @@ typedef struct thud_played_call {
                                       headers. Names, pointers to functions and what the call
                                       returns are left out. Empty for a refused call */
     int value_count;
-    uint32_t returned;        /* index1 of the handle that it returned; else 0 */
-    bool query;               /* a query: it is told, and not made again */
+    uint32_t returned; /* index1 of the handle that it returned; else 0 */
+    bool query;        /* the call was a query: the player reports it, and does not make it again */
     const thud_ray_hit *hits; /* what a query found, in its order; of overlaps the shape alone, and
                                  the rest 0; of thud_world_closest shape, point and normal. Of
                                  thud_world_cast_rays and _shapes one for each cast */
     int hit_count;
 } thud_played_call;
 
-/* Is told of a call that has been played. A call made by a callback comes before the call in which
- * the callback was. What `call` points to is valid during the call. The function must not change
- * the world, nor use the player. */
+/* Called with each call that has been played. A call made by a callback comes before the call in
+ * which the callback was. What `call` points to is valid during the call. The function must not
+ * change the world, nor use the player. */
 typedef void thud_played_call_fn(const thud_played_call *call, void *context);
 
 /* All zero selects the defaults. */
@@ -152,8 +152,8 @@ typedef struct thud_player_options {
     thud_log_fn *log;           /* of its world; is told why a recording is refused, too */
     void *log_context;          /* passed to log */
     thud_job_system job_system; /* of its world */
-    thud_chunk_fn *chunk;       /* default null: chunks are passed over */
-    thud_played_call_fn *call;  /* default null: no call is told, and that costs nothing */
+    thud_chunk_fn *chunk;       /* default null: chunks are skipped */
+    thud_played_call_fn *call;  /* default null: calls are not reported, which costs nothing */
     void *context;              /* passed to chunk and call */
     thud_clock_fn *clock;       /* of its world; default null: thud_stats has no times */
     void *clock_context;        /* passed to clock */
@@ -199,8 +199,8 @@ typedef struct thud_player_progress {
     int64_t end;    /* steps in all: where it ends */
     int64_t steps;  /* steps made so far: where it stands */
     int64_t hashes; /* hashes that were compared so far, and were equal */
-    bool differs;   /* the state is another one than was recorded: of these steps, after
-                       differs_after, one is the first that differs */
+    bool differs; /* the state is not the one that was recorded: it first differs at some step after
+                     differs_after, up to differs_at */
     int64_t differs_after; /* the step up to which all was equal */
     int64_t differs_at;    /* the step at which a difference was found */
     thud_body_id body; /* the first body that differs; null where that is not known, or where a call

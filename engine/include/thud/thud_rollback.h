@@ -68,9 +68,9 @@ THUD_API void thud_rollback_destroy(thud_rollback *rollback);
 THUD_API thud_result thud_rollback_input(thud_rollback *rollback, int player, int64_t step,
                                          uint64_t input);
 
-/* Repeats the steps with a wrong prediction, and then runs the next step. Where more steps have to
- * be repeated than `budget`, the call repeats so many, the world is then before the step
- * `progress.settled`, the next step is not run, *out_made is false, and the next call goes on.
+/* Repeats the steps with a wrong prediction, and then runs the next step. If more than `budget`
+ * steps have to be repeated, the call repeats only that many: the world is then before the step
+ * `progress.settled`, the next step is not run, *out_made is false, and the next call continues.
  * While an input of `depth` steps ago is not known, the next step is not run and *out_made (may be
  * null) is false: wait for the other peers. If `step` fails, or memory is short
  * (THUD_ERROR_MEMORY), the call returns that error. World and state are then at the beginning of
@@ -88,8 +88,9 @@ typedef struct thud_rollback_progress {
     int64_t replayed;  /* number of times that a step was run again */
     int64_t settled;   /* the first step that has to be run again; `steps` if none has. States up to
                           the smaller of this and `confirmed` are the same on all peers */
-    double ahead;      /* steps by which this peer is ahead of the others' mean, by what
-                          thud_rollback_set_lead heard: slow down by so many; negative: catch up */
+    double ahead; /* by how many steps this peer is ahead of the mean of the other peers, computed
+                     from the leads that thud_rollback_set_lead was given. Positive: slow down by
+                     that many steps; negative: catch up */
 } thud_rollback_progress;
 
 /* THUD_ERROR_NULL. */
@@ -134,8 +135,9 @@ typedef struct thud_rollback_difference {
                           none, or one that is missing here */
     int body_slot;     /* its slot; -1: none */
     int bodies;        /* number of bodies that differ */
-    int player;        /* the first whose input in the step before differs: it told its inputs
-                          differently. -1: none, or inputs that are no longer stored */
+    int player; /* the first player whose input in the step before differs between the two peers, so
+                   that they were sent different inputs. -1: none, or the inputs are no longer
+                   stored */
 } thud_rollback_difference;
 
 /* Compares a report of `bytes` bytes, from a peer with the same number of players, with this peer.
@@ -152,12 +154,12 @@ THUD_API thud_result thud_rollback_compare(thud_rollback *rollback, const void *
  * number with each message. THUD_ERROR_INVALID for a player that is none. */
 THUD_API thud_result thud_rollback_get_lead(const thud_rollback *rollback, int player,
                                             int64_t *out_lead);
-/* Notes the lead that a player's message has told, its thud_rollback_get_lead for this peer: how
- * many more steps it has run than it has inputs from here, |lead| <= THUD_ROLLBACK_DEPTH_MAX. Half
- * the difference of both leads is how far this peer is ahead: the delay between them cancels out
- * where it is the same in both directions. `progress.ahead` is the mean of that over all players
- * heard of, smoothed. It is as old as the delay, so correct a small share of it in each frame.
- * THUD_ERROR_INVALID. */
+/* Stores the lead that a message of a player contains: what the player's thud_rollback_get_lead
+ * returned for this peer: how many more steps it has run than it has inputs from here, |lead| <=
+ * THUD_ROLLBACK_DEPTH_MAX. Half the difference of both leads is how far this peer is ahead: the
+ * delay between them cancels out where it is the same in both directions. `progress.ahead` is the
+ * mean of that over all players heard of, smoothed. It is as old as the delay, so correct a small
+ * share of it in each frame. THUD_ERROR_INVALID. */
 THUD_API thud_result thud_rollback_set_lead(thud_rollback *rollback, int player, int64_t lead);
 
 /* ---- players who come and go ---- */

@@ -19,7 +19,8 @@
  * the calling thread alone. A thread of the pool that is late does not hold up a step either: the
  * calling thread then does that thread's part.
  *
- * When a call fails nothing has changed. A pool has no log: the code is all that is told. */
+ * When a call fails nothing has changed. A pool has no log, so that the result is all that says why
+ * a call failed. */
 #ifndef THUD_THREADS_H
 #define THUD_THREADS_H
 
@@ -48,8 +49,9 @@ THUD_NODISCARD THUD_API thud_result thud_threads_create(int workers,
  * casts with it. THUD_ERROR_LOCKED if a task of a step or of casts runs at that moment. */
 THUD_API thud_result thud_threads_destroy(thud_threads *threads);
 
-/* The job system for thud_world_def.job_system. Its `workers` may be set to another number: with
- * more of them than the pool has threads, some threads do the part of several. THUD_ERROR_NULL. */
+/* The job system for thud_world_def.job_system. Its `workers` may be set to another number: if
+ * there are more workers than threads of the pool, some threads do the work of several.
+ * THUD_ERROR_NULL. */
 THUD_API thud_result thud_threads_get_job_system(thud_threads *threads, thud_job_system *out);
 
 /* The same; of a null pool: all zero, which is the calling thread alone. */
