@@ -21,21 +21,33 @@ import { messageOf } from "./shared/error";
 import { chooseWasm } from "./wasm/choose";
 import type { RunningScene } from "./worker/protocol";
 
-/** What runs a level that a visitor brings. */
+/** The scene that runs a level which the visitor has opened from a file. */
 const OWN_LEVEL = "own_level";
-/** What plays a recording that a visitor brings. */
+/** The scene name of a recording which the visitor has opened from a file. */
 const RECORDING = "recording";
-/** Where code is shown, and its errors. */
+/** The panel that shows the scene's code and its errors. */
 const CODE_PANEL = "code";
 /** Where a scene's controls are. */
 const VALUES_PANEL = "values";
-/** Where a game is shared with others; it comes with the games that can be. */
+/**
+ * The panel in which a game is played with others over a network. Its button is shown for games
+ * that can be.
+ */
 const MATCH_PANEL = "match";
-/** The part of its time from which on a scene runs in slow motion. */
+/**
+ * A scene whose `Player.lag` (the share of real time by which it falls behind) is above this is
+ * reported as slow.
+ */
 const MUCH_LAG = 0.2;
-/** Milliseconds that code which does not answer is left to the visitor to end. */
+/**
+ * When a visitor's code does not answer, the visitor may end it or wait. After this many
+ * milliseconds the page ends it.
+ */
 const LONGEST_STUCK = 10_000;
-/** Milliseconds that the first scene stands still for a panel that comes with it. */
+/**
+ * If the address opens a panel, the first scene waits for it to load, but at most for this many
+ * milliseconds.
+ */
 const LONGEST_WAIT = 5000;
 
 void start();
@@ -54,7 +66,7 @@ async function start(): Promise<void> {
   const app = new App(() => stage.look);
   const wasm = chooseWasm();
   const loaded = app.load(wasm);
-  loaded.catch(() => {}); // it is awaited below, or, where nothing can be drawn, not at all
+  loaded.catch(() => {}); // a failure is reported where `loaded` is awaited, below; this keeps the browser from reporting it if that line is never reached
   try {
     stage = new Stage(await createRenderer(byId<HTMLCanvasElement>("bodies")));
   } catch (error) {
@@ -62,7 +74,8 @@ async function start(): Promise<void> {
     return;
   }
   stage.attach(app);
-  // What takes room on the page is there before the engine is: nothing moves when it comes.
+  // The figures and the time slider, which take up space, are added before the engine is loaded, so
+  // that the scene need not move when it appears.
   const hud = new Hud();
   new Timeline(app);
   layOut(app, stage);
@@ -83,14 +96,17 @@ async function start(): Promise<void> {
   await assemble(app, stage, hud);
 }
 
-/** What a visitor need not wait for. */
+/**
+ * Loads what the first picture does not need: the rest of the engine, the gallery, and the service
+ * worker.
+ */
 function afterFirstPicture(app: App, loadGallery: () => void): void {
   performance.mark("first picture");
   app.client
     .ask("complete", {})
     .catch((error) => fail("A part of the engine is missing", messageOf(error), [], reload))
     .finally(loadGallery);
-  // Without it the page works, but not without a network.
+  // If this fails, the page works all the same, but only with a network.
   import("./offline/register").then(({ keepOffline }) => keepOffline(offerUpdate), () => {});
 }
 
@@ -118,7 +134,8 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
       ({ ABOUTS, addGallery, describeScene, Score, ...words }) => {
         addGallery(app, dock, (brought) => void openFiles(brought));
         score = new Score();
-        // What is shown may stand still, so that no other frame brings its figures.
+        // The scene may be paused, so that no further frame comes: the figures of the shown one are
+        // shown now.
         if (score.show(app.player.shown?.frame.paint ?? null)) change();
         describeScene(app);
         how = words;
@@ -148,9 +165,10 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   applyTheme();
   onPrint(() => stage.draw(0));
   window.addEventListener("resize", change);
-  // A link to other code in the same page: browsers do not load the page again for it.
+  // The visitor followed a link that differs only in the part after the #, such as other code:
+  // browsers do not load the page again for that, so it is done here.
   window.addEventListener("hashchange", () => history.state ?? location.reload());
-  // Back and forward between scenes.
+  // The visitor went back or forward in the browser's history, to another scene.
   window.addEventListener("popstate", ({ state }) => {
     if (state) void readAddress(app).then((address) => address && runFirst(app, address));
   });
@@ -180,15 +198,18 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   app.player.waiting = false;
 }
 
-/** What tells how games are played; the gallery brings it with what it tells of scenes. */
+/** The functions that describe a game's keys. They are loaded with the gallery's module. */
 let how: Pick<typeof import("./page/how"), "howToPlay" | "isTouch"> | null = null;
 
-/** Shows the figures and the message of a game; comes with the gallery. */
+/** Shows the figures and the message of a game. It is loaded with the gallery's module. */
 let score: InstanceType<typeof import("./page/score").Score> | null = null;
 
 let slow: Promise<void> | null = null;
 
-/** Tells that the scene has stopped by an error, and offers a recording of what led to it. */
+/**
+ * Shows a notice that an error has stopped the scene, with a button that saves a recording of the
+ * steps before it.
+ */
 function tellStopped(app: App, message: string): void {
   notice(`The scene stopped: ${message} `, 30);
   if (app.state.match || app.state.recording?.fork === null) return;
@@ -202,21 +223,27 @@ function tellStopped(app: App, message: string): void {
   byId("notice").append(button);
 }
 
-/** Most scenes never come to that. */
+/** Loads the report on slow scenes when it is first needed, which is never for most scenes. */
 function tellSlow(app: App): void {
   slow ??= import("./page/slow").then(({ watch }) => watch(app));
 }
 
-/** A panel that compares or records begins with the scene's first step, if it comes in time. */
+/**
+ * Lets the clock wait before the first step, so that a panel that compares or records gets all
+ * steps. The clock starts after LONGEST_WAIT at the latest.
+ */
 function waitForPanel({ player }: App): void {
   player.waiting = true;
   setTimeout(() => (player.waiting = false), LONGEST_WAIT);
 }
 
-/** Addresses that were read one after the other: the last one counts. */
+/** The number of addresses that were begun to be read; the result of an earlier one is dropped. */
 let addressesRead = 0;
 
-/** Null where the visitor has gone on to another address meanwhile. */
+/**
+ * Reads the state from the page's address. Null if the visitor has opened another address
+ * meanwhile.
+ */
 async function readAddress(app: App): Promise<Partial<State> | null> {
   const number = ++addressesRead;
   const kept = history.state as Partial<State> | null;
@@ -244,8 +271,8 @@ async function runFirst(app: App, state: Partial<State>): Promise<void> {
     fail(own ? "The level is not in this link" : "Not found", text, [], toFirst(app));
     return;
   }
-  // Code from a link is another's, unless it was written in this tab: it runs when the visitor has
-  // read it and says so.
+  // Code from a link may be a stranger's, unless it is the draft that was written in this tab. It
+  // is shown, and runs only when the visitor says so.
   const more = { size, seed, camera, claim, level, invite };
   const draft = code && readDraft(scene) === code ? code : null;
   if (!draft || !(await app.open(scene, { ...more, code: draft }))) await app.open(scene, more);
@@ -255,7 +282,10 @@ async function runFirst(app: App, state: Partial<State>): Promise<void> {
     notice("The code in this link is damaged, so the page’s own scene runs.", 20);
 }
 
-/** Whoever asked for less motion finds a scene that waits, and is told how it runs. */
+/**
+ * If the scene is paused because the visitor's system asks for reduced motion, shows a notice that
+ * says how to run it.
+ */
 function tellStill(app: App): void {
   if (!app.waitsForMotion) return;
   notice("You asked your device for less motion, so the scene waits: press Play ▶ to run it.", 3600);
@@ -273,8 +303,8 @@ function toFirst(app: App): WayOn {
 }
 
 /**
- * What is told of scenes: what to look at, how to play, what is wrong. `hinted`: a hint is shown;
- * `change` lays the page out anew.
+ * Shows messages about the running scene: what to look at, how to play, what went wrong. `hinted`:
+ * the hint of a first visit is shown; `change` lays the page out anew.
  */
 function listenToScenes(
   app: App,
@@ -283,8 +313,11 @@ function listenToScenes(
   const { dock, hud, change } = parts;
   let { hinted } = parts;
   let announced = "";
-  /** A scene has begun of which nothing is told yet; its first frame is there; it speaks itself;
-   * its buttons do. */
+  /**
+   * Four states of the running scene: `untold`, its message has not been shown yet; `framed`, its
+   * first frame has come; `speaks`, the scene shows a message of its own; `worded`, its on-screen
+   * buttons have words.
+   */
   let [untold, framed, speaks, worded] = [false, false, false, false];
   const tell = () => {
     if (!untold || !framed || !app.abouts || !how) return;
@@ -293,13 +326,13 @@ function listenToScenes(
     const play = worded && how.isTouch() ? "" : how.howToPlay(app.scene!.keys);
     const text = `${speaks ? "" : about} ${play}`.trim();
     if ((speaks || (hinted && !play)) && about) say(about);
-    // To whom a hint is shown, the first scene tells nothing more but how it is played.
+    // While the hint of a first visit is shown, the only message is how the game is played.
     if (text && (play || !hinted) && byId("notice").hidden) notice(text, play ? 15 : 7);
     hinted = false;
   };
-  /** Takes back what was told of a scene that could not be run, or did not answer. */
+  /** Hides the failure message of a scene that could not be run, or did not answer. */
   let takeBack = () => {};
-  /** What lists the notes of scenes, once one has some. */
+  /** The module that lists the notes of a scene; loaded when a scene first has some. */
   let leftOut: Promise<typeof import("./page/left-out")> | undefined;
   app.listen({
     run(scene) {
@@ -311,12 +344,13 @@ function listenToScenes(
       byId("scene-title").textContent = title;
       byId("scenes-button").setAttribute("aria-label", `Scenes and levels; now: ${title}`);
       document.title = `${title} · thud`;
-      // Other code may have other keys, and the same title.
+      // The title alone does not tell two scenes apart: a visitor's code may have the same title
+      // and other keys.
       const played = title + JSON.stringify(scene.keys);
       untold = announced !== played;
       framed = false;
       say(untold ? title : `${title}, from the beginning`);
-      // What was told of the scene before is not of this one.
+      // A message about the scene before does not apply to this one.
       if (untold && announced !== "") {
         notice("");
         hinted = false;
@@ -335,7 +369,7 @@ function listenToScenes(
     frame({ paint }) {
       if (score?.show(paint)) change();
       framed = true;
-      // A scene that has a message of its own says by itself what to do.
+      // If the scene shows a message of its own, the page does not repeat what to do.
       speaks = Boolean(paint?.message);
       worded = Boolean(paint?.buttons);
       tell();
@@ -363,7 +397,7 @@ function listenToScenes(
           `This ${app.state.recording ? "recording" : app.state.level ? "level" : "scene"} cannot be run`,
           message,
           details,
-          // What ran before has never stopped.
+          // The scene that ran before goes on running, so that going back has nothing to do.
           app.scene ? { label: "Go back", go() {} } : toFirst(app),
         );
     },
@@ -376,7 +410,7 @@ function listenToScenes(
           [],
           { label: "End it and go back", go: () => void app.endCode() },
         );
-        // What never ends may take ever more memory, and the whole tab with it.
+        // Code in an endless loop may allocate memory until the whole tab crashes.
         const end = setTimeout(() => {
           takeBack();
           void app.endCode();
@@ -401,8 +435,9 @@ function listenToScenes(
 }
 
 /**
- * A scene that begins opens the panel that it asks for. Values comes with a scene that has some to
- * set, and goes with it. `comes`: the visitor is invited to a match, or may come back to one.
+ * Opens the panel that a new scene asks for. The button of the panel Values is shown for scenes
+ * with controls only. `begins`: the scene is not the one before, started again. `comes`: the
+ * visitor is invited to a match, or may return to one.
  */
 function showPanel(
   dock: Dock,
@@ -418,13 +453,13 @@ function showPanel(
   show(VALUES_PANEL, has);
   show(MATCH_PANEL, shared);
   if (!begins) return;
-  // On a phone the panel would stand over the game's buttons.
+  // On a phone the panel would cover the game's buttons.
   if (shared && (comes || matchMedia("(width >= 40em)").matches)) void dock.show(MATCH_PANEL, false);
   else if (panel) void dock.show(panel === "contacts" ? "inside" : panel, false);
   else if (has) void dock.show(VALUES_PANEL, false);
 }
 
-/** Whether this tab was in a match that it may come back to; see panels/match/match.ts. */
+/** Whether this tab was in a match to which it may return; see panels/match/match.ts. */
 function wasInRoom(): boolean {
   try {
     return Boolean(sessionStorage.matchRoom);
@@ -433,7 +468,7 @@ function wasInRoom(): boolean {
   }
 }
 
-/** Fits the scene into what the page leaves free now. */
+/** Fits the scene into the part of the page that nothing covers now. */
 function layOut(app: App, stage: Stage): void {
   stage.view.camera.insets = freeOf();
   stage.view.resize();
@@ -441,21 +476,25 @@ function layOut(app: App, stage: Stage): void {
   app.refresh();
 }
 
-/** What the controls leave free of the page. */
+/** The margins in CSS pixels of the part of the page that no controls cover. */
 function freeOf(): { top: number; right: number; bottom: number; left: number } {
-  // A hint that is closed gives its room back with the next scene: nothing moves under a hand.
+  // When the hint is closed, its space is used from the next scene on, so that the scene does not
+  // move while the visitor's pointer is on it.
   const top = Math.max(...["top", "hint", score?.told ?? "top"].map((id) => atRest(id).bottom));
   const bottom = innerHeight - atRest("bottom").top;
   const dock = atRest("dock");
   const free = { top: top + 8, right: 16, bottom: bottom + 8, left: 16 };
   if (dock.width === 0) return free;
-  // Beside the scene where there is room, else a sheet over its lower part.
+  // A narrow dock is beside the scene; on a phone it covers the lower part of the scene.
   if (dock.width < 0.6 * innerWidth) free.right = innerWidth - dock.left + 8;
   else free.bottom = innerHeight - dock.top + 8;
   return free;
 }
 
-/** Where an element will stand that may still be gliding into its place. */
+/**
+ * The bounds that an element will have when its CSS transition, which moves it into place, has
+ * ended.
+ */
 function atRest(id: string): DOMRect {
   const { x, y, width, height } = byId(id).getBoundingClientRect();
   const glide = new DOMMatrix(getComputedStyle(byId(id)).transform);

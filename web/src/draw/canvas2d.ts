@@ -36,7 +36,10 @@ const LEAST_BEAD = 5;
 interface Batch {
   fill: string;
   rim: string;
-  /** Null where the bodies are not dynamic: these have no beads. */
+  /**
+   * Colour of the dot that shows how a round body turns; null where the bodies are not dynamic,
+   * which have no dots.
+   */
   bead: string | null;
   rows: number[];
 }

@@ -21,7 +21,7 @@ export interface Listener {
   frame?(frame: Frame): void;
   /** The worker has made steps; one sample for each. */
   samples?(samples: readonly Sample[]): void;
-  /** A picture has been drawn that is not as the one before. */
+  /** A picture has been drawn that differs from the one before. */
   drawn?(): void;
   /** `App.state` has changed. */
   state?(state: Readonly<State>): void;
@@ -67,7 +67,7 @@ export class App {
     panel: null,
     claim: null,
   };
-  /** What the worker says of the running scene; null: none runs. */
+  /** The worker's description of the running scene; null: none runs. */
   scene: RunningScene | null = null;
   /** The address's scene was paused only because the visitor's system asks for reduced motion. */
   waitsForMotion = false;
@@ -81,7 +81,7 @@ export class App {
   wasm: ChosenWasm = { wasm: "", simd: true };
   readonly #listeners = new Set<Listener>();
   readonly #look: () => Look;
-  /** Single steps that were requested and are not made yet. */
+  /** Number of single steps that the visitor has requested and the worker has not made yet. */
   #owed = 0;
   /** An error paused the scene, not the visitor: the next scene is not paused. */
   #halted = false;
@@ -176,7 +176,7 @@ export class App {
   async restart(): Promise<boolean> {
     // A link's claim holds only for the choices that came with it.
     this.state.claim = null;
-    // Nor can one player begin a match anew.
+    // A match is left: one player alone cannot start it again.
     this.state.match = null;
     return this.#run();
   }
@@ -442,16 +442,18 @@ export class App {
     this.#keepShapes(frame);
     const { player } = this;
     const made = frame.step - player.newest;
-    // A match that waits for its players, or a recording at its end, makes no step for now.
+    // A match that waits for inputs of its players, and a recording at its end, make no step.
     const stands = frame.ended && made === 0;
-    // Who joins a match begins in its midst, and makes up for steps that others have made.
+    // A player who joins a running match begins at a late step, and makes several steps at once to
+    // catch up with the others.
     const leaps = this.state.match !== null && frame.step > player.wanted;
     if (player.paused || stands || leaps) player.jump(frame);
     else player.take(frame);
     this.#owed = Math.max(0, this.#owed - made);
     if (frame.samples.length > 0) this.#tell((listener) => listener.samples?.(frame.samples));
     this.#tell((listener) => listener.frame?.(frame));
-    // A worker that is behind gets its next request now, not with the display's next picture.
+    // If the worker has not kept up with the display, it gets its next request now, without waiting
+    // for the next picture.
     if (!player.paused && !stands) this.requestFrame();
   }
 

@@ -1,21 +1,23 @@
 /**
- * Opens what a visitor brings: a recording, or a level of the Tiled editor. A recording is known by
- * its first bytes, whatever its name is. Imported when the first file is opened.
+ * Opens files of the visitor: a recording, or a level of the Tiled editor. A recording is
+ * recognised by its first bytes, whatever its name is. Imported when the first file is opened.
  */
 import { messageOf } from "../shared/error";
 import type { App } from "./app";
 import { notice } from "./messages";
 import { type Brought, findLevel } from "./own-level";
 
-/** What runs a level that a visitor brings. */
+/** The scene that runs a level which the visitor has opened from a file. */
 const OWN_LEVEL = "own_level";
 /** The first bytes of a recording: TD_RECORDING_MAGIC in engine/src/recording/recording.h. */
 const MAGIC = "thudrec\0";
 /** The ending that the page gives to recordings. */
 const ENDING = /\.rec$/i;
 
-/** Opens a recording or a level among files and folders. What ran before goes on if there is
- * none. */
+/**
+ * Opens the recording or the level that is among these files and folders. If there is none, the
+ * running scene goes on.
+ */
 export async function openBrought(app: App, brought: readonly Brought[]): Promise<void> {
   try {
     const recording = await findRecording(brought);
@@ -32,8 +34,10 @@ export async function openBrought(app: App, brought: readonly Brought[]): Promis
   }
 }
 
-/** The first recording among files; those in folders are not looked at. Throws if a file is named
- * as one and is none. */
+/**
+ * The first recording among the files; files in folders are not searched. Throws if a file has the
+ * ending of a recording and is none.
+ */
 async function findRecording(brought: readonly Brought[]): Promise<File | null> {
   for (const one of brought) {
     const file = await fileOf(one);

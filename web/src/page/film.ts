@@ -1,7 +1,7 @@
 /**
- * Makes a video of what the time slider reaches: goes through its steps once more, as fast as they
- * were, and copies the scene's three canvases into one each time they are drawn, of which the
- * browser's MediaRecorder makes the video. Imported when the first one is made.
+ * Makes a video of the steps that the time slider reaches. They are shown once more at their speed;
+ * each time the scene's three canvases are drawn they are copied into one canvas, which the
+ * browser's MediaRecorder records. Imported when the first one is made.
  */
 import "../style/film.css";
 import { messageOf } from "../shared/error";
@@ -11,7 +11,7 @@ import { count } from "./format";
 import { notice } from "./messages";
 import { saveFile } from "./save-file";
 
-/** The canvases of the scene, the lowest first. */
+/** The ids of the scene's canvases, from the lowest to the topmost. */
 const CANVASES = ["backdrop", "bodies", "overlay"];
 /** Formats of a video with the endings of their files, the best first. */
 const FORMATS = [
@@ -30,18 +30,19 @@ function formatOf(): readonly [type: string, ending: string] | undefined {
   return films ? FORMATS.find(([type]) => MediaRecorder.isTypeSupported(type)) : undefined;
 }
 
-/** Milliseconds for which the last picture stays. Chosen. */
+/** Milliseconds for which the last picture is shown at the end of the video. Chosen. */
 const LAST_PICTURE = 200;
 /**
- * An encoder may take a second to begin, and drops what it is given until then: the first picture
- * stays until so many bytes have come. Milliseconds between two looks. Chosen.
+ * An encoder may take a second to start, and drops the pictures that it gets until then. So the
+ * first picture is held until the encoder has produced BEGUN bytes, which is checked every LOOKS
+ * milliseconds. Chosen.
  */
 const BEGUN = 500;
 const LOOKS = 50;
 /**
- * The encoder of a busy browser may give nothing at all. Milliseconds for which each encoder is
- * waited for; without a byte until then the next one is begun. The steps are filmed by the last one
- * in any case, and there is no video if it has given nothing by the end. Chosen.
+ * The encoder of a busy browser may produce nothing at all. If the first encoder has not produced a
+ * byte after so many milliseconds, a second one is started, and then a third. The steps are filmed
+ * by the last one in any case; if it has produced nothing by the end, there is no video. Chosen.
  */
 const TRIES = [3000, 5000, 10_000];
 
@@ -54,12 +55,13 @@ class Film {
   /** The ending of the file's name. */
   readonly ending: string;
 
-  /** Begins to film. Throws where the browser cannot. */
+  /** Starts the encoder. Throws if the browser cannot make videos. */
   constructor(app: App) {
     const format = formatOf();
     if (!format) throw new Error("this browser makes none.");
     this.ending = format[1];
-    // Encoders want even numbers of pixels. A window whose size changes is fitted into the first one.
+    // Encoders need even numbers of pixels. If the window's size changes later, its pictures are
+    // fitted into the first size.
     const { width, height } = byId<HTMLCanvasElement>("overlay");
     this.#canvas.width = width & ~1;
     this.#canvas.height = height & ~1;
@@ -75,7 +77,10 @@ class Film {
     this.#forget = app.listen({ drawn: () => this.#take() });
   }
 
-  /** Copies the picture. WebGL keeps its own only until the browser has shown it. */
+  /**
+   * Copies the scene's picture. This must be done right after drawing, since the content of a WebGL
+   * canvas is lost once the browser has shown it.
+   */
   #take(): void {
     const { width, height } = this.#canvas;
     const context = this.#canvas.getContext("2d")!;
@@ -97,15 +102,15 @@ class Film {
     }
   }
 
-  /** How many bytes the encoder has given so far. */
+  /** Number of bytes that the encoder has produced so far. */
   get bytes(): number {
     return this.#parts.reduce((sum, { size }) => sum + size, 0);
   }
 
-  /** Ends the film, and returns it. Throws if the encoder has given nothing. */
+  /** Stops the encoder, and returns the video. Throws if the encoder has produced nothing. */
   async end(): Promise<Blob> {
     this.#forget();
-    // The browser ends it by itself after an error.
+    // After an error the browser has stopped the recorder already.
     if (this.#recorder.state !== "inactive") this.#recorder.stop();
     await this.#ended;
     for (const track of this.#recorder.stream.getTracks()) track.stop();
@@ -114,8 +119,10 @@ class Film {
   }
 }
 
-/** Films what the time slider reaches, and gives the visitor the video. The scene must not be a match
- * over a network, which cannot go back. */
+/**
+ * Films the steps that the time slider reaches, and saves the video as a file for the visitor. The
+ * scene must not be a match over a network, which cannot go back.
+ */
 export async function saveVideo(app: App): Promise<void> {
   const shown = app.player.shown?.frame;
   if (!shown || !app.scene) return;
@@ -146,8 +153,10 @@ export async function saveVideo(app: App): Promise<void> {
   if (app.scene?.run === run && app.state.paused) app.setPaused(paused);
 }
 
-/** Begins a film of the present picture, and resolves when its encoder has begun. A visitor who does
- * not want to wait any longer gets what there is. */
+/**
+ * Starts a film with the present picture, and resolves when its encoder has started, or when the
+ * visitor has ended the wait (`stopped`).
+ */
 async function begin(app: App, stopped: () => boolean): Promise<Film> {
   for (let tries = 1; ; tries++) {
     const film = new Film(app);
@@ -157,8 +166,10 @@ async function begin(app: App, stopped: () => boolean): Promise<Film> {
   }
 }
 
-/** Goes through the steps while it films. Ends early if `stopped`, if the visitor lets the scene go
- * on, and if another one begins. */
+/**
+ * Plays the steps while they are filmed. Ends early if `stopped`, if the visitor resumes the scene,
+ * or if another scene starts.
+ */
 async function play(
   app: App,
   stopped: () => boolean,

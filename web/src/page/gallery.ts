@@ -38,7 +38,7 @@ export function addGallery(app: App, dock: Dock, openFiles: (brought: Brought[])
     const part = partFor(entry, typedWords());
     dialog.close();
     if (!(await app.open(entry.name))) return;
-    // Whoever paused the scene before has not paused this one.
+    // The visitor has paused the scene before, not the one that is chosen now.
     if (app.state.paused && !matchMedia("(prefers-reduced-motion: reduce)").matches)
       app.setPaused(false);
     if (!part) return;
@@ -238,7 +238,10 @@ function markScene(name: string): void {
   }
 }
 
-/** Shows a sign while files are dragged over the page, and opens those that are dropped. */
+/**
+ * Shows a message over the page while files are dragged over it, and opens the files that are
+ * dropped.
+ */
 function listenToDrops(openFiles: (brought: Brought[]) => void): void {
   const sign = byId("drop");
   document.addEventListener("dragover", (event) => {

@@ -37,7 +37,8 @@ export function addHint(app: App): boolean {
   let first = "";
   const stopListening = app.listen({
     run(scene) {
-      // Who chooses a scene knows how to begin. One that begins anew keeps its place below the hint.
+      // A visitor who has chosen another scene needs no hint any more. If the same scene starts
+      // again, the hint stays.
       first ||= app.state.scene;
       if (app.state.scene !== first) return goAway();
       // A game shows its own instructions.

@@ -1,11 +1,11 @@
 /**
- * The notes of a level on parts of its map that are left out: a notice with the first note, and a
- * dialog with all of them, which a button in the dialog of scenes opens as well.
+ * Shows the notes of a level, which say which parts of its map the page leaves out: a notice with
+ * the first note, and a dialog with all of them, which a button in the gallery opens as well.
  */
 import { byId, make } from "./dom";
 import { notice } from "./messages";
 
-/** Notes in the list at most; browsers are slow with longer lists. Chosen. */
+/** Maximum number of notes in the list; browsers are slow with longer lists. Chosen. */
 const MOST_LINES = 2000;
 
 let dialog: HTMLDialogElement | null = null;

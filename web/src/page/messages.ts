@@ -6,7 +6,10 @@ import { byId, make } from "./dom";
 
 /** Announcements that stay in the log, since a screen reader may be some behind. Chosen. */
 const SAID = 3;
-/** Details of a failure that are listed at most; browsers are slow with longer lists. Chosen. */
+/**
+ * Maximum number of details of a failure that are listed; browsers are slow with longer lists.
+ * Chosen.
+ */
 const MOST_DETAILS = 2000;
 
 let noticeTimer = 0;

@@ -5,7 +5,10 @@
 import { type Level, readLevel } from "thud/level";
 import { messageOf } from "../shared/error";
 
-/** Bytes of a file, and number of files, that are read at most. Chosen far above those of maps. */
+/**
+ * Maximum size in bytes of a file that is read, and maximum number of files. Chosen far above those
+ * of maps.
+ */
 const LARGEST_FILE = 2 ** 26;
 const MOST_FILES = 5000;
 
@@ -45,7 +48,10 @@ export async function findLevel(brought: readonly Brought[]): Promise<OwnLevel> 
   return { name: nameOf(map), files, others: others.map(({ file }) => file.name) };
 }
 
-/** The files among which there is no map, in words. */
+/**
+ * Words for the error message that no map was found: among which files. If the folder has more
+ * files than are read, they advise to open the map's own folder.
+ */
 function amongWhich(found: readonly Found[]): string {
   if (found.length < MOST_FILES) return "among these files";
   return `among the first ${MOST_FILES.toLocaleString("en")} files: open the map’s own folder`;

@@ -1,6 +1,7 @@
 /**
- * Recordings on the page: opens one, with a bar of its own below the scene, lists the calls of its
- * steps, goes on from one of them by hand, and saves what runs as one. Imported when the first recording is opened or saved.
+ * Recordings on the page: opens one and shows a bar for it below the scene; lists the calls of its
+ * steps; forks it, so that the visitor can change what happens from a step on; and saves the
+ * running scene as a recording. Imported when the first recording is opened or saved.
  */
 import "../style/recording.css";
 import recordedUrl from "thud/thud-recorded.wasm?url";
@@ -13,16 +14,18 @@ import { notice } from "./messages";
 import { saveFile } from "./save-file";
 import { SPEEDS } from "./url";
 
-/** What plays a recording; no file of web/public/scenes has this name. */
+/** The scene name of recordings; no file of web/public/scenes has this name. */
 const RECORDING = "recording";
-/** Bytes of a recording that is opened at most. Chosen. */
+/** Maximum size in bytes of a recording that is opened. Chosen. */
 const LARGEST_FILE = 2 ** 28;
 
 /** Made when the first recording is opened. */
 let bar: Bar | null = null;
 
-/** Plays a file in place of what runs. If it cannot be played, that is told, and what runs goes
- * on. */
+/**
+ * Plays a recording in place of the running scene. If it cannot be played, shows why, and the
+ * running scene goes on.
+ */
 export async function openRecording(app: App, file: File): Promise<void> {
   if (file.size > LARGEST_FILE) throw new Error(`“${file.name}” is too large for a recording.`);
   const bytes = new Uint8Array(await file.arrayBuffer());
@@ -30,13 +33,15 @@ export async function openRecording(app: App, file: File): Promise<void> {
   bar ??= new Bar(app);
   const recording = { name, bytes, wasm: recordedUrl, fork: null };
   if (!(await app.open(RECORDING, { recording }))) return;
-  // Whoever paused the scene before has not paused this.
+  // The visitor has paused the scene before, not this recording.
   if (app.state.paused && !matchMedia("(prefers-reduced-motion: reduce)").matches)
     app.setPaused(false);
 }
 
-/** Records the steps from the first that is kept to the one that is shown, and gives them to the
- * visitor as a file. */
+/**
+ * Records the steps from the oldest one that the history keeps to the one that is shown, and saves
+ * the recording as a file.
+ */
 export async function saveRecording(app: App): Promise<void> {
   try {
     const { bytes, steps } = await app.client.ask("record", { wasm: recordedUrl }, (part) =>
@@ -49,7 +54,7 @@ export async function saveRecording(app: App): Promise<void> {
   }
 }
 
-/** The bar of a recording that is shown: its speed, and the way to change it and back. */
+/** The bar below a recording: its speed, and the buttons that fork it and that return to it. */
 class Bar {
   readonly #app: App;
   readonly #speed = make(
@@ -91,9 +96,12 @@ class Bar {
     this.#fork,
     this.#back,
   );
-  /** Whether the visitor wants the calls listed; in a fork the list is hidden meanwhile. */
+  /**
+   * Whether the visitor wants the calls of each step listed. The list is hidden in a fork, whose
+   * calls are not known.
+   */
   #lists = false;
-  /** The run whose first frame has come. */
+  /** The number of the run (RunningScene.run) whose first frame has come. */
   #begun = 0;
   /** The step at which the last fork was made. */
   #forkedAt = 0;
@@ -128,7 +136,7 @@ class Bar {
     this.#showCalls(hidden !== this.#element.hidden);
   }
 
-  /** Lists the calls, or no longer. */
+  /** Begins (`on`) or ends listing the calls. */
   #listCalls(on: boolean): void {
     this.#lists = on;
     this.#showCalls();
@@ -175,7 +183,7 @@ class Bar {
     if (ended && !state.paused) this.#app.setPaused(true);
   }
 
-  /** Goes on by hand from the step that is shown. */
+  /** Forks the recording: from the step that is shown the visitor can change what happens. */
   async #goOn(): Promise<void> {
     const { recording } = this.#app.state;
     const step = this.#app.player.shown?.frame.step;
@@ -187,7 +195,7 @@ class Bar {
     notice(`This goes on by hand from step ${step}: drag, add, explode.`);
   }
 
-  /** Shows the recording again, at the step where it was left. */
+  /** Returns from the fork to the recording, at the step at which it was forked. */
   async #goBack(): Promise<void> {
     const { recording } = this.#app.state;
     if (!recording) return;

@@ -4,7 +4,7 @@ import { byId, make } from "./dom";
 import { say } from "./messages";
 
 export class Score {
-  /** The id of an element that the scene stands below. */
+  /** The id of the lowest element at the top of the page; the scene is placed below it. */
   told = "top";
   readonly #root = byId("figures");
   readonly #line = byId("message");

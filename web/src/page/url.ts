@@ -94,7 +94,7 @@ export interface State {
   match: Match | null;
   /** A packed invitation to a match, or the answer to one; see panels/match/invitation.ts. */
   invite: string | null;
-  /** How many bodies or the like; undefined: the scene's usual size. */
+  /** The scene's size, such as a number of bodies; undefined: the scene's usual size. */
   size?: number;
   seed: number;
   choices: Choices;

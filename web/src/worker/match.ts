@@ -21,9 +21,9 @@ const DEPTH = 90;
 const INPUT_DELAY = 2;
 /** Steps that a player who has joined late may run in one `makeStep`, to catch up. Chosen. */
 const CATCH_UP = 30;
-/** Milliseconds between two looks at whether something has to be told although no step was made. */
+/** Milliseconds between two calls of `#beat`, which sends packets even if no step is made. */
 const BEAT = 40;
-/** Beats between two messages to the page of how the match goes. Chosen. */
+/** Number of beats between two `MatchNews` to the page. Chosen. */
 const TOLD_EVERY = 5;
 /**
  * World units: a body that one correction moves further is not counted in `MatchNews.correction`,
@@ -36,9 +36,12 @@ const ALONE = "All players make a match’s steps together: this works in a game
 /** What the page sends through the port of a match. */
 export type ToMatch =
   | { from: number; bytes: ArrayBuffer }
-  /** Somebody is gone; `over`: on purpose, and not to come back. The match ends if it is the host. */
+  /**
+   * The player `lost` is disconnected; `over`: it left on purpose and will not return. If it is the
+   * host, the match ends.
+   */
   | { lost: number; over: boolean }
-  /** Somebody comes in the midst of the match, to the host. */
+  /** To the host: the player `joined` comes while the match is running. */
   | { joined: number }
   /** The host is gone, and this other player takes its place. */
   | { follow: number }
@@ -52,38 +55,47 @@ export type ToMatch =
 export type FromMatch =
   | { to: number; bytes: Uint8Array<ArrayBuffer>; sure: boolean }
   | { news: MatchNews }
-  /** Somebody is ready to go on with this player as the host. */
+  /** The player `follower` is ready to continue with this player as the host. */
   | { follower: number }
-  /** This player is the host now; these followers cannot go on. */
+  /** This player is the host now; the players listed here cannot continue. */
   | { tookOver: number[] };
 
 /** How a match goes. */
 export interface MatchNews {
-  /** Milliseconds there and back; null: not known yet. */
+  /** Milliseconds that a packet takes to another player and back; null: not known yet. */
   roundTrip: number | null;
-  /** How often steps were run again, and how many in all. */
+  /**
+   * `rollbacks`: how many times steps had to be run again after a wrong prediction; `replayed`: the
+   * number of these steps in all.
+   */
   rollbacks: number;
   replayed: number;
-  /** The largest way by which a body was corrected since the last news, in world units. */
+  /**
+   * The largest distance, in world units, by which running steps again has moved a body since the
+   * last news.
+   */
   correction: number;
   /** Steps by which this player is ahead of the others. */
   ahead: number;
-  /** The next step waits for inputs of others. */
+  /** The next step cannot be made until inputs of other players arrive. */
   waits: boolean;
   /**
-   * How many hashes of others were equal to the own ones; the last step that is final here, and its
-   * hash.
+   * `equal`: how many hashes that other players sent were equal to the hashes of the same steps
+   * here; `final`: the last step here whose inputs are all known, and its hash.
    */
   equal: number;
   final: { step: number; hash: string };
   refused: number;
-  /** What is wrong: the first step and body that differ; null: nothing. */
+  /**
+   * A sentence that names the first step and body in which the state here differs from another
+   * player's; null: none does.
+   */
   difference: string | null;
-  /** The players who are there. */
+  /** Numbers of the players who are connected. */
   present: number[];
 }
 
-/** Starts a match of a scene that says how it is played. */
+/** Starts a match. The scene must have `match`, which says how several play it. */
 export async function play(
   run: number,
   module: SceneModule,
@@ -94,13 +106,14 @@ export async function play(
   const thud = await import("thud");
   const { own, host, port } = request.match!;
   const reader = own === host ? null : await readWelcome(port, new thud.WelcomeReader());
-  // What a visitor has chosen for other scenes would make another game of it.
+  // The choices of this visitor are not used: all players must run the same game.
   const asked = { ...request, choices: USUAL };
   let bare: Uint8Array<ArrayBuffer> = new Uint8Array();
   const session = (await setUp(run, module, engine, asked, readText, {
     kind: MatchSession,
-    // Handles are those of a world. A world that is given the state of another one before anything is
-    // built in it has the same handles after the same calls, so that the scene can use its own.
+    // Handles differ from world to world. But if this empty world is first restored to the snapshot
+    // of the host's world when that was empty, the same calls give the same handles, so that the
+    // handles which the scene keeps are valid in the host's state.
     made(world: World) {
       if (reader && reader.more.length > 0) world.restore(reader.more);
       bare = world.snapshot();
@@ -115,7 +128,10 @@ export async function play(
   return session;
 }
 
-/** Waits for the game that the host tells; what comes after it waits in the port. */
+/**
+ * Waits until the host has sent the whole state of the game. Messages that come after it are kept
+ * in `waiting`.
+ */
 function readWelcome(port: MessagePort, reader: WelcomeReader): Promise<WelcomeReader> {
   return new Promise((resolve, reject) => {
     const fail = (message: string) => reject(new SceneError({ message }));
@@ -131,7 +147,7 @@ function readWelcome(port: MessagePort, reader: WelcomeReader): Promise<WelcomeR
   });
 }
 
-/** What came through ports between the welcome and the scene's beginning. */
+/** Messages that came through a port after the host's state and before the scene was built. */
 const waiting = new WeakMap<MessagePort, MessageEvent[]>();
 
 class MatchSession extends Session {
@@ -147,16 +163,16 @@ class MatchSession extends Session {
   #over = false;
   /** Whether the match is over because the others left on purpose; false: the connection ended. */
   #isLeft = false;
-  /** Beats in all, and the last in which a packet was sent. */
+  /** Number of beats so far, and the number of the last beat in which packets were sent. */
   #beats = 0;
   #told = 0;
 
-  /** The world of this match before anything was built in it. */
+  /** A snapshot of the world of this match before the scene built anything in it. */
   #bare: Uint8Array<ArrayBuffer> = new Uint8Array();
   #own = 0;
   #host = 0;
   #players = 0;
-  /** Numbers of those who have joined and have not been sent the game yet. */
+  /** Numbers of the players who have joined and have not been sent the state of the game yet. */
   readonly #joined = new Set<number>();
 
   connect(
@@ -175,7 +191,7 @@ class MatchSession extends Session {
     this.#players = players;
     scene.keys = own < players ? playerKeys(scene.keys) : {};
     match.begin?.(own < players ? own : null);
-    // An input that nobody can give: that of who is absent.
+    // The input of an absent player: `inputs`, which is above all possible inputs.
     const absent = match.inputs;
     this.#rollback = new thud.Rollback<number, object>(this.world, {
       idle: Array.from({ length: players }, () => absent),
@@ -212,12 +228,15 @@ class MatchSession extends Session {
     super.close();
   }
 
-  /** Only keys: anything else would change this player’s world alone. */
+  /**
+   * Ignores all commands except keys: anything else would change the world of this player, and not
+   * those of the others.
+   */
   override do(command: Command): void {
     if (command.kind === "keys") this.#held = command.held;
   }
 
-  /** While the next step waits for others there is none. */
+  /** While the next step waits for inputs of others, the present step is the last one. */
   override get end(): number {
     return this.#waits || this.#over ? this.step : Infinity;
   }
@@ -299,7 +318,7 @@ class MatchSession extends Session {
     }
   }
 
-  /** What the scene draws; where no step can be made, why. */
+  /** What the scene paints. If no step can be made at present, its message says why. */
   #painted(): Paint {
     const paint = this.scene.paint?.() ?? {};
     if (this.#over) {
@@ -309,7 +328,10 @@ class MatchSession extends Session {
     return this.#waits ? { ...paint, message: "Waiting for the others…" } : paint;
   }
 
-  /** Also while no picture is due, as in a hidden tab, the others get what they wait for. */
+  /**
+   * Called every BEAT milliseconds, so that the other players get packets even while no picture is
+   * drawn, as in a hidden tab.
+   */
   #beat(): void {
     this.#beats++;
     if (this.#beats - this.#told > 1) this.#tell();
@@ -353,14 +375,17 @@ class MatchSession extends Session {
   }
 }
 
-/** The keys of a player who has a keyboard alone, in a game that nobody begins anew. */
+/**
+ * The keys of a game in a match: without those of a second player at the same keyboard, and without
+ * "restart", since one player must not restart the match.
+ */
 function playerKeys(keys: Scene["keys"] = []): KeyName[] | KeyWords {
   const isUsed = (name: string) => !/^restart$|2$/.test(name);
   if (Array.isArray(keys)) return keys.filter(isUsed);
   return Object.fromEntries(Object.entries(keys).filter(([name]) => isUsed(name)));
 }
 
-/** In words, what differs from another player; null: nothing. */
+/** A sentence on how the state here differs from another player's; null: it does not. */
 function differenceOf({ differs, difference }: RollbackPeers): string | null {
   if (differs < 0) return null;
   if (!difference) return `Step ${differs} differs.`;

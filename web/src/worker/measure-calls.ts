@@ -1,6 +1,7 @@
 /**
- * What one call costs that finds when a ball hits a wall, without a world: bisection to several
- * tolerances, and the swept test. The time of the hit is known: the gap over the way of the step.
+ * Measures, without a world, what a single call costs that finds when a ball hits a wall: bisection
+ * to several tolerances, and the swept test. The exact time of the hit is known: the gap divided by
+ * the distance that the ball moves in the step.
  */
 import type { Engine, Vec2 } from "thud";
 import type { PlacedShape } from "thud/geometry";
@@ -8,12 +9,16 @@ import type { PlacedShape } from "thud/geometry";
 export interface CallPrice {
   detection: "bisect" | "swept";
   /**
-   * How often the interval with the hit is halved: it ends as 2^-halvings of the step. 0 for swept.
+   * How many times bisection halves the interval that contains the hit: at the end its length is
+   * 2^-halvings of the step. 0 for swept.
    */
   halvings: number;
   /** Microseconds of a call. */
   time: number;
-  /** The mean way between where the ball is found and where it hits, metres. */
+  /**
+   * The mean distance between the place of the ball at the time that was found and the place where
+   * it hits, metres.
+   */
   error: number;
 }
 
@@ -21,8 +26,8 @@ const HALVINGS = [2, 4, 8, 12, 16, 20, 24];
 const BALLS = 64;
 const RADIUS = 0.1;
 /**
- * Rounds, of which the least time counts, and the calls of a round for each ball. The first rounds
- * run in code that the browser has not yet made fast.
+ * ROUNDS: number of rounds; the result is the least time of all, since in the first rounds the
+ * browser has not yet compiled the code to its fastest form. OFTEN: calls for each ball in a round.
  */
 const ROUNDS = 12;
 const OFTEN = 60;
@@ -30,7 +35,10 @@ const OFTEN = 60;
 const WALL: PlacedShape = { kind: "aabb", center: [1, 0], halfWidth: 1, halfHeight: 1 };
 const AT_REST: { way: Vec2 } = { way: [0, 0] };
 
-/** The way of a ball in a step of 1/60 s, and the part of it after which it hits the wall. */
+/**
+ * The distance that a ball moves in a step of 1/60 s, and the share of it after which the ball hits
+ * the wall.
+ */
 const wayOf = (ball: number) => (3 + 0.11 * ball) / 60;
 const partOf = (ball: number) => (0.5 + 0.618 * ball) % 1;
 
@@ -52,7 +60,7 @@ export async function measureCalls(engine: Engine): Promise<CallPrice[]> {
     const error = away.reduce((sum, one) => sum + one, 0) / BALLS;
     return { detection: halvings > 0 ? "bisect" : "swept", halvings, time: Infinity, error };
   });
-  // One after the other in each round, so that what else the device does slows all alike.
+  // All methods are run in each round, so that other load of the device slows all of them alike.
   for (let round = 0; round < ROUNDS; round++)
     for (const price of prices) {
       const start = performance.now();

@@ -33,7 +33,7 @@ export interface Price {
   error: number;
 }
 
-/** What worlds were measured at, and single calls without a world. */
+/** The results: those of detections in worlds, and those of single calls without a world. */
 export interface Prices {
   worlds: Price[];
   calls: CallPrice[];
@@ -45,7 +45,10 @@ export interface PriceProgress {
   doing: string;
 }
 
-/** Rounds, of which the least time counts. The first also makes the browser compile fast code. */
+/**
+ * Number of rounds; the result is the least time of all. During the first round the browser
+ * compiles the code to a faster form.
+ */
 const ROUNDS = 5;
 
 /** `base`: the page's address, from which the motions are imported as scenes are. */

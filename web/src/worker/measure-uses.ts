@@ -19,7 +19,10 @@ export interface SceneUses {
   bounced: number;
   /** … fell asleep. */
   slept: number;
-  /** The most shapes of each kind, sensors among them, in the order of SHAPE_KINDS. */
+  /**
+   * The largest number of shapes of each kind that existed at one time, sensors included, in the
+   * order of SHAPE_KINDS.
+   */
   shapes: number[];
   sensors: number;
   joints: number;
@@ -117,7 +120,7 @@ export class UseCount {
     for (const { a, b } of this.#world.events().hit) this.#meet(a, b);
   }
 
-  /** Looks at what there is, and where it is. */
+  /** Reads all shapes and the rotations of their bodies, and updates the counts. */
   look(): void {
     const { uses } = this;
     const world = this.#world;

@@ -144,7 +144,7 @@ export async function measure(
 }
 
 /**
- * Number of steps at the start of a run whose times do not count: START_UP, or a quarter of the
+ * Number of steps at the start of a run whose times are left out: START_UP, or a quarter of the
  * steps of a slow setting, which makes few.
  */
 function startUpOf(steps: number): number {

@@ -1,8 +1,9 @@
 /**
  * The collision microscope: lists what touched or met in the last step, and takes one pair of it
- * apart. The pair is followed through the step once by the engine, whose velocities before and
- * after are read, and once by the formulas of a lecture on its own: the overlap found, moved back,
- * velocities changed, the rest of the step moved; and beside that the time of impact.
+ * apart. The step of the pair is shown twice. Once as the engine made it: its velocities before and
+ * after are read. And once by the formulas of a lecture, for the pair alone: the overlap is found,
+ * the bodies are moved back to where they met, their velocities are changed, and they move for the
+ * rest of the step; the time of impact of the swept shapes is shown beside that.
  */
 import type { BodyState, Engine, ShapeId, ShapeState, Vec2, World } from "thud";
 import type * as Geometry from "thud/geometry";
@@ -183,9 +184,9 @@ export function runToContact(session: Session): boolean {
 }
 
 /**
- * Takes a pair apart: how the step that ended at `step` treated it, and what the formulas say. The
- * session is as before afterwards.
- * @throws {Error} if the step is not kept, or a shape of the pair did not exist before and after.
+ * Examines a pair: what the step that ended at `step` did with it, and what the formulas say.
+ * Afterwards the session is in the same state as before. @throws {Error} if the step is not kept,
+ * or a shape of the pair did not exist before and after.
  */
 export function examine(
   session: Session,
@@ -211,7 +212,8 @@ export function examine(
     const partner = partnerOf(body);
     return arriving ? { ...partner, velocity: plus(partner.velocity, falls[i]) } : partner;
   });
-  // An overlap that is there already has come about by the motion before it: a step backwards.
+  // If the shapes overlapped before this step already, the overlap came from the motion of the step
+  // before: the motion is followed one step backwards.
   const [from, to] = arriving ? [0, 1] : [-1, 0];
   const at = (time: number) => places.map((place, i) => moved(place, meeting[i], time * timeStep));
   const start = at(from) as unknown as Places;

@@ -1,7 +1,7 @@
 /**
- * Plays recordings of worlds (thud/recording) as if they were scenes, and goes on from one of their
- * steps by hand ("Fork here"). Imported, with the engine that plays them, when the first recording
- * is opened.
+ * Plays recordings of worlds (thud/recording) as if they were scenes. "Fork here" makes a world of
+ * one of their steps that the visitor can change. Imported, with the engine that plays them, when
+ * the first recording is opened.
  */
 import type { Engine } from "thud";
 import { load } from "thud/first";
@@ -18,9 +18,9 @@ import { Session } from "./session";
 import { describe } from "./stage";
 import { SceneError } from "./trouble";
 
-/** What visitors do to bodies, which a recording does not allow. */
+/** The commands by which visitors change bodies; they are refused while a recording plays. */
 const BY_HAND: readonly Command["kind"][] = ["grab", "spawn", "explode", "dig"];
-/** Steps for which the visitor is told so. Chosen. */
+/** Number of steps for which the message REFUSAL is shown. Chosen. */
 const TOLD = 180;
 const REFUSAL = "A recording plays as it was made. Fork it to change what happens.";
 
@@ -87,14 +87,15 @@ function shownIn(recorded: Engine, recording: Recording): Partial<Shown> {
     checkScene({ world: player.world, view });
     return lengthScale > 0 && Number.isFinite(lengthScale) ? { view, lengthScale } : { view };
   } catch {
-    // What differs in the first step is told when it plays; a damaged note is passed over.
+    // If the first step differs from what was recorded, that is reported when it plays. A note that
+    // cannot be read is ignored.
     return {};
   } finally {
     player.close();
   }
 }
 
-/** The steps that a recording has: all of them can be gone to. */
+/** The history of a recording: the visitor can go to any of its steps. */
 class Recorded extends History {
   constructor(private readonly player: Player) {
     super();
@@ -140,7 +141,7 @@ export abstract class Played extends Session {
  * lost its first steps and begins at `progress.first`.
  */
 export class Playback extends Played {
-  /** The step up to which the visitor is told that nothing can be changed. */
+  /** The step up to which the message REFUSAL is shown. */
   #told = -1;
   /** Whether calls are listed and drawn, and the height of the view, by which they are. */
   #lists = false;
@@ -212,14 +213,20 @@ export class Playback extends Played {
     }
   }
 
-  /** Goes to a step. It is played, and not sought, since only then its calls are known. */
+  /**
+   * Goes to a step, by seeking to the step before it and playing the step itself, since the player
+   * reports the calls only of steps that it plays.
+   */
   #goTo(step: number): void {
     const { first } = this.history;
     this.player.seek(Math.max(first, step - 1));
     if (step > first) this.player.step();
   }
 
-  /** Plays or seeks. A difference from what was recorded is no error here: it is shown. */
+  /**
+   * Plays or seeks (`act`). If what happens differs from what was recorded, nothing is thrown:
+   * `paintOf` shows it.
+   */
   #play(act: () => unknown): void {
     try {
       act();
@@ -241,7 +248,10 @@ export class Playback extends Played {
   }
 }
 
-/** A step of a recording from which the world goes on by hand. */
+/**
+ * A session that begins with the world of one step of a recording. The player makes no more of its
+ * steps: the world goes on by ordinary steps, and the visitor can change it.
+ */
 class Fork extends Played {
   /** The engine does not time this world: its clock was not recorded. */
   override makeStep(): void {

@@ -1,13 +1,13 @@
 /**
- * The calls that led to a step of a recording, as text and as marks: queries with what they found,
- * and what calls have changed.
+ * The calls that a program made before a step of its recording, as text and as marks that are
+ * drawn: queries with what they found, and the places that other calls changed.
  */
 import type { Vec2, World } from "thud";
 import type { PlayedCall } from "thud/recording";
 import type { Calls } from "../scene/frame";
 import type { Ink, Mark } from "../scene/scene";
 
-/** Calls that are listed and drawn at most, and characters of one. Chosen. */
+/** Maximum number of calls that are listed and drawn, and of characters of one. Chosen. */
 const MOST_CALLS = 200;
 const LONGEST = 160;
 /** Digits of a number that is not whole. */
@@ -20,7 +20,7 @@ const QUERY: Ink = "water";
 const HIT: Ink = "bad";
 const CHANGE: Ink = "accent";
 
-/** The calls beside the step itself. */
+/** The calls without the one that makes the step. */
 function others(calls: readonly PlayedCall[]): readonly PlayedCall[] {
   return calls.filter(({ name, refused }) => name !== "thud_world_step" || refused !== null);
 }
@@ -31,7 +31,10 @@ export function listCalls(all: readonly PlayedCall[]): Calls {
   return { count: calls.length, lines: calls.slice(0, MOST_CALLS).map(textOf) };
 }
 
-/** A call as C would have it, without the prefix; handles as # and their index. */
+/**
+ * A call as it would be written in C, without the prefix "thud_"; a handle is written as # and its
+ * index.
+ */
 function textOf({ name, refused, values, returned, found }: PlayedCall): string {
   const short = name.replace(/^thud_/, "");
   if (refused !== null) return `${short}: refused, ${refused}`;
@@ -75,7 +78,7 @@ function outline([kind, x, y, cos, sin, halfWidth, halfHeight]: readonly number[
   return { kind: "box", ...place, halfWidth, halfHeight, angle: Math.atan2(sin, cos) };
 }
 
-/** Where a query looked: its ray, the way of its shape, or its area. */
+/** Marks of where a query searched: its ray, the path of its shape, or its area. */
 function queryMarks({ name, values, found }: PlayedCall): Mark[] {
   const numbers = values.map(({ number }) => number);
   const [a, b, c, d] = numbers;

@@ -38,7 +38,10 @@ export interface Recording {
   bytes: Uint8Array<ArrayBuffer>;
   /** The address of thud-recorded.wasm, which plays it. */
   wasm: string;
-  /** The step from which the world goes on by hand; null: the recording plays. */
+  /**
+   * The step at which the recording is forked, that is from which the visitor can change what
+   * happens; null: the recording plays.
+   */
   fork: number | null;
 }
 
@@ -51,15 +54,23 @@ export interface Recorded {
 
 /** A match over a network that a scene is played in; see worker/match.ts. */
 export interface Match {
-  /** By it the worker sends packets to the other players and gets theirs; it is transferred. */
+  /**
+   * The port through which the worker sends packets to the other players and gets theirs; it is
+   * transferred.
+   */
   port: MessagePort;
-  /** Which player is played here, from 0; from `players` on: who only watches. */
+  /**
+   * The number of the player in this browser, from 0; `players` or more: this browser only watches.
+   */
   own: number;
-  /** Who tells the others the game: whoever invited them, or has taken its place since. */
+  /**
+   * The number of the host, the player who sends the state of the game to those who join: the one
+   * who invited them, or who has taken over since.
+   */
   host: number;
-  /** The number of players, of whom some may come later. */
+  /** The number of players; some of them may join later. */
   players: number;
-  /** Of the host: the others who are there as it begins. */
+  /** Set by the host: the numbers of the other players who are connected when the match begins. */
   present: number[];
 }
 
@@ -185,8 +196,8 @@ export interface Questions {
   /** Goes back by so many steps, or as many as are kept, and runs to the present step again. */
   rerun: { ask: { steps: number }; answer: Rerun };
   /**
-   * Records what runs, from the first step that is kept to the present one. `wasm` is the address
-   * of thud-recorded.wasm. The progress is a part of the whole.
+   * Records the running scene, from the oldest step that the history keeps to the present one.
+   * `wasm` is the address of thud-recorded.wasm. The progress is the share that is done, 0 to 1.
    */
   record: { ask: { wasm: string }; answer: Recorded; progress: number };
   /** Lists and draws the calls of each step of a recording from now on, or ends that. */
@@ -199,7 +210,7 @@ export interface Questions {
   contacts: { ask: { slot: number | null }; answer: ContactList };
   /** One pair in the step that ended at `step`, taken apart. */
   examine: { ask: { pair: Pair; step: number }; answer: Collision };
-  /** Makes steps until something meets; false if nothing did. */
+  /** Makes steps until two shapes begin to touch or hit each other; false if none did. */
   runToContact: { ask: Record<string, never>; answer: boolean };
   /**
    * Measures a scene ("Measure"). The worker does nothing else meanwhile; to cancel, the page ends

@@ -1,6 +1,6 @@
 /**
- * Records what runs: the scene is built once more, in the engine that records, and goes through the
- * steps that the history keeps, with the visitor's commands. So recording costs nothing while a
+ * Records the running scene: it is built once more, in an engine that records, and makes the steps
+ * that the history keeps again, with the visitor's commands. So recording costs nothing while a
  * scene runs, and what was seen can be recorded afterwards. The last hash is compared with that of
  * the running world, unless its last step has failed. Imported when the first recording is made.
  */
@@ -34,7 +34,10 @@ const INVERSE = 0x144cbc89;
  */
 const MOST_WORLDS = 100_000;
 
-/** Records `session`, which `build` builds once more. `report` gets the part that is done. */
+/**
+ * Records `session`. `build` builds its scene once more; `report` is called with the share that is
+ * done, 0 to 1.
+ */
 export async function record(
   session: Session,
   wasm: string,
@@ -62,7 +65,10 @@ export async function record(
   }
 }
 
-/** A snapshot may have what only the visitor's hand has brought, such as the joint of a pull. */
+/**
+ * Prepares a world for parts of a snapshot that the scene itself never makes, such as the joint by
+ * which the visitor pulls a body.
+ */
 function makeReady({ world }: Session): void {
   world.useJoints();
   world.useRules();
@@ -72,7 +78,7 @@ function makeReady({ world }: Session): void {
 /**
  * The number of worlds that were made between that of `again`, which was just built, and that of
  * `session`, by the handles of a body before and after `again` takes the state of `session`. Bodies
- * whose slots were used again in between give none; 0 if all are such.
+ * whose slots have been used again since say nothing; 0 if this is so for all bodies.
  */
 function worldsBetween(session: Session, again: Session): number {
   const { world } = again;

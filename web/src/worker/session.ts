@@ -234,16 +234,16 @@ export class Session {
   }
 
   /**
-   * Takes another session of the same scene, perhaps in another engine, to the first step that is
-   * kept.
+   * Brings another session of the same scene, which may run in another engine, to the oldest step
+   * that this session's history keeps.
    */
   startIn(other: Session): void {
     other.#goTo(this.history.before(this.history.first)!);
   }
 
   /**
-   * Makes the steps to the present one in a session in which this one was started, with the same
-   * commands. `made` is called after each step.
+   * Makes the same steps up to the present one in another session, which startIn has prepared, with
+   * the same commands. `made` is called after each step.
    */
   repeatIn(other: Session, made: (step: number) => void): void {
     while (other.step < this.step) {

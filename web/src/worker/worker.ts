@@ -93,7 +93,8 @@ const answers: Answers = {
   async record({ wasm }, report) {
     const running = needSession();
     const [request, run] = [begun, runs];
-    // To build a match once more would take its connections.
+    // Recording builds the scene once more, and a second instance of a match would take over its
+    // connections.
     if (request.match) throw new SceneError({ message: "A match over a network cannot be recorded." });
     const { record } = await import("./record");
     return record(running, wasm, (engine) => open(request, run, engine), report);
@@ -214,7 +215,7 @@ self.onmessage = ({ data }: MessageEvent<ToWorker>) => {
   try {
     if (data.kind === "command") session.do(data.command);
     else {
-      // A tick that the page sent before it knew of this scene makes no steps of it.
+      // A tick that the page sent before it knew of this scene is not for it: no steps are made.
       const start = performance.now();
       if (data.run === session.run) tick(session, data.until);
       const made = performance.now();

@@ -1,6 +1,6 @@
 /**
- * A connection of two browsers (WebRTC): a channel whose packets may get lost or come in another
- * order, for inputs, and one on which everything arrives, for what must.
+ * A connection of two browsers (WebRTC) with two channels: one whose packets may get lost or arrive
+ * in another order, for inputs, and a reliable one for all data that must arrive.
  */
 import {
   descriptionOf,
@@ -9,21 +9,30 @@ import {
   readDescription,
 } from "./invitation";
 
-/** Milliseconds for which a browser may look for its addresses; a server may not answer. Chosen. */
+/**
+ * Milliseconds for which a browser may search for its own addresses, since a STUN server may not
+ * answer. Chosen.
+ */
 const GATHERING = 2500;
-/** Bytes that wait in the channel beyond which packets are dropped: newer ones have it all. Chosen. */
+/**
+ * If more bytes than this wait in the unreliable channel, packets are dropped, since each later
+ * packet contains the inputs of earlier ones as well. Chosen.
+ */
 const FULL = 16_384;
 
 /**
- * An address in a net for documentation (RFC 5737), which nobody has, and milliseconds from one that is
- * named to the next. Firefox gives up seconds after it has tried all addresses that it knows of, and an
- * answer that somebody sends takes longer to arrive: while it waits, it is given one more to try, at
- * another port each time.
+ * NOBODY: an address that belongs to no computer, since it is reserved for documentation (RFC
+ * 5737). Firefox gives up a few seconds after it has tried all addresses that it knows of, but a
+ * person takes longer to send the answer to an invitation. So while it waits, it is given this
+ * address to try, with another port every TRY_ON milliseconds.
  */
 const NOBODY = "198.51.100.1";
 const TRY_ON = 4000;
 
-/** What is done to packets on their way, besides what the network does. */
+/**
+ * A worse network that is simulated: what is done to packets in addition to what the real network
+ * does.
+ */
 export interface Line {
   /** Milliseconds that each packet is held back. */
   delay: number;
@@ -45,14 +54,20 @@ export class Connection {
   readonly #line: Line;
   readonly #calls: Calls;
   #tries: ReturnType<typeof setInterval> | undefined;
-  /** How many such addresses this browser was given. */
+  /** How many times this browser was given the address NOBODY to try. */
   #tried = 0;
   #open = false;
   #closed = false;
-  /** Whether it ended because nothing arrived any more; false where one of the two closed it. */
+  /**
+   * Whether the connection ended because nothing arrived any more; false if one of the two browsers
+   * closed it.
+   */
   failed = false;
 
-  /** `server`: of a STUN server, by which browsers in different networks find each other; "": none. */
+  /**
+   * `server`: the address of a STUN server, by which browsers in different networks find each
+   * other; "": none.
+   */
   constructor(line: Line, server: string, calls: Calls) {
     this.#line = line;
     this.#calls = calls;

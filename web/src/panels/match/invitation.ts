@@ -1,12 +1,12 @@
 /**
- * Invitations to a match and the answers to them, as short texts for a link. Each holds what one
+ * Invitations to a match and the answers to them, as short texts for a link. Each contains what one
  * browser must know to reach the other: the fields of an SDP description (RFC 8866) of a connection
- * with data channels alone. The description is written anew from the fields, each of which is checked,
- * since a link comes from anybody.
+ * that has only data channels. The receiver checks each field, since a link may come from a
+ * stranger, and writes the description from them.
  */
 import { pack, unpack } from "../../page/url";
 
-/** What another browser is reached by. */
+/** The data by which another browser is reached. */
 export interface Invitation {
   type: "offer" | "answer";
   /** The name and password by which the browsers find each other (ICE, RFC 8839). */
@@ -16,11 +16,14 @@ export interface Invitation {
   fingerprint: string;
   setup: "actpass" | "active" | "passive";
   candidates: Candidate[];
-  /** Of an answer: the `name` of the offer that it answers. */
+  /** In an answer: the `name` of the offer that it answers. */
   to: string;
 }
 
-/** An address; `kind`: the browser's own, or as a server sees it. */
+/**
+ * An address of the browser; `kind`: its own in its network ("host"), or the one at which a server
+ * sees it.
+ */
 interface Candidate {
   address: string;
   port: number;

@@ -1,10 +1,10 @@
 /**
- * The players of a match and their connections, from the first invitation to the end. Who invites is
- * player 0 and the host, and is connected with each of the others. When a match begins, the others
- * connect with each other, too, through the host: these connections stand idle until the host is gone.
- * Then the player with the lowest number of those who are there takes its place: it asks the others
- * to go on with it, each of them sends it what it has of the game, and it tells all of them the
- * rest (RollbackPeers).
+ * The players of a match and their connections, from the first invitation to the end. The player
+ * who invites is number 0 and the host, and is connected with each of the others, the guests. When
+ * a match begins, the guests connect with each other as well; the host passes on what this needs.
+ * These connections are not used until the host is gone. Then the guest with the lowest number
+ * takes its place: it asks the others to follow it, each of them sends it the inputs that it knows,
+ * and it sends each the inputs that this one lacks (RollbackPeers).
  */
 import type { App } from "../../page/app";
 import type { Match } from "../../worker/protocol";
@@ -12,29 +12,35 @@ import type { FromMatch, MatchNews, ToMatch } from "../../worker/match";
 import { Connection, type Line } from "./connection";
 import { type Invitation, unpackInvitation } from "./invitation";
 
-/** The most that play, and that watch besides. Chosen. */
+/** Maximum number of players, and maximum number of visitors who watch them. Chosen. */
 const [MOST, MOST_WATCHING] = [4, 4];
-/** Bytes of a message of another player at most; larger ones are dropped. Chosen. */
+/** Maximum size in bytes of a message of another player; larger ones are dropped. Chosen. */
 const LARGEST = 65_536;
-/** The change of the clock's speed for each step that this player is ahead, and its bounds. Chosen. */
+/**
+ * SLOWER: by how much the clock's speed is changed for each step that this player is ahead of the
+ * others; SLOWEST: the bound of that change. Chosen.
+ */
 const SLOWER = 0.02;
 const SLOWEST = 0.1;
 /**
- * Milliseconds for which the next host waits for answers of others, for which these wait to be told the
- * game, and within which a host has to be heard that is said to be gone. Chosen.
+ * In milliseconds. ANSWERED: how long the next host waits for the answers of the others.
+ * TAKEN_OVER: how long the others wait for the state of the game from it. HEARD: a host that
+ * another player reports as gone is kept if something came from it within this time. Chosen.
  */
 const [ANSWERED, TAKEN_OVER, HEARD] = [4000, 12_000, 1500];
 
 export interface LobbyListener {
-  /** Who is connected has changed, or a match has begun or ended. */
+  /** Called when a player has come or gone, or a match has begun or ended. */
   changed(): void;
   /** How the match goes. */
   news(news: MatchNews): void;
   /** A message for the visitor. */
   told(text: string): void;
-  /** This browser is the host from now on; `closed`: the one before has closed its page. */
+  /**
+   * Called when this browser has become the host; `closed`: the host before has closed its page.
+   */
   tookOver(closed: boolean): void;
-  /** The match has ended, and not by this browser. */
+  /** Called when the match has ended, unless this browser has ended it. */
   cut(): void;
 }
 
@@ -42,25 +48,31 @@ export interface LobbyListener {
 interface Other {
   connection: Connection;
   player: number;
-  /** By it a browser that comes back is recognised; "" before it has said it. */
+  /**
+   * A random text by which a browser that returns is recognised; "" until the other browser has
+   * sent it.
+   */
   token: string;
-  /** It has come to watch. */
+  /** This player only watches. */
   watches: boolean;
-  /** When something came from it last, by performance.now. */
+  /** When data came from this player last, on the clock of performance.now(). */
   heard: number;
 }
 
-/** The time from when the host is gone until the next one tells the game. */
+/**
+ * What is known in the time between the loss of the host and the next host's message with the state
+ * of the game.
+ */
 interface Gap {
-  /** The host has ended the match for itself, or closed its page. */
+  /** `left`: the host has left the match; `closed`: it has closed its page. */
   left: boolean;
   closed: boolean;
-  /** Whom this browser has asked to go on with it, and who does. */
+  /** The numbers of the players whom this browser has asked to follow it, and of those who do. */
   asked: Set<number>;
   followers: Set<number>;
-  /** The next host, with which this browser goes on; -1: not known yet. */
+  /** The number of the next host, which this browser follows; -1: not known yet. */
   next: number;
-  /** The match has been told that this browser takes over. */
+  /** The worker has been told that this browser takes over as the host. */
   taken: boolean;
   timer: ReturnType<typeof setTimeout>;
 }
@@ -69,7 +81,10 @@ export class Lobby {
   readonly line: Line = { delay: 0, loss: 0 };
   /** A STUN server; "": none. */
   server = "";
-  /** Whether this browser was invited. Who takes the place of the host counts as the one who invites. */
+  /**
+   * Whether this browser was invited. False also for one that has taken over as the host, which
+   * invites from then on.
+   */
   invited = false;
   /** This browser comes to watch. */
   watches = false;
@@ -86,15 +101,15 @@ export class Lobby {
   #host = 0;
   #gap: Gap | null = null;
   /**
-   * A guest that asks to take the host's place while the host is not known to be gone here; null:
-   * none.
+   * A guest that has asked to take over as the host, although this browser is still connected with
+   * the host; null: none.
    */
   #asker: Other | null = null;
-  /** The players who are there, as the match has told last. */
+  /** The numbers of the connected players, from the worker's last news. */
   #present: readonly number[] = [];
   /** The scene's size before the match. */
   #size: number | undefined;
-  /** Who had which number in this match. */
+  /** By number of a player in this match: the token of its browser. */
   readonly #seats = new Map<number, string>();
   #port: MessagePort | null = null;
 
@@ -160,7 +175,10 @@ export class Lobby {
     return true;
   }
 
-  /** Answers an invitation. Who carries a match on alone may go back to that of others. */
+  /**
+   * Answers an invitation. Throws if this browser plays with others; one that goes on playing alone
+   * may leave its match for another.
+   */
   async answer(offer: Invitation): Promise<string> {
     if (this.playing && this.connected > 0) throw new Error("others play in the match that runs here");
     this.#drop();
@@ -198,13 +216,16 @@ export class Lobby {
         connection.sendSurely(JSON.stringify({ meet: other.player }));
   }
 
-  /** Somebody has said who it is: in the midst of a match it gets its place, or a free one. */
+  /**
+   * Another browser has sent its token. In a running match it gets the number that it had, or a
+   * free one.
+   */
   #seat(other: Other, token: string, watches: boolean): void {
     other.token = token;
     other.watches = watches;
     this.#listener.changed();
     if (this.invited || !this.playing) return;
-    // Who comes back may be here before it is known that its connection has ended.
+    // A browser that returns may connect before its old connection is known to have ended.
     for (const one of [...this.#others])
       if (one !== other && token && one.token === token) one.connection.close();
     const { players, own } = this.#match!;
@@ -258,7 +279,10 @@ export class Lobby {
     connection?.close();
   }
 
-  /** `guest`: the number of another guest, with whom this one goes on when the host is gone. */
+  /**
+   * Creates a connection. `guest`: the number of the other guest, for a connection between guests;
+   * -1: a connection with the host.
+   */
   #connect(guest = -1): Connection {
     const connection: Connection = new Connection(this.line, this.server, {
       opened: () => {
@@ -388,7 +412,8 @@ export class Lobby {
     const next = gap.next < 0 ? this.#successor : gap.next;
     if (next === Infinity || (gap.left && this.#others.length === 0)) return this.#giveUp();
     if (next !== own) {
-      // It asks as soon as it knows that the host is gone.
+      // The next host asks as soon as it notices that the host is gone; until then this browser
+      // waits.
       if (late) this.#giveUp();
       return;
     }
@@ -407,7 +432,7 @@ export class Lobby {
     const match = this.#match;
     const { player, connection } = other;
     if (!match || !this.invited || player === this.#host || player >= match.players) return;
-    // Who does not play yet cannot go on.
+    // A guest that does not play yet knows no state of the game, and cannot continue.
     if (this.#present.length === 0) return connection.close();
     if (!this.#present.includes(player)) return connection.sendSurely(JSON.stringify({ stays: true }));
     const gap = this.#gap;
@@ -416,7 +441,7 @@ export class Lobby {
       setTimeout(() => this.#doubt(other), HEARD);
       return;
     }
-    // Of two who ask, the one with the lower number is the next.
+    // If two guests ask, the one with the lower number becomes the host.
     const lowest = gap.next < 0 ? (this.#successor === match.own ? match.own : Infinity) : gap.next;
     if (player > lowest) return;
     gap.next = player;
@@ -425,7 +450,10 @@ export class Lobby {
     this.#post({ follow: player });
   }
 
-  /** Tells who has lost the host that it is there; or gives it up, where it is not heard here either. */
+  /**
+   * Answers a guest that has lost the host: if this browser has heard from the host recently, it
+   * says that the host is still there; otherwise it gives up the host as well.
+   */
   #doubt(other: Other): void {
     if (this.#asker !== other || !this.#others.includes(other)) return;
     const host = this.#others.find(({ player }) => player === this.#host);
@@ -434,7 +462,7 @@ export class Lobby {
     other.connection.sendSurely(JSON.stringify({ stays: true }));
   }
 
-  /** The next host tells the game. */
+  /** The next host has sent the state of the game: the gap is over. */
   #settle(): void {
     const { next, timer } = this.#gap!;
     clearTimeout(timer);
@@ -493,13 +521,13 @@ export class Lobby {
     if (this.#match === match) this.leave();
   }
 
-  /** Takes what the worker has to say. */
+  /** Handles a message of the worker. */
   #take(message: FromMatch): void {
     if ("news" in message) {
       const { ahead } = message.news;
       const slower = Math.min(SLOWEST, Math.max(-SLOWEST, SLOWER * ahead));
       this.#app.player.pace = 1 - slower;
-      // Who waits for others is not slow.
+      // A player who waits for inputs of others is not slow itself.
       if (message.news.waits) this.#app.player.lag = 0;
       this.#present = message.news.present;
       this.#listener.news(message.news);
@@ -522,7 +550,10 @@ export class Lobby {
   }
 }
 
-/** By this others know a browser that comes back; it lasts as long as the tab. */
+/**
+ * The token by which the other players recognise this browser when it returns; it is kept as long
+ * as the tab.
+ */
 function ownToken(): string {
   try {
     sessionStorage.matchToken ??= crypto.randomUUID();
@@ -532,16 +563,19 @@ function ownToken(): string {
   }
 }
 
-/** What browsers tell each other beside the match. */
+/** The messages of the lobby that browsers send each other, apart from those of the match. */
 interface Told {
-  /** A match begins, of which the teller is the host. */
+  /** From the host: a match begins. */
   start?: { players: number; own: number; host: number; seed: number };
-  /** Who the teller is, and whether it comes to watch. */
+  /** The token of the sender, and whether it only watches. */
   hello?: string;
   watches?: boolean;
   /** It leaves on purpose. */
   bye?: boolean;
-  /** It takes the place of the host, which is gone; and the answer that it is not. */
+  /**
+   * `next`: the sender wants to take over as the host, which is gone; `stays`: the answer that the
+   * host is not gone.
+   */
   next?: boolean;
   stays?: boolean;
   /** The host: connect with this guest. And what guests tell each other through the host. */

@@ -1,7 +1,7 @@
 /**
- * The panel Match: a game that runs is played with others, by a link that is sent to them and an
- * answer that comes back, over a connection from browser to browser. It shows what the network costs,
- * and makes the network worse if asked.
+ * The panel Match: the visitor plays the running game with others, over connections from browser to
+ * browser. To connect, a link with an invitation is sent to them, and they send an answer back. The
+ * panel also shows delays and corrections, and can simulate a worse network.
  */
 import type { App } from "../../page/app";
 import type { Panel } from "../../page/dock";
@@ -16,7 +16,7 @@ import { unpackInvitation } from "./invitation";
 import { Lobby } from "./lobby";
 import { hasRooms, meet, ROOM, type RoomState } from "./meet";
 
-/** What a link has before the name of a room in place of an invitation. */
+/** The mark in a link after which the name of a room follows, in place of an invitation. */
 const ROOM_MARK = "~";
 /**
  * The name of the BroadcastChannel on which a tab that was opened by the link of an answer hands
@@ -27,7 +27,7 @@ const INVITED =
   "You are invited to a match: play, or watch it. Either tells those who play this device’s address in the network.";
 /** Milliseconds for which a tab with an answer waits until another tab takes it. Chosen. */
 const HEARD = 1500;
-/** The largest correction that is shown is that of so many of the last news. Chosen. */
+/** The correction that is shown is the largest one of this many of the last news. Chosen. */
 const CORRECTIONS = 50;
 /** Milliseconds between two news (worker/match.ts). */
 const NEWS_EVERY = 200;
@@ -37,8 +37,8 @@ export function createPanel(app: App): Panel {
 }
 
 /**
- * Remembers the room that this tab is in, by which it comes back after it was loaded anew, and whether
- * it watches. "": none.
+ * Stores in the session storage which room this tab is in, and whether it only watches, so that it
+ * can return after a reload. "": none.
  */
 function remember(room: string, watches = false): void {
   try {
@@ -78,7 +78,7 @@ class MatchPanel {
   readonly #network = make("div", { class: "section network" });
   readonly #channel = new BroadcastChannel(CHANNEL);
   readonly #rooms = hasRooms();
-  /** Whether others are looked for in a room. */
+  /** Whether the search for other players in a room is under way. */
   #meets = false;
   /** Whether a match ran when the panel was shown last. */
   #played = false;
@@ -123,7 +123,9 @@ class MatchPanel {
     void this.#begin();
   }
 
-  /** What the address asks for: to be invited, to hand over an answer, or neither. */
+  /**
+   * Does what the page's address asks for: accept an invitation, hand over an answer, or neither.
+   */
   async #begin(): Promise<void> {
     const { invite } = this.#app.state;
     if (invite?.startsWith(ROOM_MARK)) {
@@ -180,7 +182,7 @@ class MatchPanel {
     this.#offer.replaceChildren(make("p", {}, about), back, other);
   }
 
-  /** Goes into a room of the page's server. */
+  /** Enters a room of the page's server. */
   async #meet(name: string, state: RoomState): Promise<void> {
     this.#meeting.abort();
     this.#meeting = new AbortController();
@@ -289,10 +291,14 @@ class MatchPanel {
     );
   }
 
-  /** This browser carries the match on: others find it where they found whoever had invited them. */
+  /**
+   * This browser is the host now: it invites in the room in which the host before did, so that
+   * others find it there.
+   */
   #carryOn(closed: boolean): void {
     const { room } = recall();
-    // A host that is merely cut off may still invite in the room, and then nobody else is to.
+    // If the host has not closed its page but only lost its connections, it still invites in the
+    // room, and a second host must not.
     if (room && closed) void this.#meet(room, "left");
     else this.#beginOffer();
   }
@@ -372,7 +378,7 @@ class MatchPanel {
     return make("label", { class: "slider" }, make("span", {}, label), input, output);
   }
 
-  /** Runs what a button starts, which cannot be pressed meanwhile. */
+  /** Runs `act` for a button, which is disabled until it has finished. */
   async #act(button: HTMLButtonElement, act: () => Promise<void>): Promise<void> {
     button.disabled = true;
     try {
@@ -411,7 +417,7 @@ class MatchPanel {
     const { connected, playing, invited } = lobby;
     this.#others.hidden = this.#network.hidden = connected === 0 && !playing;
     this.#offer.hidden = (playing && invited) || lobby.isFull || (invited && connected > 0);
-    // A room is left with the match for which it was opened.
+    // When the match for which a room was opened ends, the room is left as well.
     const ended = this.#played && !playing;
     this.#played = playing;
     if (ended) {

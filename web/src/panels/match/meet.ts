@@ -1,6 +1,7 @@
 /**
- * Meeting in a room of the page's server (tools/rooms.mjs): invitations and answers go by themselves.
- * Who comes first invites those who come later.
+ * Meets other players in a room of the page's server (tools/rooms.mjs), which passes on invitations
+ * and answers, so that nobody has to send a link. The first browser in a room invites those that
+ * come later.
  */
 import { unpackInvitation } from "./invitation";
 import type { Lobby } from "./lobby";
@@ -26,14 +27,15 @@ export async function hasRooms(): Promise<boolean> {
 }
 
 /**
- * What is known of a room: nothing; that somebody is there, whose invitation is waited for; or that who
- * has invited there has left, so that this browser invites.
+ * What is known of a room. "unknown": nothing; "open": another browser is in it, and its invitation
+ * is awaited; "left": the browser that invited there has left, so that this one invites.
  */
 export type RoomState = "unknown" | "open" | "left";
 
 /**
- * Goes into a room until `signal` ends that. Resolves when this browser has answered an invitation. Who
- * invites stays, also while a match runs, so that others can join it and who was lost can come back.
+ * Enters a room, and leaves it when `signal` is aborted. Resolves when this browser has answered an
+ * invitation. A browser that invites stays in the room while a match runs, so that others can join,
+ * and players who lost their connection can return.
  */
 export async function meet(name: string, lobby: Lobby, signal: AbortSignal, state: RoomState): Promise<void> {
   let offer = state === "left" ? null : await ask(name, "offer");
@@ -47,7 +49,7 @@ export async function meet(name: string, lobby: Lobby, signal: AbortSignal, stat
     await ask(name, "answer", "PUT", await lobby.answer(invitation));
     return;
   }
-  // Nobody is to answer an invitation of a page that is closed.
+  // The invitation is withdrawn when the page is closed, so that nobody answers it.
   const close = () => void ask(name, "offer", "DELETE").catch(() => {});
   window.addEventListener("pagehide", close);
   try {
