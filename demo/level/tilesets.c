@@ -152,8 +152,9 @@ static void read_shape(level_values *v, const cJSON *object, uint32_t gid, const
     forms->count = kept;
 }
 
-/* The chain with a collision shape inserted at `at`: its properties go before those of its tile,
- * and those of a tile object before both. */
+/* The chain (JSON objects in which properties are looked up, the last first) with a collision shape
+ * of a tile inserted at index `at`. So a property of the shape overrides the same property of its
+ * tile, and one of a tile object, which comes after it, overrides both. */
 static level_chain insert(const level_chain *chain, int at, const cJSON *json) {
     level_chain longer = *chain;
     for (int i = longer.count++; i > at; i--)

@@ -4,9 +4,9 @@
 
 #include "session.h"
 
-/* From now on a crash saves what led to it (last_seconds_salvage), says where on standard error,
- * and then ends the program as it would have ended. Null ends that: to be called before the session
- * is gone. */
+/* From now on a crash saves the last seconds of the session (last_seconds_salvage), writes the
+ * file's path to standard error, and then ends the program as it would have ended without this. Has
+ * to be called with null before the session is destroyed, which switches it off. */
 void crash_watch(session *s);
 
 #endif

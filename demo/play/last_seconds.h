@@ -1,5 +1,5 @@
-/* last_seconds.h: the last seconds of a scene, which are recorded all the time, and saved when a
- * user has seen something worth to be reported. */
+/* last_seconds.h: the last seconds of a scene, which are recorded all the time, so that a user who
+ * has seen a fault can save what led to it. */
 #ifndef THUD_PLAY_LAST_SECONDS_H
 #define THUD_PLAY_LAST_SECONDS_H
 
@@ -12,7 +12,7 @@ enum {
 };
 
 typedef struct last_seconds {
-    thud_recorder *recorder; /* null: nothing is recorded, since memory was short */
+    thud_recorder *recorder; /* null: nothing is recorded, because memory was short */
     int keyframe_steps;      /* from one keyframe to the next */
     int steps;               /* since the last one */
 } last_seconds;

@@ -287,7 +287,8 @@ void playback_seek(playback *p, int64_t step) {
     p->changed = true;
     p->call_count = p->query_count = 0;
     p->target = step;
-    /* The calls of the last step are wanted: it is played, and not gone to. */
+    /* The list of calls has to show those that led to the step: so the step before it is sought,
+     * and the last step played. */
     int64_t before = step > at->first ? step - 1 : step, from = at->first;
     thud_player_get_keyframe(p->player, before, &from);
     if (p->stopped || before < at->steps || from > at->steps)

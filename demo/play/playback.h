@@ -1,5 +1,6 @@
-/* playback.h: a recording that is shown in place of a scene: it is played, gone to any step of, and
- * from any step the world goes on by hand (a fork). */
+/* playback.h: a recording that is shown in place of a scene: it can be played, any step of it can
+ * be sought, and from any step on the user can take over the world, which then no longer follows
+ * the recording (a fork). */
 #ifndef THUD_PLAY_PLAYBACK_H
 #define THUD_PLAY_PLAYBACK_H
 
@@ -17,9 +18,9 @@ enum {
 
 /* A query of a step: the shape with which it looked, how far it moved that, and what it found. */
 typedef struct playback_query {
-    bool ray;            /* of `shape` the centre alone counts */
+    bool ray;            /* it is a ray: only the centre of `shape` counts */
     thud_geometry shape; /* where it began, in the world */
-    double dx, dy;       /* its way; 0 for an overlap */
+    double dx, dy;       /* how far it moved; 0 for an overlap */
     bool points;         /* its hits have points */
     thud_ray_hit hits[PLAYBACK_HITS_MAX];
     int hit_count;
@@ -39,10 +40,12 @@ typedef struct playback {
     char *name;           /* its name, without folder and suffix */
     thud_player_progress progress;
     playback_view view;
-    bool stopped;         /* what comes next cannot be played: it differs, or memory is short */
-    bool forked;          /* the world goes on by hand; `progress` stays where that began */
+    bool stopped; /* the next step cannot be played: the world differs from the recording, or memory
+                     is short */
+    bool forked;  /* the world no longer follows the recording; `progress` stays at the step where
+                     that began */
     int64_t forked_steps; /* made by hand since */
-    int64_t target;       /* the step that a seek under way goes to; -1: none is */
+    int64_t target;       /* the step that the present seek goes to; -1: there is no seek */
     /* A call may have made, changed or destroyed bodies, shapes or joints since this was last
      * false. */
     bool changed;
@@ -65,15 +68,18 @@ playback *playback_open(const char *path, thud_threads *threads, thud_clock_fn *
 /* Also destroys the world. Null does nothing. */
 void playback_close(playback *p);
 
-/* Whether steps can be played: the end is not reached, and nothing differs. */
+/* Whether a further step can be played: the end is not reached, and the world does not differ from
+ * the recording. */
 bool playback_goes_on(const playback *p);
-/* Plays the next step, or makes one by hand in a fork. Does nothing at the end. */
+/* Plays the next step of the recording; in a fork, steps the world instead. Does nothing at the
+ * end. */
 void playback_step(playback *p);
-/* Begins to go to a step, of those that there are; a fork ends. playback_work goes there. */
+/* Begins to seek a step, the nearest that the recording has; a fork ends. Calls of playback_work do
+ * the seeking. */
 void playback_seek(playback *p, int64_t step);
-/* Goes on with a seek, for about so many seconds at most. True while it is under way. */
+/* Continues a seek for about `seconds` at most. True if it is not yet at its end. */
 bool playback_work(playback *p, double seconds);
-/* From now on the world goes on by hand. False at a step that differs. */
+/* From now on the world no longer follows the recording (a fork). False at a step that differs. */
 bool playback_fork(playback *p);
 
 /* Says where the recording differs from what happens, into PLAYBACK_WHY_MAX characters. */

@@ -118,7 +118,8 @@ void viewer_toggle_overlay(viewer *v, overlay which) {
     v->lent &= ~(1u << which);
 }
 
-/* Whether the scene can be built anew with another system. */
+/* Whether the scene can be built anew with another detection or broadphase: not where a recording
+ * is played. Then it also writes the reason into the session's message. */
 static bool may_rebuild(viewer *v) {
     if (v->session.played)
         snprintf(v->session.message, sizeof v->session.message,

@@ -1,4 +1,5 @@
-/* advise_off.h: what a scene does not require, found by runs without it. */
+/* advise_off.h: finds out which parts of a scene or of the engine a scene does not need, by running
+ * it without each of them. */
 #ifndef THUD_RUN_ADVISE_OFF_H
 #define THUD_RUN_ADVISE_OFF_H
 
@@ -8,9 +9,11 @@
 
 /* A part of the scene or of the engine that was left out. */
 typedef struct advise_off {
-    const char *name;       /* as after --without; "detection": looks at the end of steps only */
+    const char *name; /* a name that the option --without takes; or "detection", which stands for
+                         detection at the end of steps only */
     advise_setting setting; /* the run without it */
-    double moved;  /* length scales: the furthest that a body ended from where it ends with it */
+    double moved;  /* length scales: the greatest distance of a body's place at the end of the run
+                      without the part from its place with it */
     bool same;     /* no bit of any body differs */
     bool needless; /* the error is within the limit without it, and no body ends further off than
                       this limit */
@@ -21,7 +24,8 @@ typedef struct advise_off {
 enum { ADVISE_OFFS_MAX = WITHOUT_PARTS + 1 };
 
 typedef struct advise_offs {
-    int base; /* index of the setting at which all was left out: the advised one, or the nearest */
+    int base; /* index of the setting at which the parts were left out: the advised one; if none is,
+                 the nearest to what was asked for */
     advise_link link; /* of that setting */
     advise_off offs[ADVISE_OFFS_MAX];
     int count;

@@ -4,8 +4,8 @@
  *     OTHER --replay FILE --hashes FROM,TO,EVERY
  *
  * plays from the last keyframe at or before step FROM, and prints a line "STEP HASH" for step FROM,
- * each EVERY-th after it, and TO. Where the recording cannot be played on, since it differs,
- * the line of the step where it stands is the last.
+ * each EVERY-th after it, and TO. Where the played world differs from the recorded one, playing
+ * ends, and the line of the step reached is the last.
  *
  *     OTHER --replay FILE --hash-at STEP
  *
@@ -27,10 +27,11 @@ bool bisect_print_bodies(const run_options *options, thud_player *player);
  * first body that differs there, and prints them. False if there is one, or, after a message, if
  * the other build does not answer.
  *
- * Both play the recording once, and one hash of many steps is compared. Up to the last one that is
- * the same both agree, so that the steps after it are then played again from the keyframe before
- * it, and compared one by one. Keyframes are not gone to in the first pass: they are the state of
- * the build that recorded, and would bring back together what has parted. */
+ * In a first pass both builds play the whole recording, and hashes of few steps, far from each
+ * other, are compared. The builds agree up to the last step whose hashes are equal; so the steps
+ * after it are then played again, from the keyframe before it, and compared one by one. The first
+ * pass does not jump to keyframes: these are states of the build that recorded, so that after one
+ * both builds would have the same state again. */
 bool bisect_builds(const run_options *options, thud_player *player);
 
 #endif

@@ -33,12 +33,13 @@ typedef struct run_options {
     double patience;     /* s that larger sizes may take to measure together */
     const char *picture; /* path of a picture to write; null: none */
     const char *record;  /* path of a recording to write; null: none */
-    long keyframes;      /* steps from one keyframe of the recording to the next; 0: the first
-                            alone; -1: as the help says */
-    const char *replay;  /* path of a recording to play in place of a scene; null: none */
+    long keyframes; /* steps from one keyframe (snapshot of the world) of the recording to the next;
+                       0: only the first; -1: the option was not given, and the default of the help
+                       holds */
+    const char *replay; /* path of a recording to play in place of a scene; null: none */
     const char *bisect; /* of --replay: path of another build's thud-run to compare with; or null */
-    long hashes[3];     /* of --replay: print hashes from a step to a step, of each so many-th one,
-                           see bisect.h; the last 0: no */
+    long hashes[3];     /* of --replay: print the hashes of steps [0] to [1], of every [2]-th one
+                           (bisect.h); [2] is 0: print none */
     long hash_at;       /* of --replay: print the hashes of the bodies after a step; -1: no */
     char *failure; /* where a run writes why it failed, RUN_FAILURE_MAX characters; the run then
                       prints nothing. Null: it prints that, and its progress, on stderr */

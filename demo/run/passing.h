@@ -1,16 +1,17 @@
-/* passing.h: counts bodies that go through what stands, independently of how a world detects
- * collisions.
+/* passing.h: counts the dynamic bodies that go through static shapes, independently of how a world
+ * detects collisions.
  *
- * A body passed in a step if the straight way of its centre of mass from before the step to after
- * it enters a static shape with which it collides. A setting that lets bodies pass has no overlaps
- * to show for it, so that overlaps alone would call it accurate. Pairs that a rule lets pass, or
- * that collide on one side only, do not count, nor do two moving bodies. */
+ * A body passed in a step if the straight line of its centre of mass from before the step to after
+ * it enters a static shape with which it collides. A body that has gone through a wall within a
+ * step overlaps nothing afterwards, so that a setting of the engine that lets this happen would
+ * seem accurate if overlaps alone were measured. Pairs that a rule lets pass, or that collide on
+ * one side only, do not count, nor do two moving bodies. */
 #ifndef THUD_RUN_PASSING_H
 #define THUD_RUN_PASSING_H
 
 #include <thud/thud.h>
 
-/* Where a body was before the step, by slot. */
+/* Where the body of a slot was before the step. */
 typedef struct passing_place {
     thud_body_id body; /* null: none that moves */
     thud_pos center;

@@ -22,10 +22,12 @@ typedef struct uses {
     /* What the run used: numbers of dynamic bodies that ever did so. */
     int turned;       /* by more than 0.001 rad from the start */
     int turned_boxes; /* those of them with an oriented box: turning circles change no contact */
-    int bounced;      /* met at more than hit_speed in a pair with restitution */
-    int slid;         /* touched something under load whose surface went past at 0.05 length scales
-                         a second or more */
-    int rubbed;       /* had an impulse of friction of more than a thousandth of the normal one */
+    int bounced; /* had a hit event (met something at more than the world's hit_speed) in a pair
+                    with restitution */
+    int slid;    /* had a contact that bore a force while the two surfaces slid along each other at
+                    0.05 length scales a second or more */
+    int rubbed;  /* had a contact whose impulse of friction was more than a thousandth of its normal
+                    impulse */
     int slept;
     /* Sums over all steps. */
     long held, held_steps; /* bodies that continuous detection held back, and steps with any */
@@ -33,8 +35,10 @@ typedef struct uses {
     long contacts, direct_contacts; /* touching pairs of awake bodies; solved directly */
     long direct_steps;              /* steps that solved any island directly */
     /* Largest values of any step. */
-    int stack;         /* bodies on top of each other, from what stands up */
-    double mass_ratio; /* of two dynamic bodies that touched under load or are joined; 1: none */
+    int stack; /* the number of bodies in the highest pile, counted upwards from a body that is not
+                  dynamic */
+    double mass_ratio; /* the heavier over the lighter of two dynamic bodies that pressed on each
+                          other or are joined; 1: there were none */
     double speed;      /* of a body's centre over thud_world_get_bisection_limit; from 1 on a body
                           may pass through the thinnest shape within a step */
 } uses;

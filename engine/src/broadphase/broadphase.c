@@ -295,8 +295,9 @@ static bool sweep(td_pair_search *s) {
            (!td_fetches(w) || add_held(s));
 }
 
-/* Whether the world was crowded in the last step: requeue_crowded puts the shapes of a crowd at the
- * head of the moved list, with this mark. */
+/* Whether the world was crowded in the last step (had too many overlapping bounds:
+ * CROWD_PAIRS_BASE). It shows in the first shape of the moved list: after such a step
+ * requeue_crowded puts the shapes whose pairs take turns there, and marks them. */
 static bool was_crowded(const thud_world *w) {
     return *td_marks_at(w, td_int_at(&w->moved, 0)) & TD_MARK_CROWDED;
 }

@@ -34,9 +34,9 @@ TD_INLINE int first_reaching(const td_proxy_set *set, double min) {
     return low;
 }
 
-/* The least (min_of) and the greatest (max_of) coordinate of the i-th shape's bounds along the
- * axis, as keys count them. In a set that is not sorted they are not used, and the least one counts
- * as 0. */
+/* The least (min_of) and the greatest (max_of) coordinate of the i-th shape's bounds along
+ * set->axis, in bounds quanta from set->reference. In a set without keys, which is not sorted,
+ * nobody uses the results: min_of is 0 there, and max_of the width of the bounds. */
 TD_INLINE double min_of(const td_proxy_set *set, int i) {
     const td_sweep_key *keys = set->keys.data;
     return keys ? keys[i].min : 0.0;

@@ -135,9 +135,10 @@ TD_INLINE bool rows_may_overlap(const td_level *level, uint32_t n, int64_t rows)
     return false;
 }
 
-/* Tests the shapes of any level whose centres lie within half a cell of the bounds `b`, near
- * near_position: all that can overlap it. Tests the whole level where that is cheaper, or where
- * cells would be visited twice. */
+/* Tests the shapes of one level of the grid whose centres lie within half a cell of the bounds `b`.
+ * The cells of a level are wide enough (grid.h) that no other shape of it can overlap these bounds.
+ * `near_position` is a position near the bounds, by which their coordinates, which wrap around, are
+ * unwrapped. Tests the whole level where that is cheaper, or where cells would be visited twice. */
 TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b,
                            td_position near_position, scan_filter which) {
     const td_proxy_set *grid = s->set;

@@ -93,8 +93,9 @@ static inline void td_constraints_fetch(const thud_world *w, const int *constrai
  * its bodies already has a lane, among the sleeping ones, whose contents are moved. False when
  * memory is short; nothing has changed then. */
 bool td_lanes_place(thud_world *w, const int *constraints, int count);
-/* Moves the lanes of the constraints with their contents to their kinds' bins of sleeping lanes.
- * td_lanes_reserve_sleeping must have been called before; it reserves memory for any number of
+/* Moves the lanes of these constraints, with all that they contain, from the bins of their colours
+ * to the bin that each kind of constraint has for sleeping bodies, which the solver does not visit.
+ * td_lanes_reserve_sleeping must have been called before: it reserves memory for any number of
  * lanes. */
 void td_lanes_put_to_sleep(thud_world *w, const int *constraints, int count);
 bool td_lanes_reserve_sleeping(thud_world *w);

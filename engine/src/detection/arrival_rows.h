@@ -31,7 +31,8 @@ typedef struct td_arrival {
                                        pairs that bounce are no arrivals */
     td_impact impact;               /* as callbacks will see it; closing_speed is set */
     int32_t contact;                /* its number */
-    bool decided; /* the prologue decided the velocities (`decision`): nothing is solved */
+    bool decided; /* the program's prologue (its callback before a contact is solved) has set the
+                     velocities (`decision`): nothing is solved */
     td_decision decision;
 } td_arrival;
 

@@ -129,12 +129,13 @@ static bool has_no_impulses(const td_direct *d) {
     return true;
 }
 
-/* Warm-starts the active set. Active are the unilateral rows that had an impulse in the last step,
- * and those whose speed is below the target speed. If the impulses are the soft solver's, which are
- * not converged, or are all 0, every unilateral row that does not separate is active. With the soft
- * solver's impulses, friction rows whose sliding speed is at most g h also have an infinite bound,
- * until the first solve has given normal impulses from which the bound is computed. Returns the
- * number of rows. */
+/* Guesses the active set with which Newton's method starts. Active are the unilateral rows that had
+ * an impulse in the last step, and those whose speed is below the target speed. If the impulses are
+ * the soft solver's, which are not converged, or are all 0, every unilateral row that does not
+ * separate is active. With the soft solver's impulses, friction rows whose sliding speed is at most
+ * td_direct.unit_speed (what gravity adds to a speed in a step) also have an infinite bound, until
+ * the first solve has given normal impulses from which the bound is computed. Returns the number of
+ * rows. */
 static int warm_start(td_direct *d, double hysteresis) {
     int rows = 0;
     double margin = d->soft_warm_start || has_no_impulses(d) ? hysteresis : -hysteresis;

@@ -4,8 +4,9 @@
 /* If a pivot is below this share of the element that stood in its place before elimination, the row
  * follows from the rows before it, up to rounding, and cannot be solved for. Chosen. */
 #define PIVOT_MIN 1e-10
-/* Hysteresis of limits, as a share of the tolerance: a limit becomes active only if it is violated
- * by a higher speed than this. Chosen. */
+/* Hysteresis of limits, as a share of the `tolerance` of speeds that td_joint_tree_solve is given:
+ * a limit becomes active only if its speed is below its target speed by more than this share.
+ * Chosen. */
 #define HYSTERESIS 0.1
 /* Maximum number of active sets of limits that are tried, each with one factorisation. Chosen. */
 enum { FACTORINGS_MAX = 6 };

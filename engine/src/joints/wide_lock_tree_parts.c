@@ -350,7 +350,10 @@ TD_INLINE td_choice closes_gaps(const tree_step *s, td_reals closing, td_reals s
     return (td_choice)(closing > s->of->tolerance + TD_CLOSING_SHARE * squared);
 }
 
-/* Moves a body at its mean velocity, and extrapolates that to the end of the part. */
+/* Moves a body through a part of the step (td_lock_step is solved in parts) at its mean velocity
+ * there, and computes the velocity at the end of the part: twice the mean less the velocity at its
+ * start, since the velocity is taken to change linearly within it. Trees whose part does not end
+ * (`ends`) stay as they are. */
 TD_INLINE void move(const tree_step *s, td_lock_body *t, td_choice ends) {
     for (int k = 0; k < 3; k++) {
         td_reals mean = clamp_component(s, t->velocity[k], k);
