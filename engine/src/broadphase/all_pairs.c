@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* thud_broadphase.build: the order of `ids` is that of `list`. */
+/* thud_broadphase.build: puts the shapes of `list` into `ids` in the order that they have there. */
 static bool build(thud_world *w, td_proxy_set *set, bool few_moved) {
     (void)few_moved;
     set->valid = false;

@@ -528,7 +528,8 @@ bool td_broadphase(thud_world *w) {
     w->broadphase.sort_moves = w->awake_shapes.sort_moves + w->rest_shapes.sort_moves;
     w->awake_shapes.sort_moves = w->rest_shapes.sort_moves = 0;
     /* The test for new pairs also compares the bounds that shapes had before this step. So a world
-     * that was vast then is treated as vast for one step more. */
+     * that was vast then (so wide that bounds wrap around: is_vast) is treated as vast for one step
+     * more. */
     bool vast = is_vast(w);
     w->vast |= vast;
     bool crowded = false;

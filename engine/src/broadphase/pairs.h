@@ -53,10 +53,11 @@ static inline bool td_senses(const thud_world *w, int shape) {
     return td_shape_at(w, shape)->flags & TD_SHAPE_SENSOR;
 }
 
-/* A pair usually has a contact exactly if the fat bounds of its shapes overlapped at the last
- * broadphase. Whether this is not so for a pair, so that the contact lists of the bodies must be
- * searched: a shape belongs to a body that woke, or the world is so wide that bounds wrap around
- * (thud_world.vast). `marks`: the union of both shapes' marks. */
+/* Usually the bounds tell which pairs are new: a pair has a contact exactly if the fat bounds of
+ * its shapes overlapped at the last broadphase. True where this does not hold, so that the contact
+ * lists of the bodies must be searched for the pair instead: if a shape belongs to a body that
+ * woke, or the world is so wide that bounds wrap around (thud_world.vast). `marks`: the union of
+ * both shapes' marks. */
 static inline bool td_bounds_tell_nothing(const thud_world *w, int marks) {
     return marks & TD_MARK_WOKEN || w->vast;
 }

@@ -94,8 +94,8 @@ typedef struct td_surface {
                   where td_solve_context.surface_speeds */
     f8 total;  /* sum of the tangent impulses of all substeps; valid if
                   td_solve_context.keep_tangents is set */
-    f8 energy; /* in blocks that are bouncy: twice the pair's kinetic energy before it bounced in
-                  this step; < 0: it has not bounced */
+    f8 energy; /* in blocks with a lane that has restitution: twice the pair's kinetic energy before
+                  it bounced in this step; < 0: it has not bounced */
 } td_surface;
 
 /* The poses for which a lane's manifold was computed. While both shapes stay near these poses,
@@ -177,16 +177,19 @@ typedef struct td_gear_rows {
 /* Flags and counters of a lane: 32 bits, so that they are copied like a row. */
 typedef struct td_lane_marks {
     uint8_t internal_edges; /* td_internal_edges_of both shapes; 0: neither has internal edges */
-    uint8_t loaded;         /* times in succession that its load was above the threshold of
-                               direct/direct_islands.c, at most 2; and the bit TD_DIRECT */
-    uint16_t rule;          /* bits 0 to 9: number of the pair's rule in the table (rules/rules.h);
-                               bits 14, 15: TD_RULE_IMPULSE, TD_RULE_ONE_WAY; and the bits below */
+    uint8_t loaded; /* in how many checks in succession the lane's load was above the threshold from
+                       which its island is solved directly (direct/direct_islands.c), at most 2; and
+                       the bit TD_DIRECT */
+    uint16_t rule;  /* bits 0 to 9: number of the pair's rule in the table (rules/rules.h);
+                       bits 14, 15: TD_RULE_IMPULSE, TD_RULE_ONE_WAY; and the bits below */
 } td_lane_marks;
 
 /* Bits of td_lane_marks.rule. */
 enum {
-    TD_LANE_ALTERED = 1 << 13, /* contact: a prologue has changed its settings */
-    TD_LANE_REFUSED = 1 << 12, /* contact: a prologue has vetoed it */
+    TD_LANE_ALTERED = 1 << 13, /* contact: the program's callback before the solver (prologue) has
+                                  changed its settings */
+    TD_LANE_REFUSED =
+        1 << 12, /* contact: the program's callback before the solver (prologue) has vetoed it */
     /* Joint: it yielded, in the last step (LOST) or in the one before it (WAS_LOST): it had pressed
        a body into a static shape, and joint_yield.c corrected the motion. */
     TD_LANE_LOST = 1 << 11,

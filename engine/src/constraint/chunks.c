@@ -160,7 +160,8 @@ static void share_chunks(thud_world *w, td_phase *phase, int first, int count, i
     }
 }
 
-/* Begins a phase of one part, which is the first worker's unless another one takes it before. */
+/* Begins a phase (the work between two barriers of the workers) of a single part. The part belongs
+ * to the first worker, but another one that is free earlier takes it. */
 static void give_to_one(thud_world *w, td_phase *phase, int first, int workers) {
     *td_part_first(w, phase->first) = first;
     phase->parts = 1;
@@ -169,7 +170,8 @@ static void give_to_one(thud_world *w, td_phase *phase, int first, int workers) 
     }
 }
 
-/* Lists the phases. False when memory is short. */
+/* Lists the phases of the step: the pieces of work between two barriers, at which the workers wait
+ * for each other. False when memory is short. */
 static bool list_phases(thud_world *w, int workers) {
     td_array *phases = &w->scratch.phases;
     int *order = w->scratch.chunk_order.data, chunks = w->scratch.chunks.count, parts = 0;

@@ -18,13 +18,14 @@
  * as in gaps.c; here `start` is chosen so that the formula gives the exact gap at the time at which
  * the pair would meet. */
 typedef struct td_arrival {
-    td_awake_slot a, b;             /* 0: the body does not move */
-    float nx, ny;                   /* normal, from a to b */
-    float ax, ay, bx, by;           /* arms: from the centres of mass to the point */
-    float start;                    /* the gap at the start of the step, length */
-    float gap_min;                  /* the gap must not end below this, length */
-    float inv_inertia[2];           /* of a and b */
-    float mass;                     /* effective mass along the normal */
+    td_awake_slot a, b;   /* 0: the body does not move */
+    float nx, ny;         /* normal, from a to b */
+    float ax, ay, bx, by; /* arms: from the centres of mass to the point */
+    float start;          /* the gap at the start of the step, length */
+    float gap_min;        /* the gap must not end below this, length */
+    float inv_inertia[2]; /* of a and b */
+    float mass; /* effective mass along the normal: impulse over the change of the closing speed
+                   that it causes */
     float motion, velocity;         /* accumulated impulses, >= 0, as in td_pushes */
     float rubbed;                   /* friction impulse on b along (ny, -nx), mass length/s */
     thud_contact_settings settings; /* surface of the pair; its restitution has no effect, since

@@ -76,7 +76,8 @@ static bool is_accepted(thud_world *w, td_arrival *r) {
     return true;
 }
 
-/* The arm of the impact point from the centre of a body at `time`. */
+/* The arm of the impact point: the vector from a body's centre of mass, where it is at `time`, to
+ * that point. */
 static void arm_of(const thud_world *w, td_body_index body, const td_impact_point *at, double time,
                    float *x, float *y) {
     td_trajectory f = td_trajectory_of(w, body);

@@ -98,7 +98,7 @@ static void sweep_against_shape(sweep *s, int other) {
     record_hit(s, other, &hit);
 }
 
-/* sweep_against_shape for a terrain. */
+/* Sweeps the shape against a terrain, as sweep_against_shape does against a static shape. */
 static void sweep_against_terrain(sweep *s, int line) {
     if (stops_at(s, line)) {
         td_swept_hit hit = {.time = 1.0};

@@ -61,7 +61,8 @@ static bool is_end_ghost(const thud_world *w, const td_toi_candidate *e, const t
     return true;
 }
 
-/* Whether the contact of two shapes is a ghost; *part as time_past_face. */
+/* Whether the contact of two shapes is a ghost. *part: the earliest time, as a share of the
+ * approach, at which it may stop being one (time_past_face). */
 static bool is_box_ghost(thud_world *w, const td_toi_candidate *e, const td_approach *p,
                          double *part) {
     td_internal_edge_pair pair = {w, {e->shape[0], e->shape[1]}, {p->a, p->b}};

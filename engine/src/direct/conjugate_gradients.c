@@ -22,8 +22,9 @@
 
 /* Maximum number of iterations. Chosen; each costs one solve with the present factor. */
 enum { ITERATIONS_MAX = 12 };
-/* Maximum of alpha. A larger alpha means that the active rows contradict each other along p: no
- * velocities satisfy all of them, and the iteration is given up. Chosen. */
+/* Maximum of alpha, the length of a step along the search direction p. A larger alpha means that
+ * the active rows contradict each other along p: no velocities satisfy all of them, and the
+ * iteration is given up. Chosen. */
 #define STEP_MAX 100.0
 
 /* The residual of a row. A soft row has none: it is satisfied by its own stiffness. */

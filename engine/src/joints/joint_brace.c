@@ -44,7 +44,8 @@
 #include "islands/label.h"
 #include "joints/joint.h"
 
-/* Which work add_work adds. */
+/* Which work add_work adds: that of a group's impulses p at the speeds without them (p.u at the
+ * head of this file), or with them (p.u'). */
 enum { WORK_WITHOUT, WORK_WITH };
 
 /* A group; `index` is stored as a float in lanes. td_joints_engage has reserved room for one group
@@ -163,10 +164,12 @@ static void number_groups(thud_world *w) {
     for_each_lock_block(w, number_lanes, 0);
 }
 
-/* Adds the work p.u (`which` WORK_WITHOUT) or p.u' (WORK_WITH) of a block's lanes to the sums of
- * their groups, and with p.u' the energy that they exchange. Marks blocks with a lane whose group
- * is torn (td_brace_rows.torn). The passes of bracing skip all other blocks: the values of work in
- * those are out of date, but are added only to groups that are not braced. */
+/* Adds the work of a block's lanes to the sums of their groups: impulse times the speed without the
+ * impulses (`which` WORK_WITHOUT: p.u at the head of this file), or times the speed with them
+ * (WORK_WITH: p.u'). With p.u' it also adds the energy that the lanes exchange, |p.u'|. Marks
+ * blocks with a lane whose group is torn (td_brace_rows.torn). The passes of bracing skip all other
+ * blocks: the values of work in those are out of date, but are added only to groups that are not
+ * braced. */
 static void add_work(thud_world *w, td_block *block, int which) {
     const float *group = lane_groups(block);
     td_brace_rows *rows = td_brace_rows_of(block);
@@ -191,7 +194,9 @@ static void add_work(thud_world *w, td_block *block, int which) {
     }
 }
 
-/* Multiples of the share at which E has its minimum: that share itself, and the one with E = 0. */
+/* The two shares of the impulses that a braced group may keep, as multiples of the share at which
+ * the energy E that they add has its minimum (head of this file): that share itself, and the one
+ * with E = 0. */
 #define MIN_ENERGY 1.0
 #define ZERO_ENERGY 2.0
 
@@ -215,7 +220,8 @@ static bool is_braced(const td_brace_group *group, bool relaxed, double energy) 
     return is_torn(group, relaxed) && energy > (relaxed ? 0.0 : tolerated_gain(group));
 }
 
-/* The share of a group's impulses to keep, 0 .. 1; 1 where it is not braced. */
+/* The share of a group's impulses to keep, 0 .. 1; 1 where the group is not braced (its impulses
+ * add no energy that matters). */
 static float share_to_keep(const td_brace_group *group, bool relaxed) {
     double growth = group->work_with - group->work_without;
     double energy = 0.5 * (group->work_without + group->work_with);

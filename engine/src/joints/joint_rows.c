@@ -118,7 +118,7 @@ static td_joint_frame average_frame(const td_block *block, int lane, double gap_
     return f;
 }
 
-/* The joint's frame at the middle of the time span. Its axes turn with body a. */
+/* The joint's frame at the middle of the part of the step. Its axes turn with body a. */
 static td_joint_frame middle_frame(const td_block *block, int lane, double gap_u, double gap_v,
                                    const td_span *s) {
     double a[3], b[3];

@@ -119,7 +119,8 @@ typedef struct row_direction {
     double x, y, cross_a, cross_b;
 } row_direction;
 
-/* J x of a row, for the motion or the velocity. */
+/* The value J x of a row (head of this file): with the motions of both sides in the step, or with
+ * on_velocities with their velocities. */
 static double row_value(const tied_group *g, const td_lane *at, const row_direction *n) {
     const float *a = record_of(g, at->block->a[at->lane]),
                 *b = record_of(g, at->block->b[at->lane]);
@@ -597,7 +598,7 @@ typedef struct finding {
     /* A lock's gap is wider than depth_share of the group's smallest half extent, and wider than at
      * the start of the step. */
     bool locks_open;
-    bool deep; /* a contact with a static shape is below its least separation */
+    bool deep; /* a contact with a static shape overlaps more than it may (min_separation) */
 } finding;
 
 /* Whether a gap is wider than `tolerance`, and than before. */

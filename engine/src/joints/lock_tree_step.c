@@ -17,9 +17,9 @@
 
 #include <string.h>
 
-/* The work of one solution for each body of a tree, in operations on 3 x 3 blocks, the unit of
- * thud_quality.island_work. Measured by counting the instructions that a tree takes that is alone
- * in the lanes of its vectors. */
+/* The work that solving a tree once takes for each of its bodies, in operations on 3 x 3 blocks,
+ * the unit of thud_quality.island_work. Measured by counting the instructions that a tree takes
+ * that is alone in the lanes of its vectors. */
 enum { TREE_COST = 1 };
 /* Number of solutions that a part is expected to take. take_trees counts the expected cost of each
  * tree; where the budget of the step does not suffice, the trees that are left over stay with the
@@ -202,7 +202,8 @@ static bool take_joint(const thud_world *w, const td_island *island, td_listed_b
     return !t->weld || (t->turns && holder_turns);
 }
 
-/* The island as a tree, in `list`. False where it is none. */
+/* Reads the island as a tree of bodies and joints, into `list`. False where it is no tree of locks
+ * that can be solved. */
 static bool take_tree(const thud_world *w, const td_island *island, const td_direct_body *known,
                       td_listed_body *list) {
     int held, hold;

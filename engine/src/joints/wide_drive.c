@@ -39,7 +39,7 @@ TD_INLINE direction8 direction_now(const td_block *block, const td_drive_rows *r
     return now;
 }
 
-/* The coordinate's rate of change. */
+/* The speed of the driven coordinate, by the present velocities of both sides. */
 TD_INLINE f8 speed_along(const direction8 *n, const sides *v, bool a_static) {
     return speed_now(v, a_static, n->x, n->y, n->cross_a, n->cross_b);
 }

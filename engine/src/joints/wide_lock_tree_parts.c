@@ -23,14 +23,15 @@ typedef struct tree_step {
     td_lock_body *bodies;
     int count;
     const td_lock_step *of;
-    td_choice going;  /* trees whose step has not failed */
+    td_choice going;  /* trees (one in each lane of a vector) whose step has not failed */
     td_choice closed; /* a part has closed gaps */
 
     /* ---- the part; of a tree that is done, its last one ---- */
     td_choice within;  /* trees that have not reached the end of the step, and have not failed */
-    td_choice shorter; /* trees whose part is begun once more */
-    td_reals required; /* number of parts into which a whole step has to be divided, by the angular
-                          velocities; 0: too many */
+    td_choice shorter; /* trees whose part of the step is begun once more with a shorter length,
+                          because a body turned too far */
+    td_reals required; /* number of parts into which a whole step has to be divided so that no body
+                          turns too far in a part; 0: too many */
     td_reals share;    /* length of the part, as a share of the step */
     td_reals part;     /* the same, s; 0 of a tree that is done */
     td_reals half_of;  /* the share of a step over which twice the present impulses of joints act:
