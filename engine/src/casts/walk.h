@@ -24,8 +24,9 @@ static inline int td_walk_room(const thud_world *w) {
     return td_min_int(w->shapes.count, 16384) + TD_LANES;
 }
 
-/* Begins a walk along `way`, which the caller keeps; `room`: an array of `size` = td_walk_room
- * ints. To be called after td_query_prepare. */
+/* Begins a walk (the search for the hits of a cast along a path, in the order of their distance)
+ * along `way`, which the caller keeps until the walk ends; `room`: an array of `size` =
+ * td_walk_room ints. To be called after td_query_prepare. */
 td_walk td_walk_begin(const thud_world *w, const td_path *way, int *room, int size);
 
 /* Finds the next hits below the fraction `limit`, at most k->capacity; k->count is 0 where there

@@ -17,7 +17,8 @@ static td_slots *pool_of(thud_world *w, int kind) {
     return &w->pool[w->kinds[kind]->form];
 }
 
-/* The bins of one number (td_bin_of_place). */
+/* The bins with the number `bin` (td_bin_of_place: a colour, and a place), of all kinds of
+ * constraints. */
 static td_bins *bins_at(thud_world *w, int bin) {
     int placed = bin - TD_BINS_A_KIND;
     return placed < 0 ? &w->bins[bin] : TD_AT(td_bins, &w->placed_bins, placed);

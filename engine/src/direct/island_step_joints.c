@@ -228,9 +228,10 @@ static double solve_mean_velocity(td_island_work *work, double start, double tol
     return __builtin_inf();
 }
 
-/* Prepares motors and springs for the second problem. Its impulses change the velocity over the
- * whole part, those of the mean velocity over half of it. So bounds are doubled, and a spring gets
- * the target speed at which it keeps the mean force that it had in the part. */
+/* Prepares motors and springs for the second problem, which finds the velocities at the end of the
+ * part (solve_end_velocity). Its impulses change the velocity over the whole part; those of the
+ * first problem, which finds the mean velocities, over half of it. So bounds are doubled, and a
+ * spring gets the target speed at which it keeps the mean force that it had in the part. */
 static void set_end_drives(td_direct_constraint *c) {
     c->bound *= 2.0;
     c->row[TD_DIRECT_TANGENT].max_impulse +=

@@ -5,8 +5,9 @@
 
 /* A solve pass (`soft`) or relax pass over a block; `a_static`: side a is static. The equations are
  * those of wide_joint.h, with the gap C = separation and the bias clamped to closing_factor times
- * joint_closing_speed. c->last is set in relax passes alone: the tally gets -|speed|, the residual.
- */
+ * joint_closing_speed. c->last is set only in the relax pass of the last substep: there the speed
+ * along the rod is entered in the error statistics (c->tally) as its residual, as -|speed|, since
+ * td_tally.min_speed keeps the least value. */
 TD_INLINE void solve_rod(td_block *block, const td_solve_context *c, bool a_static, bool soft) {
     td_point *p = &block->point[0];
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), length;

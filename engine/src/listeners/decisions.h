@@ -8,7 +8,9 @@
 
 struct td_impact; /* detection/collide.h */
 
-/* A decided collision. By side: 0 is the body of seen.shape_a, 1 that of seen.shape_b. */
+/* A collision whose outcome a prologue (the program's callback before the solver) has decided: it
+ * has given one or both bodies their velocities, and the engine does not solve the contact. By
+ * side: 0 is the body of seen.shape_a, 1 that of seen.shape_b. */
 typedef struct td_decision {
     thud_contact seen;    /* as listeners see it; the impulses are set as it takes effect */
     int number;           /* of the contact among those that the prologue is asked about */
