@@ -46,10 +46,10 @@ THUD_API thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_
 
 /* The smallest volume around count >= 1 points, |x|, |y| <= THUD_COORDINATE_MAX, which may be on
  * one line or a single point. The smallest circle is found by exchanging the points that define it
- * (Gaertner, Fast and robust smallest enclosing balls, 1999), in a few passes over the points. The
- * OBB of least area has a side along a side of the convex hull (Freeman and Shapira, Determining
- * the minimum-area encasing rectangle, 1975): two passes over the points for each side of the hull;
- * at most 512 sides are tried. */
+ * (Elzinga and Hearn, Geometrical solutions for some minimax location problems, 1972), in a few
+ * passes over the points. The OBB of least area has a side along a side of the convex hull (Freeman
+ * and Shapira, Determining the minimum-area encasing rectangle, 1975): two passes over the points
+ * for each side of the hull; at most 512 sides are tried. */
 THUD_API thud_result thud_volume_around_points(thud_shape_kind kind, const thud_pos *points,
                                                int count, thud_volume *out);
 
