@@ -31,6 +31,10 @@ Builds and tests everything, or only the parts that are named:
               what the page's own code decides run in Firefox, too, and not in Chromium alone, and
               native players and those in WebAssembly play 10^4 steps over the worst network
 
+THUD_LATE=MS or THUD_LATE=MS:SEED in the environment makes the files of the page arrive up to MS
+milliseconds late, in an order by the seed: the part page then fails where a test, or the page, relies
+on what has not been loaded yet (tests/web/support/late.mjs).
+
 Two lanes run side by side: one begins with wasm, the other with native and then page, to which all
 others give way; sanitizers and baseline run in the lane that is free first. What a part prints is in
 build/test/PART.log and shown as it ends.

@@ -94,9 +94,13 @@ export function launchChromium({ webgl = true, oneProcess = false } = {}) {
   });
 }
 
-/** Serves the built page on a free port, under the path `under`. Returns its URL, and `close`. */
-export async function servePage(under = "/") {
+/**
+ * Serves the built page on a free port, under the path `under`. Returns its URL, and `close`.
+ * `prepare` is called with the server before it listens.
+ */
+export async function servePage(under = "/", prepare = () => {}) {
   const server = createStaticServer(fileURLToPath(new URL("../dist", import.meta.url)), under);
+  prepare(server);
   const port = await listenFrom(server, 0);
   return {
     url: `http://127.0.0.1:${port}${under}`,

@@ -5,6 +5,7 @@ import assert from "node:assert/strict";
 import { after, afterEach, beforeEach } from "node:test";
 import { DESKTOP, launch, servePage } from "../../../web/tools/browser.mjs";
 import { contextsOf } from "./contexts.mjs";
+import { answerLate } from "./late.mjs";
 import { axeSource } from "./package.mjs";
 
 export { BROWSERS, DESKTOP, PHONE, stepBy } from "../../../web/tools/browser.mjs";
@@ -89,7 +90,7 @@ const contexts = new WeakMap();
 export function openVisitor({ webgl = false, browser: name = "chromium" } = {}) {
   return {
     async open(search = "", options = DESKTOP, prepare = null) {
-      const server = await (served ??= servePage());
+      const server = await (served ??= servePage("/", answerLate));
       const browser = await browserOf(name, { webgl });
       if (!contexts.has(browser)) contexts.set(browser, contextsOf(browser, server.url, PATIENCE));
       const kind = prepare || name === "firefox" ? "own" : "shared";
