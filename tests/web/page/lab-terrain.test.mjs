@@ -14,6 +14,7 @@ const numbers = (text) => text.split(" and ").map(Number);
 
 /** Waits until the panel has the weights of the place that its slider has, and returns its rows. */
 async function weighed(page) {
+  await page.waitForSelector("[data-readings=weights] dd", { state: "attached" });
   const x = await valueOf(page, "x");
   const rows = await until(
     () => rowsOf(page, "weights"),
@@ -60,6 +61,8 @@ for (const browser of BROWSERS)
 test("vertex_is_dragged_by_the_pointer_and_the_place_by_a_press_beside_it", async () => {
   const { page, errors, close } = await openVisitor().open("?scene=lab_terrain&paused=1", DESKTOP);
   await stepBy(page, 10);
+  // The panel, whose sliders tell the place, comes after the scene, and takes room from the view.
+  await weighed(page);
   // Above the ground a press moves the place: two of them tell how long a unit is on the screen.
   const placeAt = async (px) => {
     await page.mouse.click(px, 260);

@@ -47,6 +47,8 @@ for (const [size, options] of SIZES)
       const { page, errors, close } = await visitor.open(`?scene=${scene}&paused=1`, options);
       await stepBy(page, 1);
       await untilFigures(page);
+      // A game's figures and message come with the list of scenes.
+      await page.waitForSelector("[data-entry]", { state: "attached" });
       await untilStill(page);
       const { width, height } = options.viewport;
       const all = await boxes(page);
@@ -199,6 +201,7 @@ for (const [told, scene, size, options] of TOLD)
   test(`${told}_covers_nothing_of_${scene}_on_a_${size}`, async () => {
     const { page, close } = await visitor.open(`?scene=${scene}&paused=1`, options);
     await stepBy(page, 1);
+    await page.waitForSelector(`#${told}:not([hidden])`);
     await untilStill(page);
     const line = await page.locator(`#${told}`).boundingBox();
     const highest = () =>

@@ -42,6 +42,8 @@ async function openRoom(visitor, browser, options) {
   const search = `?scene=geometry&paused=1&view=0,0,${SCALE}`;
   const opened = await visitor.open(search, sized(browser, options));
   await opened.page.waitForSelector("[data-readings=closest] dd");
+  // What shows the scene's message comes with the list of scenes, and takes room from the view.
+  await opened.page.waitForSelector("#message:not([hidden])");
   await untilStill(opened.page);
   return opened;
 }
