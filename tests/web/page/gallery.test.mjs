@@ -31,6 +31,15 @@ function focused(page) {
   return page.evaluate(() => document.activeElement.dataset.entry ?? document.activeElement.id);
 }
 
+/** Whether an element is within the part of the dock that is in view. */
+function inDock(page, element) {
+  return page.evaluate((selector) => {
+    const { top, bottom } = document.querySelector(selector).getBoundingClientRect();
+    const around = document.querySelector("#dock-body").getBoundingClientRect();
+    return top >= around.top && bottom <= around.bottom;
+  }, element);
+}
+
 function untilFocused(page, name) {
   return until(() => focused(page), (now) => now === name, `the focus is not at ${name}`);
 }
@@ -150,13 +159,7 @@ test("gallery_opens_the_part_of_a_panel_that_was_searched_for", async () => {
     await page.waitForFunction((name) => location.search.includes(`scene=${name}`), scene);
     await page.waitForFunction((name) => location.search.includes(`panel=${name}`), panel);
     await page.waitForSelector(element);
-    const seen = () =>
-      page.evaluate((selector) => {
-        const { top, bottom } = document.querySelector(selector).getBoundingClientRect();
-        const around = document.querySelector("#dock-body").getBoundingClientRect();
-        return top >= around.top && bottom <= around.bottom;
-      }, element);
-    await until(seen, (inside) => inside, `${element} is in view`);
+    await until(() => inDock(page, element), (inside) => inside, `${element} is in view`);
     await page.click("#scenes-button");
   }
   // What is found by the scene's own words opens what the scene opens.
@@ -165,6 +168,28 @@ test("gallery_opens_the_part_of_a_panel_that_was_searched_for", async () => {
   await page.press("#scene-search", "Enter");
   await page.waitForFunction(() => location.search.includes("scene=detection"));
   await page.waitForFunction(() => !location.search.includes("panel=trade"));
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("gallery_shows_the_part_of_a_panel_that_is_open_and_still_loaded", async () => {
+  let send;
+  const held = new Promise((done) => (send = done));
+  const slow = (page) =>
+    page.route("**/assets/trade-*.js", async (route) => {
+      await held;
+      await route.continue();
+    });
+  const search = "?scene=pyramid&size=10&panel=trade";
+  const { page, errors, close } = await visitor.open(search, DESKTOP, slow);
+  await page.click("#scenes-button");
+  await untilFocused(page, "pyramid");
+  await page.fill("#scene-search", "what does my scene require");
+  await page.press("#scene-search", "Enter");
+  await page.waitForFunction(() => location.search.includes("scene=detection"));
+  send();
+  await page.waitForSelector("#measure-heading");
+  await until(() => inDock(page, "#measure-heading"), (seen) => seen, "the part is in view");
   assert.deepEqual(errors, []);
   await close();
 });

@@ -32,6 +32,8 @@ export class Dock {
   #shown: Panel | null = null;
   readonly #changed: () => void;
   #open: string | null = null;
+  /** Resolves when the panel that was opened last is shown. */
+  #showing: Promise<void> = Promise.resolve();
   /** The element outside the dock that had the focus when a panel was opened. */
   #focusBefore: Element | null = null;
 
@@ -71,7 +73,13 @@ export class Dock {
   async show(name: string, focus = true): Promise<void> {
     // The name may come from the address, and be an inherited one such as "constructor".
     const kind = Object.hasOwn(this.#kinds, name) ? this.#kinds[name] : null;
-    if (!kind || this.#open === name) return;
+    if (!kind) return;
+    // It may be open and still be loaded.
+    if (this.#open !== name) this.#showing = this.#load(name, kind, focus);
+    await this.#showing;
+  }
+
+  async #load(name: string, kind: PanelKind, focus: boolean): Promise<void> {
     const { activeElement } = document;
     if (!byId("dock").contains(activeElement)) this.#focusBefore = activeElement;
     if (this.#open) this.#leave();
