@@ -147,8 +147,9 @@ int64_t td_island_cost(const td_island *island);
 /* Steps of cooldown of islands with joints: under the soft solver the gaps of joints under load
  * widen, so that the cooldown is short. */
 #define TD_PAUSE_STEPS 8
-/* Steps of cooldown of islands of contacts in motion, which are soon others: half a second at 60
- * steps a second. Chosen. */
+/* Steps of cooldown of an island of contacts in motion, whose contacts are soon others; and of a
+ * body that is marked while its island is in its cooldown. Half a second at 60 steps a second.
+ * Chosen. */
 #define TD_MOTION_PAUSE_STEPS 30
 /* thud_world.slow_steps of a body holds two counts. Its lower part, up to TD_SLOW_STEPS, is the
  * number of steps in succession in which the direct solver took long, or, at qualities without a

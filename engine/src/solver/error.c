@@ -49,8 +49,9 @@ static void recount(thud_world *w) {
             w->error_hooks->tally[w->wide](&tally, blocks, run->count, points, &context);
             w->error_hooks->speeds[w->wide](&tally, blocks, run->count, points, w->velocity.data,
                                             (float)(w->substeps / w->def.time_step));
+            continue;
         }
-        for (int k = 0; k < run->count && run->kind >= TD_PAIR_COUNT; k++) {
+        for (int k = 0; k < run->count; k++) {
             w->kinds[run->kind]->lanes->count(w, blocks[k]);
         }
     }

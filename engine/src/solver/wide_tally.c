@@ -42,7 +42,7 @@ void TD_WIDE(td_tally_points)(td_tally *to, td_block *const *blocks, int count, 
 td_tally_speeds_fn TD_WIDE(td_tally_speeds);
 void TD_WIDE(td_tally_speeds)(td_tally *to, td_block *const *blocks, int count, int points,
                               const float (*velocity)[4], float inv_h) {
-    f8 zero = f8_all(0.0f), closed_by = f8_all(inv_h);
+    f8 zero = f8_all(0.0f), substep_rate = f8_all(inv_h);
     for (int i = 0; i < count; i++) {
         const td_block *block = blocks[i];
         td_rows a = td_gather(velocity, block->a), b = td_gather(velocity, block->b);
@@ -50,7 +50,7 @@ void TD_WIDE(td_tally_speeds)(td_tally *to, td_block *const *blocks, int count, 
         for (int k = 0; k < points; k++) {
             const td_point *p = &block->point[k];
             f8 speed = along + b.z * p->cross_b - a.z * p->cross_a +
-                       f8_max(p->separation, zero) * closed_by;
+                       f8_max(p->separation, zero) * substep_rate;
             to->min_speed = f8_min(f8_keep(p->normal_mass > zero, speed), to->min_speed);
         }
     }

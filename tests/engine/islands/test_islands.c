@@ -231,6 +231,17 @@ static void islands_that_strain_are_left_alone_after_slow_steps(void **state) {
     assert_true(long_one > short_one);
 }
 
+/* Work on islands in ten seconds of a world, which is then destroyed. */
+static int64_t work_of(thud_world *world) {
+    int64_t work = 0;
+    for (int i = 0; i < 600; i++) {
+        run(world, 1);
+        work += thud_stats_of(world).island_work;
+    }
+    thud_world_destroy(world);
+    return work;
+}
+
 /* Work on islands in ten seconds in which boxes and discs fall on rolling ground and come to
  * rest. */
 static int64_t work_of_heap(const thud_quality *quality, int substeps, uint64_t seed) {
@@ -253,13 +264,7 @@ static int64_t work_of_heap(const thud_quality *quality, int substeps, uint64_t 
                                    random_in(&seed, -3, 3));
         add_shape(world, id, hx, i % 3 ? hy : 0, false, NULL);
     }
-    int64_t work = 0;
-    for (int i = 0; i < 600; i++) {
-        run(world, 1);
-        work += thud_stats_of(world).island_work;
-    }
-    thud_world_destroy(world);
-    return work;
+    return work_of(world);
 }
 
 /* Fewer substeps must not cost more work, summed over six heaps, since single ones vary. And in a
@@ -294,13 +299,7 @@ static int64_t work_of_sizes(uint64_t seed) {
                                    random_in(&seed, -3, 3));
         add_shape(world, id, size, i % 2 ? 0 : 0.8f * size, false, NULL);
     }
-    int64_t work = 0;
-    for (int i = 0; i < 600; i++) {
-        run(world, 1);
-        work += thud_stats_of(world).island_work;
-    }
-    thud_world_destroy(world);
-    return work;
+    return work_of(world);
 }
 
 /* While contacts of heavy bodies on light ones move, the direct solver would not lessen the
